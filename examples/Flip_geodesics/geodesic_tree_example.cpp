@@ -54,7 +54,7 @@ try {
   const FG::Geodesic_tree_report report = tree.grow(FG::Vertex_index(argc > 2 ? number(argv[2]) : 0));
   //! [Tree]
   std::cout << report.flips << " flips; the paths are " << to_string(report.status) << '\n';
-  const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+  const FG::Vertex_logarithmic_map map = FG::logarithmic_map(tree);
 
   std::ofstream out("logarithmic_map.obj");
   for(const auto v : mesh.vertices()) {

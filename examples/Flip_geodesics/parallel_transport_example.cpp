@@ -53,7 +53,7 @@ try {
 
   const Triangulation triangulation(mesh);
   const FG::Surface_location source = {triangulation.input().index(mesh.halfedge(face)), {{1, 1, 1}}};
-  const FG::Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, source, limits);
+  const FG::Logarithmic_map<Triangulation> logarithm(triangulation, mesh, source, limits);
   const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
 
   std::vector<std::vector<Point_3>> arrows;

@@ -218,8 +218,8 @@ BOOST_AUTO_TEST_CASE(fields_in_property_maps)
   field.compute();
   auto distances = s.mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", -1).first;
   auto sources = s.mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:source", 7).first;
-  write_distances(field, s.triangulation, s.mesh, distances);
-  write_nearest_sources(field, s.triangulation, s.mesh, sources);
+  put_distances(field, s.triangulation, s.mesh, distances);
+  put_nearest_sources(field, s.triangulation, s.mesh, sources);
   for(const auto v : s.mesh.vertices()) {
     BOOST_TEST(distances[v] == field.distance(s.triangulation.index(v)));
     BOOST_TEST(sources[v] < 2u);

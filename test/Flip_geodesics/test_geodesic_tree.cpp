@@ -31,24 +31,24 @@ BOOST_AUTO_TEST_CASE(plane)
       Double_tree_setting setting(soup);
       check_tree(setting, setting.tree.grow(source));
       const Coordinates& s = soup.points[source.idx()];
-      const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
+      const FG::Vertex_logarithmic_map map = FG::logarithmic_map(setting.tree);
       // Any vertex fixes the rotation; the others must agree.
       const auto plane_angle_of = [&](Vertex_index v) {
         return plane_angle(soup.points[v.idx()][0] - s[0], soup.points[v.idx()][1] - s[1]);
       };
       const Vertex_index other = source == 0_v ? 1_v : 0_v;
-      const double turn = plane_angle_of(other) - map.vertices[other].angle;
+      const double turn = plane_angle_of(other) - map[other].angle;
       for(Vertex_index v : setting.vertices()) {
         if(v == source)
           continue;
-        const FG::Polar_coordinates& p = map.vertices[v];
+        const FG::Polar_coordinates& p = map[v];
         BOOST_TEST(is_close(p.radius, distance(s, soup.points[v.idx()]), n));
         BOOST_TEST(is_same_angle(p.angle + turn, plane_angle_of(v), 2 * pi));
         BOOST_TEST(p.angle >= 0);
         BOOST_TEST(p.angle <= map.total_angle + tolerance);
       }
-      BOOST_TEST(map.vertices[source].radius == 0);
-      BOOST_TEST(std::isnan(map.vertices[source].angle));
+      BOOST_TEST(map[source].radius == 0);
+      BOOST_TEST(std::isnan(map[source].angle));
       BOOST_TEST(map.is_on_border == (source != inner));
       if(!map.is_on_border)
         BOOST_TEST(is_close(map.total_angle, 2 * pi));
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(plane_coordinates)
   const Vertex_index source(grid_vertex(n, 4, 4)), right(grid_vertex(n, 5, 4));
   const FG::Input_halfedge_index zero = direction(setting, source, right);
   setting.tree.grow(source);
-  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree, zero);
+  const FG::Vertex_logarithmic_map map = FG::logarithmic_map(setting.tree, zero);
   const Coordinates &s = soup.points[source.idx()], &r = soup.points[right.idx()];
   const double length = distance(s, r), c = (r[0] - s[0]) / length, d = (r[1] - s[1]) / length;
   for(Vertex_index v : setting.vertices()) {
@@ -102,14 +102,14 @@ BOOST_AUTO_TEST_CASE(angles_start_where_it_is_told)
   const Vertex_index inserted = setting.triangulation.insert({FG::Input_halfedge_index(0), {{1, 2, 0}}});
   for(Vertex_index source : {Vertex_index(grid_vertex(n, 3, 3)), Vertex_index(grid_vertex(n, n, 2)), inserted}) {
     setting.tree.grow(source);
-    const FG::Logarithmic_map usual = FG::logarithmic_map(setting.tree);
+    const FG::Vertex_logarithmic_map usual = FG::logarithmic_map(setting.tree);
     const bool is_inner = source == Vertex_index(grid_vertex(n, 3, 3));
     for(FG::Input_halfedge_index h : FG::internal::descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
       if(input.tail(h) != source && source != inserted)
         continue;
-      const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree, h);
+      const FG::Vertex_logarithmic_map map = FG::logarithmic_map(setting.tree, h);
       for(Vertex_index v : setting.vertices()) {
-        const FG::Polar_coordinates &p = map.vertices[v], &q = usual.vertices[v];
+        const FG::Polar_coordinates &p = map[v], &q = usual[v];
         if(v == source)
           continue;
         BOOST_TEST((is_inner || p.angle == q.angle));
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(cylinder_unrolls)
   const Vertex_index source(4 + n * 3), right(source.idx() + 1);
   const FG::Input_halfedge_index zero = direction(setting, source, right);
   check_tree(setting, setting.tree.grow(source));
-  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree, zero);
+  const FG::Vertex_logarithmic_map map = FG::logarithmic_map(setting.tree, zero);
   int minimal = 0;
   for(Vertex_index v : setting.vertices()) {
     const auto [x, y] = map.in_plane(v);
@@ -142,8 +142,8 @@ BOOST_AUTO_TEST_CASE(cylinder_unrolls)
     BOOST_TEST(is_close(turns, std::round(turns)), "vertex " << v.idx());
     BOOST_TEST(is_close(y, height * (v.idx() / n - source.idx() / n) / m, height));
     const double shortest = cylinder_distance(n, m, radius, height, source.idx(), v.idx());
-    BOOST_TEST(map.vertices[v].radius >= shortest * (1 - tolerance));
-    minimal += is_close(map.vertices[v].radius, shortest, height) ? 1 : 0;
+    BOOST_TEST(map[v].radius >= shortest * (1 - tolerance));
+    minimal += is_close(map[v].radius, shortest, height) ? 1 : 0;
   }
   BOOST_TEST(minimal >= setting.size() * 9 / 10);
 }
@@ -154,12 +154,12 @@ BOOST_AUTO_TEST_CASE(cone_from_the_apex_and_from_elsewhere)
   constexpr double total = 4.5;
   Double_tree_setting setting(cone_disk(n, m, total));
   check_tree(setting, setting.tree.grow(0_v));
-  const FG::Logarithmic_map from_apex = FG::logarithmic_map(setting.tree);
+  const FG::Vertex_logarithmic_map from_apex = FG::logarithmic_map(setting.tree);
   BOOST_TEST(is_close(from_apex.total_angle, total));
-  const double first = from_apex.vertices[FG::Vertex_index(disk_vertex(n, 1, 0))].angle;
+  const double first = from_apex[FG::Vertex_index(disk_vertex(n, 1, 0))].angle;
   for(int r = 1; r <= m; ++r)
     for(int i = 0; i < n; ++i) {
-      const FG::Polar_coordinates& p = from_apex.vertices[FG::Vertex_index(disk_vertex(n, r, i))];
+      const FG::Polar_coordinates& p = from_apex[FG::Vertex_index(disk_vertex(n, r, i))];
       BOOST_TEST(is_close(p.radius, r, m));
       BOOST_TEST(is_same_angle(p.angle - first, i * total / n, total));
     }
@@ -167,12 +167,12 @@ BOOST_AUTO_TEST_CASE(cone_from_the_apex_and_from_elsewhere)
   setting.triangulation.rollback();
   const Vertex_index source(disk_vertex(n, 4, 0));
   check_tree(setting, setting.tree.grow(source));
-  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
-  const double to_apex = map.vertices[0_v].angle;
+  const FG::Vertex_logarithmic_map map = FG::logarithmic_map(setting.tree);
+  const double to_apex = map[0_v].angle;
   for(int r = 1; r <= m; ++r)
     for(int i = 1; i < n; ++i) {
       // Beside the apex on one side or the other, a triangle with it and the source.
-      const FG::Polar_coordinates& p = map.vertices[FG::Vertex_index(disk_vertex(n, r, i))];
+      const FG::Polar_coordinates& p = map[FG::Vertex_index(disk_vertex(n, r, i))];
       const bool is_on_left = is_close(p.radius, cone_distance(4, r, i * total / n), m);
       const double around = is_on_left ? i * total / n : (n - i) * total / n;
       BOOST_TEST(is_close(p.radius, cone_distance(4, r, around), m));
@@ -192,17 +192,17 @@ BOOST_AUTO_TEST_CASE(shadow_of_a_saddle)
   Double_tree_setting setting(saddle_disk(k, m, total));
   const Vertex_index source(disk_vertex(k, 3, 0));
   check_tree(setting, setting.tree.grow(source));
-  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
+  const FG::Vertex_logarithmic_map map = FG::logarithmic_map(setting.tree);
   int in_shadow = 0;
   for(int r = 1; r <= m; ++r)
     for(int i = 1; i < k; ++i) {
-      const FG::Polar_coordinates& p = map.vertices[FG::Vertex_index(disk_vertex(k, r, i))];
+      const FG::Polar_coordinates& p = map[FG::Vertex_index(disk_vertex(k, r, i))];
       const double around = (std::min)(i, k - i) * total / k;
       BOOST_TEST(is_close(p.radius, cone_distance(3, r, around), m));
       if(around < pi)
         continue;
       ++in_shadow;
-      BOOST_TEST(is_same_angle(p.angle, map.vertices[0_v].angle, map.total_angle));
+      BOOST_TEST(is_same_angle(p.angle, map[0_v].angle, map.total_angle));
     }
   BOOST_TEST(in_shadow > 0);
 }
@@ -271,20 +271,20 @@ BOOST_AUTO_TEST_CASE(other_components_are_not_reached)
 {
   Double_tree_setting setting(with_isolated_vertices(disjoint_union(sphere(3), sphere(3)), 1, 1));
   check_tree(setting, setting.tree.grow(5_v));
-  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
+  const FG::Vertex_logarithmic_map map = FG::logarithmic_map(setting.tree);
   const Vertex_index last(setting.size() - 1), other(setting.size() / 2 + 5);
   for(Vertex_index v : {0_v, last, other}) {
     BOOST_TEST(!setting.tree.is_reached(v));
     BOOST_TEST(setting.tree.path(v).empty());
-    BOOST_TEST(std::isinf(map.vertices[v].radius));
-    BOOST_TEST(std::isnan(map.vertices[v].angle));
+    BOOST_TEST(std::isinf(map[v].radius));
+    BOOST_TEST(std::isnan(map[v].angle));
   }
   // From an isolated vertex there is nowhere to go.
   setting.triangulation.rollback();
   setting.tree.grow(0_v);
   BOOST_TEST(setting.tree.is_reached(0_v));
   BOOST_TEST(!setting.tree.is_reached(5_v));
-  BOOST_TEST(std::isinf(FG::logarithmic_map(setting.tree).vertices[5_v].radius));
+  BOOST_TEST(std::isinf(FG::logarithmic_map(setting.tree)[5_v].radius));
 }
 
 // A tree grown anew, in a flipped triangulation or in one rolled back, is a tree; rolled back it is the same.
@@ -422,16 +422,16 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
     auto& tree = setting.tree;
     BOOST_TEST(FG::to_string(tree.grow(source).status) == "LOCALLY_SHORTEST");
     BOOST_TEST(tree.is_valid());
-    const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+    const FG::Vertex_logarithmic_map map = FG::logarithmic_map(tree);
     const Coordinates s = place(source), other = place(3_v);
     BOOST_TEST(map.is_on_border == (location.halfedge == border));
-    const double turn = plane_angle(other[0] - s[0], other[1] - s[1]) - map.vertices[3_v].angle;
+    const double turn = plane_angle(other[0] - s[0], other[1] - s[1]) - map[3_v].angle;
     for(Vertex_index v : setting.vertices()) {
       if(v == source)
         continue;
       const Coordinates p = place(v);
-      BOOST_TEST(is_close(map.vertices[v].radius, distance(s, p), n));
-      BOOST_TEST(is_same_angle(map.vertices[v].angle + turn, plane_angle(p[0] - s[0], p[1] - s[1]), 2 * pi));
+      BOOST_TEST(is_close(map[v].radius, distance(s, p), n));
+      BOOST_TEST(is_same_angle(map[v].angle + turn, plane_angle(p[0] - s[0], p[1] - s[1]), 2 * pi));
     }
   }
 }

@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_distance_field_up_to_targets)
 // The map is the same as far as it is known.
 BOOST_AUTO_TEST_CASE(a_logarithm)
 {
-  using Logarithm = FG::Geodesic_logarithm<Triangulation>;
+  using Logarithm = FG::Logarithmic_map<Triangulation>;
   const Setting setting(bumpy_sphere(6, 0.2, 3));
   const FG::Surface_location source = setting.triangulation.location(3_v);
   const Logarithm expected(setting.triangulation, setting.mesh, source);
@@ -216,8 +216,8 @@ BOOST_AUTO_TEST_CASE(values_at_vertices)
                                     CGAL::parameters::search_limit(limit));
     });
     check([&](std::size_t* number, const auto& np) {
-      return FG::polar_coordinates(mesh, source, Counting_map<FG::Polar_coordinates>{number}, np,
-                                   CGAL::parameters::search_limit(limit));
+      return FG::logarithmic_map(mesh, source, Counting_map<FG::Polar_coordinates>{number}, np,
+                                 CGAL::parameters::search_limit(limit));
     });
   }
 }

@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_same_source_does_the_rest, Type, Mesh_types)
   tree.grow(0_v);
   expected_tree.grow(0_v);
   std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, double> distances;
-  FG::write_distances(tree, curves.mesh(), boost::make_assoc_property_map(distances));
+  FG::put_distances(tree, curves.mesh(), boost::make_assoc_property_map(distances));
   FG::Vertex_index i(0);
   for(const auto v : vertices(curves.mesh())) {
     BOOST_TEST(std::abs(distances[v] - expected_tree.distance(i)) < 1e-9);

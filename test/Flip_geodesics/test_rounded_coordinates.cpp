@@ -91,7 +91,7 @@ void check_fields(Mesh& mesh, bool is_certain)
   auto distances = mesh.template add_property_map<Vertex, double>("v:distance", 0).first;
   auto coordinates = mesh.template add_property_map<Vertex, FG::Polar_coordinates>("v:polar").first;
   BOOST_TEST(FG::geodesic_distances(mesh, Vertex(7), distances).is_confirmed() == is_certain);
-  BOOST_TEST(FG::polar_coordinates(mesh, Vertex(7), coordinates).is_confirmed() == is_certain);
+  BOOST_TEST(FG::logarithmic_map(mesh, Vertex(7), coordinates).is_confirmed() == is_certain);
 }
 
 // The lower side of the grid, as a curve from elsewhere.

@@ -50,7 +50,7 @@ Traced trace(const Triangulation& t, const FG::Surface_location& from, const FG:
 }
 
 // Does the path bend? Only at a vertex, and only at one with a large angle.
-bool passes_vertex(const FG::Geodesic_logarithm<Triangulation>& logarithm, const FG::Surface_location& target)
+bool passes_vertex(const FG::Logarithmic_map<Triangulation>& logarithm, const FG::Surface_location& target)
 {
   const auto points = logarithm.distance_field().surface_points(target);
   return std::any_of(points.begin() + 1, points.end() - 1, [](const auto& p) { return p.is_vertex(); });
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(in_the_plane_the_logarithm_is_the_difference)
     std::mt19937 random(3);
     for(int i = 0; i < 12; ++i) {
       const FG::Surface_location source = random_location(t, i % 3, random);
-      const FG::Geodesic_logarithm<Triangulation> logarithm(t, mesh, source);
+      const FG::Logarithmic_map<Triangulation> logarithm(t, mesh, source);
       const std::complex<double> start = in_plane(t, source), zero = direction_in_plane(t, logarithm.halfedge());
       for(int j = 0; j < 60; ++j) {
         const FG::Surface_location target = random_location(t, j % 3, random);
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(ways_that_miss_a_vertex_by_little_keep_their_digits)
   const Mesh mesh = to_mesh<Mesh>(flat_grid(9, 9, Diagonal_rule::RISING));
   const Triangulation t(mesh);
   const FG::Surface_location source = location_of(t, {2.5, 2.25});
-  const FG::Geodesic_logarithm<Triangulation> logarithm(t, mesh, source);
+  const FG::Logarithmic_map<Triangulation> logarithm(t, mesh, source);
   const std::complex<double> zero = direction_in_plane(t, logarithm.halfedge());
   for(double miss : {1e-6, 3e-7, 1e-7, -1e-7, 1e-8, -3e-9, 1e-9, 1e-10, -1e-11, 1e-13})
     for(const std::complex<double>& vertex : {std::complex<double>(4, 3), {4, 4}, {3, 4}, {1, 1}, {5, 3}, {3, 6}}) {
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(tracing_is_the_inverse_of_the_logarithm)
     std::size_t straight = 0, all = 0;
     for(int i = 0; i < 9; ++i) {
       const FG::Surface_location source = random_location(t, i % 3, random);
-      const FG::Geodesic_logarithm<Triangulation> logarithm(t, c.mesh, source);
+      const FG::Logarithmic_map<Triangulation> logarithm(t, c.mesh, source);
       for(int j = 0; j < 40; ++j) {
         const FG::Surface_location target = random_location(t, j % 3, random);
         const FG::Polar_coordinates p = logarithm(target);
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(the_plane_of_a_place_and_its_polar_coordinates_are_inverse)
   for(const std::array<double, 3>& weights :
       {std::array<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.25, 0.25, 0.5}})
     for(const Mesh::Face_index f : mesh.faces()) {
-      const FG::Geodesic_logarithm<Triangulation> logarithm(
+      const FG::Logarithmic_map<Triangulation> logarithm(
           t, mesh, FG::Surface_location{t.input().index(mesh.halfedge(f)), weights});
       for(const Mesh::Vertex_index v : mesh.vertices()) {
         const FG::Polar_coordinates p = logarithm(t.index(v));
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(angles_about_a_vertex_are_stretched_to_a_whole_turn)
   const int k = 8;
   for(const Mesh& mesh : {to_mesh<Mesh>(cone_disk(k, 2, pi)), to_mesh<Mesh>(saddle_disk(k, 2, 4 * pi))}) {
     const Triangulation t(mesh);
-    const FG::Geodesic_logarithm<Triangulation> logarithm(t, mesh, t.location(FG::Vertex_index(0)));
+    const FG::Logarithmic_map<Triangulation> logarithm(t, mesh, t.location(FG::Vertex_index(0)));
     for(int j = 0; j < k; ++j) {
       const FG::Polar_coordinates p = logarithm(FG::Vertex_index(disk_vertex(k, 1, j)));
       const auto a = logarithm.in_plane(p),
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(behind_a_saddle_everything_has_the_direction_of_the_saddle)
   const Mesh mesh = to_mesh<Mesh>(saddle_disk(k, 4, 4 * pi));
   const Triangulation t(mesh);
   const FG::Vertex_index source = t.index(Mesh::Vertex_index(disk_vertex(k, 3, 0)));
-  const FG::Geodesic_logarithm<Triangulation> logarithm(t, mesh, t.location(source));
+  const FG::Logarithmic_map<Triangulation> logarithm(t, mesh, t.location(source));
   const double straight = logarithm(t.index(Mesh::Vertex_index(0))).angle;
   const double ring = logarithm(t.index(Mesh::Vertex_index(0))).radius;
   for(int i = 5; i <= k - 5; ++i) { // sectors of pi / 4
@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(one_call_does_the_same)
   using Face_location = std::pair<Mesh::Face_index, std::array<double, 3>>;
   const Face_location source = {Mesh::Face_index(5), {{0.25, 0.5, 0.25}}};
   const FG::Surface_location same = {t.input().index(mesh.halfedge(source.first)), source.second};
-  const FG::Geodesic_logarithm<Triangulation> logarithm(t, mesh, same);
+  const FG::Logarithmic_map<Triangulation> logarithm(t, mesh, same);
   std::vector<FG::Polar_coordinates> coordinates;
   const auto result = FG::logarithmic_map(mesh, source, mesh.vertices(), std::back_inserter(coordinates));
   BOOST_TEST((result.halfedge == mesh.halfedge(source.first)));
@@ -357,9 +357,9 @@ BOOST_AUTO_TEST_CASE(mistakes_are_refused)
   BOOST_CHECK_THROW(transport(Locations{here}, {here.halfedge, nan}), FG::Invalid_parameter_error);
   BOOST_CHECK_THROW(transport(Locations{here}, direction, there.halfedge), FG::Invalid_parameter_error);
   BOOST_CHECK_THROW(transport(Locations{{here.halfedge, {{-1, 1, 1}}}}, direction), FG::Invalid_location_error);
-  BOOST_CHECK_THROW((FG::Geodesic_logarithm<Triangulation>(t, mesh, {here.halfedge, {{nan, 1, 1}}})),
+  BOOST_CHECK_THROW((FG::Logarithmic_map<Triangulation>(t, mesh, {here.halfedge, {{nan, 1, 1}}})),
                     FG::Invalid_location_error);
-  const FG::Geodesic_logarithm<Triangulation> logarithm(t, mesh, here);
+  const FG::Logarithmic_map<Triangulation> logarithm(t, mesh, here);
   BOOST_CHECK_THROW(logarithm({FG::null_index, {{1, 0, 0}}}), FG::Invalid_location_error);
   BOOST_CHECK_THROW(logarithm(FG::Vertex_index(1000)), FG::Vertex_out_of_range_error);
   BOOST_CHECK_THROW(logarithm.transported(there, nan), FG::Invalid_parameter_error);
@@ -367,7 +367,7 @@ BOOST_AUTO_TEST_CASE(mistakes_are_refused)
   BOOST_TEST(std::isnan(logarithm(here).angle));
   FG::Distance_field_limits limits;
   limits.radius = 1;
-  const FG::Geodesic_logarithm<Triangulation> near(t, mesh, here, limits);
+  const FG::Logarithmic_map<Triangulation> near(t, mesh, here, limits);
   BOOST_TEST(std::isinf(near(there).radius));
   BOOST_TEST(std::isnan(near.transported(there, 0).angle));
 }

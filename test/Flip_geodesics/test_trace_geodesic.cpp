@@ -188,14 +188,14 @@ BOOST_AUTO_TEST_CASE(the_logarithmic_map_is_its_inverse)
     FG::Geodesic_tree<Triangulation> tree(triangulation);
     tree.grow(triangulation.index(source));
     FG::make_shortest(tree);
-    const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+    const FG::Vertex_logarithmic_map map = FG::logarithmic_map(tree);
     const Halfedge zero = triangulation.input().halfedge(triangulation.input().outgoing(triangulation.index(source)));
     std::size_t direct = 0;
     for(const Vertex v : mesh.vertices()) {
       const FG::Vertex_index index = triangulation.index(v);
       if(v == source || triangulation.tail(tree.incoming(index)) != tree.source())
         continue; // in the shadow of another vertex
-      const FG::Polar_coordinates& p = map.vertices[index];
+      const FG::Polar_coordinates& p = map[index];
       const Traced t = trace(mesh, source, std::make_pair(zero, p.angle), p.radius);
       BOOST_TEST(distance(t.points.back(), mesh.point(v)) < 1e-11);
       ++direct;

@@ -9,9 +9,9 @@
  * before.
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well, and call the first two members;
- * `refine()` takes a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Geodesic_logarithm`,
+ * `refine()` takes a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Logarithmic_map`,
  * `make_shortest()` and `shortest_paths_by_class()` call only the first one. `geodesic_distances()` and
- * `polar_coordinates()` do so too, unless they grow a tree. Each of these functions has a status for a computation that
+ * `logarithmic_map()` do so too, unless they grow a tree. Each of these functions has a status for a computation that
  * is stopped; nothing is confirmed then, no output is written, and objects remain usable.
  *
  * Other long computations call only `go_further()`, too, at regular intervals. Each returns what the following table

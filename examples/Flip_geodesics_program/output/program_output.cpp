@@ -59,7 +59,7 @@ public:
     m_most_recorded_points -= (std::min)(m_most_recorded_points, number_of_points(m_scene.records.back()));
   }
 
-  void write(const CGAL::Flip_geodesics::Logarithmic_map& map) override { m_map.write(map); }
+  void write(const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) override { m_map.write(map); }
 
   void write(const Result_meshes& meshes) override
   {

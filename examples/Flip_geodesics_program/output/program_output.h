@@ -26,7 +26,7 @@ public:
 
   /// Writes the results of a run, and errors on standard error.
   virtual void write(const std::vector<Curve_result>& run, const std::optional<Shortening_record>& record) = 0;
-  virtual void write(const CGAL::Flip_geodesics::Logarithmic_map& map) = 0;
+  virtual void write(const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) = 0;
   virtual void write(const Result_meshes& meshes) = 0;
 
   /// Completes the files.

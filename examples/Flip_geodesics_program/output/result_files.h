@@ -90,14 +90,14 @@ public:
   {
   }
 
-  void write(const CGAL::Flip_geodesics::Logarithmic_map& map)
+  void write(const CGAL::Flip_geodesics::Vertex_logarithmic_map& map)
   {
     if(!m_file.is_wanted())
       return;
     m_has_map = true;
     m_file.stream() << "vertex,distance,angle,x,y\n";
     Vertex_index v(0);
-    for(const CGAL::Flip_geodesics::Polar_coordinates& p : map.vertices) {
+    for(const CGAL::Flip_geodesics::Polar_coordinates& p : map) {
       const auto [x, y] = map.in_plane(v);
       m_file.stream() << v.idx() << ',' << p.radius << ',' << p.angle << ',' << x << ',' << y << '\n';
       ++v;

@@ -99,7 +99,7 @@ public:
   const std::optional<Shortening_record>& record() const { return m_record; }
 
   /// The map of the last run, if it was wanted, and the run was that of a tree and has not failed.
-  const std::optional<CGAL::Flip_geodesics::Logarithmic_map>& map() const { return m_map; }
+  const std::optional<CGAL::Flip_geodesics::Vertex_logarithmic_map>& map() const { return m_map; }
 
   /// The meshes of the last run that has not failed.
   const Result_meshes& meshes() const { return m_meshes; }
@@ -113,7 +113,7 @@ public:
 protected:
   std::size_t m_most_recorded_points = 0;
   std::optional<Shortening_record> m_record;
-  std::optional<CGAL::Flip_geodesics::Logarithmic_map> m_map;
+  std::optional<CGAL::Flip_geodesics::Vertex_logarithmic_map> m_map;
   Result_meshes m_meshes;
   std::string m_mesh_results, m_tree_results;
 };

@@ -130,12 +130,12 @@ void make_point(const Triangulation& triangulation, const CGAL::Flip_geodesics::
 /// What is known of a vertex in a tree holds for all vertices of the mesh that lie in its place.
 template <class Triangulation>
 void put_on_mesh(const Triangulation& triangulation, std::vector<Curve_result>& tree,
-                 std::optional<CGAL::Flip_geodesics::Logarithmic_map>& map)
+                 std::optional<CGAL::Flip_geodesics::Vertex_logarithmic_map>& map)
 {
   for(Curve_result& result : tree)
     result.are_zero_edges_contracted = true;
   for(Vertex_index v(0); map && v.idx() < triangulation.number_of_vertices(); ++v)
-    map->vertices[v] = map->vertices[CGAL::Flip_geodesics::internal::vertex_on_surface(triangulation, v)];
+    (*map)[v] = (*map)[CGAL::Flip_geodesics::internal::vertex_on_surface(triangulation, v)];
 }
 
 /// Lets a curve that ends at vertices start and end at those that were asked for, which lie in the same places.

@@ -508,13 +508,26 @@ struct Polar_coordinates
 };
 
 /// \ingroup PkgFlipGeodesicsTree
-/// The coordinates of all vertices, and what the angles add up to.
-struct Logarithmic_map
+/// The logarithmic map of a vertex at all vertices: their polar coordinates, and what the angles add up to.
+class Vertex_logarithmic_map
 {
-  /// An array whose subscripts are vertices: `vertices[v]`.
-  internal::Indexed_by<Vertex_index, std::vector<Polar_coordinates>> vertices;
+public:
   double total_angle = 0;    ///< the sum of the angles of the faces about the source, \f$2\pi\f$ where it is flat
   bool is_on_border = false; ///< does the source lie on the border?
+
+  /// Coordinates of no path for so many vertices.
+  explicit Vertex_logarithmic_map(Index number_of_vertices)
+    : m_coordinates(static_cast<std::size_t>(number_of_vertices))
+  {
+  }
+
+  Polar_coordinates& operator[](Vertex_index v) { return m_coordinates[v]; } ///< the coordinates of a vertex
+  const Polar_coordinates& operator[](Vertex_index v) const
+  {
+    return m_coordinates[v];
+  }                                                    ///< the coordinates of a vertex
+  auto begin() const { return m_coordinates.begin(); } ///< the coordinates, in the order of the vertices
+  auto end() const { return m_coordinates.end(); }     ///< the end of the coordinates
 
   /*!
    * The coordinates of vertex `v` in the plane, with the angles about an inner source stretched evenly to \f$2\pi\f$,
@@ -522,12 +535,15 @@ struct Logarithmic_map
    */
   std::array<double, 2> in_plane(Vertex_index v) const
   {
-    const Polar_coordinates& p = vertices[v];
+    const Polar_coordinates& p = m_coordinates[v];
     if(p.radius == 0)
       return {0, 0};
     const double stretch = is_on_border ? 1 : boost::math::constants::two_pi<double>() / total_angle;
     return {p.radius * std::cos(stretch * p.angle), p.radius * std::sin(stretch * p.angle)};
   }
+
+private:
+  internal::Indexed_by<Vertex_index, std::vector<Polar_coordinates>> m_coordinates;
 };
 
 namespace internal {
@@ -576,7 +592,7 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
  * \throws Invalid_location_error if `zero` is another halfedge
  */
 template <class Triangulation>
-Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)
+Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)
 {
   const Triangulation& triangulation = tree.triangulation();
   CGAL_precondition(tree.source() != null_index);
@@ -586,16 +602,15 @@ Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_
     throw Invalid_location_error("the halfedge of angle zero does not start at the source of the tree, vertex " +
                                  std::to_string(tree.source().idx()));
   const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
-  Logarithmic_map map;
-  map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
-  map.vertices[tree.source()].radius = 0;
+  Vertex_logarithmic_map map(triangulation.number_of_vertices());
+  map[tree.source()].radius = 0;
   map.total_angle = directions.total();
   map.is_on_border = directions.has_border();
   const double start = is_zero_told && !map.is_on_border ? directions.of_input(zero) : 0;
 
   const auto set_angle = [&](Vertex_index v, double direction) {
     const double angle = direction - start;
-    map.vertices[v].angle = angle + (!map.is_on_border && angle < 0 ? map.total_angle : 0);
+    map[v].angle = angle + (!map.is_on_border && angle < 0 ? map.total_angle : 0);
   };
   internal::measure_first_edges(tree, directions, set_angle);
 
@@ -603,17 +618,16 @@ Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_
   for(Vertex_index v : internal::descriptors<Vertex_index>(triangulation.number_of_vertices())) {
     if(!tree.is_reached(v) || v == tree.source())
       continue;
-    map.vertices[v].radius = tree.distance(v);
+    map[v].radius = tree.distance(v);
     way.clear();
-    for(Vertex_index w = v; w != tree.source() && std::isnan(map.vertices[w].angle);
-        w = triangulation.tail(tree.incoming(w)))
+    for(Vertex_index w = v; w != tree.source() && std::isnan(map[w].angle); w = triangulation.tail(tree.incoming(w)))
       way.push_back(w);
     for(std::size_t i = way.size(); i-- > 0;) {
       const Halfedge_index h = tree.incoming(way[i]);
       if(triangulation.tail(h) == tree.source())
         set_angle(way[i], directions(h));
       else
-        map.vertices[way[i]].angle = map.vertices[triangulation.tail(h)].angle;
+        map[way[i]].angle = map[triangulation.tail(h)].angle;
     }
   }
   return map;

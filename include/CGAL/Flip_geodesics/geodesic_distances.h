@@ -33,7 +33,7 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Writes the lengths of a tree's paths into a property map of the mesh; infinity for vertices without a path.
+ * Puts the lengths of a tree's paths into a property map of the mesh; infinity for vertices without a path.
  *
  * \param tree a tree that has been grown
  * \param mesh its mesh
@@ -42,8 +42,8 @@ namespace Flip_geodesics {
  * Complexity: linear in the vertices of the mesh.
  */
 template <class Triangulation, class VertexDistanceMap>
-void write_distances(const Geodesic_tree<Triangulation>& tree, const typename Triangulation::Triangle_mesh& mesh,
-                     VertexDistanceMap distances)
+void put_distances(const Geodesic_tree<Triangulation>& tree, const typename Triangulation::Triangle_mesh& mesh,
+                   VertexDistanceMap distances)
 {
   static_assert(internal::is_property_map<VertexDistanceMap>());
   for(const auto v : vertices(mesh))
@@ -53,11 +53,11 @@ void write_distances(const Geodesic_tree<Triangulation>& tree, const typename Tr
 namespace internal {
 
 template <class Triangulation, class VertexPolarMap>
-void write_polar_coordinates(const Logarithmic_map& map, const Triangulation& triangulation,
-                             const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
+void put_logarithmic_map(const Vertex_logarithmic_map& map, const Triangulation& triangulation,
+                         const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
 {
   for(const auto v : vertices(mesh))
-    put(coordinates, v, map.vertices[triangulation.input().index(v)]);
+    put(coordinates, v, map[triangulation.input().index(v)]);
 }
 
 } // namespace internal
@@ -65,7 +65,7 @@ void write_polar_coordinates(const Logarithmic_map& map, const Triangulation& tr
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Writes the polar coordinates of the vertices about a tree's source, as `logarithmic_map()` has them, into a property
+ * Puts the polar coordinates of the vertices about a tree's source, as `logarithmic_map()` returns them, into a property
  * map of the mesh.
  *
  * \param map what `logarithmic_map(tree)` gives
@@ -77,17 +77,17 @@ void write_polar_coordinates(const Logarithmic_map& map, const Triangulation& tr
  * Complexity: linear in the vertices of the mesh.
  */
 template <class Triangulation, class VertexPolarMap>
-void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Triangulation>& tree,
-                             const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
+void put_logarithmic_map(const Vertex_logarithmic_map& map, const Geodesic_tree<Triangulation>& tree,
+                         const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
 {
   static_assert(internal::is_property_map<VertexPolarMap>());
-  internal::write_polar_coordinates(map, tree.triangulation(), mesh, coordinates);
+  internal::put_logarithmic_map(map, tree.triangulation(), mesh, coordinates);
 }
 
 /*!
  * \ingroup PkgFlipGeodesicsDistances
  *
- * Writes the distances of a field at the vertices of a mesh into a property map; infinity where they are not known.
+ * Puts the distances of a field at the vertices of a mesh into a property map; infinity where they are not known.
  *
  * \param field a field that has been computed
  * \param triangulation its triangulation
@@ -97,8 +97,8 @@ void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Tri
  * Complexity: linear in the vertices of the mesh.
  */
 template <class Triangulation, class VertexDistanceMap>
-void write_distances(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
-                     const typename Triangulation::Triangle_mesh& mesh, VertexDistanceMap distances)
+void put_distances(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
+                   const typename Triangulation::Triangle_mesh& mesh, VertexDistanceMap distances)
 {
   static_assert(internal::is_property_map<VertexDistanceMap>());
   for(const auto v : vertices(mesh))
@@ -106,10 +106,10 @@ void write_distances(const Geodesic_distance_field<Triangulation>& field, const 
 }
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// The same for the numbers of the nearest sources; 0 where none is known.
+/// Puts the numbers of the nearest sources of the vertices into a property map; 0 where none is known.
 template <class Triangulation, class VertexSourceMap>
-void write_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
-                           const typename Triangulation::Triangle_mesh& mesh, VertexSourceMap sources)
+void put_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
+                         const typename Triangulation::Triangle_mesh& mesh, VertexSourceMap sources)
 {
   static_assert(internal::is_property_map<VertexSourceMap>());
   for(const auto v : vertices(mesh))
@@ -277,17 +277,16 @@ Computed_values<double> field_distances(Geodesic_distance_field<Triangulation>& 
 
 /* The logarithmic map of the source of a field; none where roundings hide in which direction a path starts. */
 template <class Triangulation>
-std::optional<Logarithmic_map> logarithmic_map_of_field(const Geodesic_distance_field<Triangulation>& field,
-                                                        const Triangulation& triangulation, Vertex_index source)
+std::optional<Vertex_logarithmic_map> logarithmic_map_of_field(const Geodesic_distance_field<Triangulation>& field,
+                                                               const Triangulation& triangulation, Vertex_index source)
 {
   const Vertex_directions<Triangulation> directions(triangulation, source);
   Source_directions<Triangulation> starts(field.query());
-  Logarithmic_map map;
-  map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
+  Vertex_logarithmic_map map(triangulation.number_of_vertices());
   map.total_angle = directions.total();
   map.is_on_border = directions.has_border();
   for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) {
-    Polar_coordinates& p = map.vertices[v];
+    Polar_coordinates& p = map[v];
     p.radius = field.distance(v);
     if(v == source || !(p.radius < std::numeric_limits<double>::infinity()))
       continue;
@@ -311,11 +310,11 @@ Computed_values<Polar_coordinates> field_coordinates(Geodesic_distance_field<Tri
   result.report = compute_from_vertices(field, triangulation, {source}, limit, visitor);
   if(!result.report.is_confirmed())
     return result;
-  const std::optional<Logarithmic_map> map = logarithmic_map_of_field(field, triangulation, source);
+  const std::optional<Vertex_logarithmic_map> map = logarithmic_map_of_field(field, triangulation, source);
   result.report.verdict = verdict_of_distances(map.has_value());
   if(map)
-    write_polar_coordinates(*map, triangulation, mesh,
-                            Value_collector<typename Triangulation::Mesh_vertex, Polar_coordinates>{&result.values});
+    put_logarithmic_map(*map, triangulation, mesh,
+                        Value_collector<typename Triangulation::Mesh_vertex, Polar_coordinates>{&result.values});
   return result;
 }
 
@@ -346,7 +345,7 @@ Computed_values<Value> confirmed_of_mesh(const Triangulation& triangulation, Com
 }
 
 /* The computations of `geodesic_distances()`, in which a single source has a tree to fall back on, and of
- * `polar_coordinates()`; like `compute_path()` not inline. */
+ * `logarithmic_map()`; like `compute_path()` not inline. */
 template <class TriangleMesh, class NamedParameters>
 Computed_values<double> compute_distances(const TriangleMesh& mesh,
                                           const std::vector<Mesh_vertex<TriangleMesh>>& sources, bool is_single,
@@ -364,14 +363,14 @@ Computed_values<double> compute_distances(const TriangleMesh& mesh,
     if(is_single && !result.report.is_confirmed() && !is_stopped_by_visitor(result.report))
       result = make_shortest_tree<double>(triangulation, field, indices.front(), most_windows(triangulation, limit),
                                           visitor.get(),
-                                          [&](const auto& tree, const auto& map) { write_distances(tree, mesh, map); });
+                                          [&](const auto& tree, const auto& map) { put_distances(tree, mesh, map); });
     return confirmed_of_mesh(triangulation, std::move(result));
   });
 }
 
 template <class TriangleMesh, class NamedParameters>
-Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                                             const NamedParameters& np)
+Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                                           const NamedParameters& np)
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   auto visitor = make_visitor(np);
@@ -383,7 +382,7 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
     if(!result.report.is_confirmed() && !is_stopped_by_visitor(result.report))
       result = make_shortest_tree<Polar_coordinates>(
           triangulation, field, s, most_windows(triangulation, limit), visitor.get(),
-          [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });
+          [&](const auto& tree, const auto& map) { put_logarithmic_map(logarithmic_map(tree), tree, mesh, map); });
     return confirmed_of_mesh(triangulation, std::move(result));
   });
 }
@@ -447,14 +446,17 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`.
  */
-template <class TriangleMesh, class Source, class VertexPolarMap, class... NamedParameters>
-Distances_report polar_coordinates(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
-                                   const NamedParameters&... np)
+template <class TriangleMesh, class Source, class VertexPolarMap, class... NamedParameters,
+          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+Distances_report logarithmic_map(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
+                                 const NamedParameters&... np)
 {
-  static_assert(internal::is_mesh_vertex<TriangleMesh, Source>,
-                "no vertex of the mesh where it belongs; the order is mesh, source, property map");
+  static_assert(
+      internal::is_mesh_vertex<TriangleMesh, Source>,
+      "no vertex of the mesh where it belongs; the order is mesh, source, property map; for other points give "
+      "targets and an output, with tangent_vectors.h");
   const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
-  const auto computed = internal::compute_polar_coordinates(mesh, Mesh_vertex<TriangleMesh>(source), options);
+  const auto computed = internal::compute_logarithmic_map(mesh, Mesh_vertex<TriangleMesh>(source), options);
   internal::write_values(mesh, computed, coordinates);
   return computed.report;
 }
@@ -465,7 +467,7 @@ namespace internal {
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh)                                                                            \
   CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<double> compute_distances(                                    \
       const Mesh&, const std::vector<Mesh_vertex<Mesh>>&, bool, const parameters::Default_named_parameters&);          \
-  CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<Polar_coordinates> compute_polar_coordinates(                 \
+  CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<Polar_coordinates> compute_logarithmic_map(                   \
       const Mesh&, Mesh_vertex<Mesh>, const parameters::Default_named_parameters&);
 CGAL_FLIP_GEODESICS_FOR_COMPILED_MESHES(CGAL_FLIP_GEODESICS_INSTANCES)
 #undef CGAL_FLIP_GEODESICS_INSTANCES

@@ -200,7 +200,7 @@ private:
   {
     Distance_field_limits limits;
     limits.targets = m_points;
-    const Geodesic_logarithm<Triangulation> logarithm(m_triangulation, m_mesh, place, limits);
+    const Logarithmic_map<Triangulation> logarithm(m_triangulation, m_mesh, place, limits);
     State result = {place, {}, 0, 0};
     std::array<double, 2> sum = {0, 0};
     for(std::size_t i = 0; i < m_points.size(); ++i) {
@@ -272,8 +272,8 @@ auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Tar
   const Surface_location end = internal::trace_start(triangulation, mesh, target);
   Distance_field_limits limits;
   limits.targets.push_back(end);
-  const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh,
-                                                    internal::trace_start(triangulation, mesh, source), limits);
+  const Logarithmic_map<Triangulation> logarithm(triangulation, mesh,
+                                                 internal::trace_start(triangulation, mesh, source), limits);
   return internal::face_location_of(triangulation, mesh, logarithm.between(end, 0.5));
 }
 

@@ -43,7 +43,7 @@ namespace Flip_geodesics {
  * direction it starts. It is the inverse of the exponential map, which `Geodesic_tracer` is:
  *
  * \code
- * const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, source);
+ * const Logarithmic_map<Triangulation> logarithm(triangulation, mesh, source);
  * const Polar_coordinates p = logarithm(target);
  * Geodesic_tracer<Triangulation>(triangulation).trace(source, logarithm.halfedge(), p.angle, Trace_limits<>{p.radius});
  * \endcode
@@ -60,7 +60,7 @@ namespace Flip_geodesics {
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
  */
 template <class Triangulation>
-class Geodesic_logarithm
+class Logarithmic_map
 {
   using Corridor = internal::Corridor<Triangulation>;
 
@@ -83,8 +83,8 @@ public:
    * \throws what `Geodesic_distance_field::compute()` throws
    */
   template <class Visitor = Default_shortening_visitor>
-  Geodesic_logarithm(const Triangulation& triangulation, const Triangle_mesh& mesh, const Surface_location& source,
-                     const Distance_field_limits& limits = Distance_field_limits(), Visitor&& visitor = Visitor())
+  Logarithmic_map(const Triangulation& triangulation, const Triangle_mesh& mesh, const Surface_location& source,
+                  const Distance_field_limits& limits = Distance_field_limits(), Visitor&& visitor = Visitor())
     : m_triangulation(triangulation)
     , m_place(internal::canonical_location(triangulation.input(), source))
     , m_frame(triangulation, m_place)
@@ -264,7 +264,7 @@ private:
 /// \ingroup PkgFlipGeodesicsTangents
 /// What `logarithmic_map()` of a place returns.
 template <class OutputIterator, class TriangleMesh>
-struct Logarithm_result
+struct Logarithmic_map_result
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
 
@@ -281,7 +281,7 @@ struct Logarithm_result
 namespace internal {
 
 /*
- * What a `Geodesic_logarithm` says of many targets. Of a vertex the distance is known, and where the path starts is found
+ * What a `Logarithmic_map` says of many targets. Of a vertex the distance is known, and where the path starts is found
  * without a walk along it.
  */
 template <class Triangulation>
@@ -290,7 +290,7 @@ class Logarithm_of_targets
 public:
   /* \param source that of the logarithm */
   Logarithm_of_targets(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
-                       const Geodesic_logarithm<Triangulation>& logarithm, const Surface_location& source)
+                       const Logarithmic_map<Triangulation>& logarithm, const Surface_location& source)
     : m_triangulation(triangulation)
     , m_mesh(mesh)
     , m_logarithm(logarithm)
@@ -322,7 +322,7 @@ private:
 
   const Triangulation& m_triangulation;
   const typename Triangulation::Triangle_mesh& m_mesh;
-  const Geodesic_logarithm<Triangulation>& m_logarithm;
+  const Logarithmic_map<Triangulation>& m_logarithm;
   Place_frame<Triangulation> m_frame;
   Source_directions<Triangulation> m_starts;
 };
@@ -333,7 +333,7 @@ private:
  * \ingroup PkgFlipGeodesicsTangents
  *
  * The logarithmic map of a place anywhere on the surface: for each target how long the shortest path from the source is,
- * and in which direction it starts. See `Geodesic_logarithm`. `trace_geodesic(mesh, source, std::pair(result.halfedge,
+ * and in which direction it starts. See `Logarithmic_map`. `trace_geodesic(mesh, source, std::pair(result.halfedge,
  * p.angle), p.radius, out)` comes back to a target with the coordinates `p`, unless the path bends at a vertex.
  *
  * \param mesh a triangle mesh
@@ -342,25 +342,26 @@ private:
  * \param targets a range of such; for all vertices `vertices(mesh)`
  * \param out receives `Polar_coordinates`, one for each target
  * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
- * \return a `Logarithm_result`. Of a `Face_location` the angles are told from `halfedge(face, mesh)`, of a vertex from a
+ * \return a `Logarithmic_map_result`. Of a `Face_location` the angles are told from `halfedge(face, mesh)`, of a vertex from a
  *         halfedge that starts there
  * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
  * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, also for all vertices as targets; and for each other target
- * that of `Geodesic_logarithm`.
+ * that of `Logarithmic_map`.
  */
-template <class TriangleMesh, class Source, class TargetRange, class OutputIterator, class... NamedParameters>
-Logarithm_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMesh& mesh, const Source& source,
-                                                               const TargetRange& targets, OutputIterator out,
-                                                               const NamedParameters&... np)
+template <class TriangleMesh, class Source, class TargetRange, class OutputIterator, class... NamedParameters,
+          std::enable_if_t<!internal::Is_named_parameters<OutputIterator>::value, int> = 0>
+Logarithmic_map_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMesh& mesh, const Source& source,
+                                                                     const TargetRange& targets, OutputIterator out,
+                                                                     const NamedParameters&... np)
 {
   const auto& options = internal::surface_options(np...);
   using Triangulation =
       typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
   const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const Surface_location from = internal::trace_start(triangulation, mesh, source);
-  const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, from);
+  const Logarithmic_map<Triangulation> logarithm(triangulation, mesh, from);
   internal::Logarithm_of_targets<Triangulation> logarithm_of(triangulation, mesh, logarithm, from);
   std::vector<Polar_coordinates> result;
   for(const auto& target : targets)

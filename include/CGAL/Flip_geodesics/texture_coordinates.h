@@ -53,7 +53,7 @@ public:
   using Vector = std::complex<double>;
   using Corners = std::array<Vector, 3>;
 
-  Tangent_plane_layout(const Triangulation& triangulation, const Geodesic_logarithm<Triangulation>& logarithm,
+  Tangent_plane_layout(const Triangulation& triangulation, const Logarithmic_map<Triangulation>& logarithm,
                        const Surface_location& source, const Vector& axis)
     : m_triangulation(triangulation)
     , m_logarithm(logarithm)
@@ -130,7 +130,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  const Geodesic_logarithm<Triangulation>& m_logarithm;
+  const Logarithmic_map<Triangulation>& m_logarithm;
   Logarithm_everywhere<Triangulation> m_everywhere;
   Vector m_axis;
   Indexed_by<Vertex_index, std::vector<Vector>> m_vertices;
@@ -203,7 +203,7 @@ Texture_report texture_coordinates(
   const Surface_location middle = internal::trace_start(triangulation, mesh, source);
   Distance_field_limits limits;
   limits.radius = std::sqrt(0.5) * size + internal::longest_side(triangulation);
-  const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, middle, limits);
+  const Logarithmic_map<Triangulation> logarithm(triangulation, mesh, middle, limits);
   const double angle =
       angle_between(triangulation, middle, {logarithm.halfedge(), 0}, {input.index(right.first), right.second});
   const auto [x, y] = logarithm.in_plane({1, angle});

@@ -282,21 +282,21 @@ private:
     m_record.tree(tree);
     m_record.report(FG::make_shortest(tree));
     m_record.tree(tree);
-    const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+    const FG::Vertex_logarithmic_map map = FG::logarithmic_map(tree);
     m_record.map(map);
     std::map<Surface::Vertex_index, double> distances;
     std::map<Surface::Vertex_index, FG::Polar_coordinates> coordinates;
-    FG::write_distances(tree, m_mesh, boost::make_assoc_property_map(distances));
-    FG::write_polar_coordinates(map, tree, m_mesh, boost::make_assoc_property_map(coordinates));
+    FG::put_distances(tree, m_mesh, boost::make_assoc_property_map(distances));
+    FG::put_logarithmic_map(map, tree, m_mesh, boost::make_assoc_property_map(coordinates));
     for(Surface::Vertex_index v : m_mesh.vertices())
       BOOST_TEST(distances[v] == coordinates[v].radius);
     FG::Geodesic_distance_field<Triangulation> field(triangulation, m_mesh);
     field.add_source(Vertex(0));
     field.compute();
     std::map<Surface::Vertex_index, std::size_t> sources;
-    FG::write_nearest_sources(field, triangulation, m_mesh, boost::make_assoc_property_map(sources));
+    FG::put_nearest_sources(field, triangulation, m_mesh, boost::make_assoc_property_map(sources));
     std::map<Surface::Vertex_index, double> told;
-    FG::write_distances(field, triangulation, m_mesh, boost::make_assoc_property_map(told));
+    FG::put_distances(field, triangulation, m_mesh, boost::make_assoc_property_map(told));
     for(Surface::Vertex_index v : m_mesh.vertices()) {
       BOOST_TEST(std::abs(told[v] - distances[v]) <= 1e-9 * distances[v]);
       BOOST_TEST(sources[v] == 0u);
@@ -309,7 +309,7 @@ private:
       m_record.polyline({p, trace.location});
     }
     const std::vector<FG::Surface_location> places = points(triangulation);
-    const FG::Geodesic_logarithm<Triangulation> logarithm(triangulation, m_mesh, places.front());
+    const FG::Logarithmic_map<Triangulation> logarithm(triangulation, m_mesh, places.front());
     BOOST_TEST(std::abs(logarithm(places.back()).radius - logarithm.distance_field().distance(places.back())) < 1e-12);
     const FG::Surface_direction carried = FG::Parallel_transport<Triangulation>(triangulation)(
         std::vector<FG::Surface_location>{places.front()}, {places.front().halfedge, 0.5});

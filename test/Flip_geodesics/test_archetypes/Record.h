@@ -176,9 +176,9 @@ public:
       m_out << tree.distance(v) << ' ' << tree.incoming(v).idx() << '\n';
   }
 
-  void map(const FG::Logarithmic_map& map)
+  void map(const FG::Vertex_logarithmic_map& map)
   {
-    for(const FG::Polar_coordinates& p : map.vertices)
+    for(const FG::Polar_coordinates& p : map)
       m_out << p.radius << ' ' << p.angle << '\n';
   }
 

@@ -90,7 +90,7 @@ void check_distances(const Mesh_soup& soup, Surface::Vertex_index source)
   if(is_non_manifold(mesh, source)) // directions there have no angles between them
     return;
   std::vector<FG::Polar_coordinates> polar(num_vertices(mesh)), logarithms;
-  FG::polar_coordinates(mesh, source, boost::make_iterator_property_map(polar.begin(), get(boost::vertex_index, mesh)));
+  FG::logarithmic_map(mesh, source, boost::make_iterator_property_map(polar.begin(), get(boost::vertex_index, mesh)));
   FG::logarithmic_map(mesh, source, mesh.vertices(), std::back_inserter(logarithms));
   for(const auto v : mesh.vertices()) {
     BOOST_TEST(is_same(distances[v], polar[v].radius));

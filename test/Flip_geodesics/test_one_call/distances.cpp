@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(distances_come_in_maps_of_the_user)
     }
   }
   std::map<Vertex, FG::Polar_coordinates> polar;
-  FG::polar_coordinates(mesh, source, boost::make_assoc_property_map(polar));
+  FG::logarithmic_map(mesh, source, boost::make_assoc_property_map(polar));
   for(Vertex v : mesh.vertices())
     if(v != isolated && v != source) {
       BOOST_CHECK_CLOSE(polar.at(v).radius, distances[v], 1e-8);
@@ -41,17 +41,17 @@ std::size_t number_of_other_coordinates(const Surface& mesh, Vertex source, bool
 {
   using Triangulation = FG::Intrinsic_triangulation<Surface>;
   std::map<Vertex, FG::Polar_coordinates> polar;
-  const auto report = FG::polar_coordinates(mesh, source, boost::make_assoc_property_map(polar));
+  const auto report = FG::logarithmic_map(mesh, source, boost::make_assoc_property_map(polar));
   BOOST_CHECK(report.is_confirmed() || has_needles);
   BOOST_CHECK_EQUAL(report.flips, 0u); // no tree has been grown, and none made shortest
   Triangulation triangulation(mesh);
   FG::Geodesic_tree<Triangulation> tree(triangulation);
   tree.grow(triangulation.index(source));
   FG::make_shortest(tree);
-  const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+  const FG::Vertex_logarithmic_map map = FG::logarithmic_map(tree);
   std::size_t result = 0;
   for(Vertex v : mesh.vertices()) {
-    const FG::Polar_coordinates& p = map.vertices[triangulation.index(v)];
+    const FG::Polar_coordinates& p = map[triangulation.index(v)];
     BOOST_CHECK_SMALL(p.radius - polar.at(v).radius, 1e-9);
     const double difference = std::remainder(p.angle - polar.at(v).angle, map.total_angle);
     result += v != source && !(std::abs(difference) < 1e-8) ? 1 : 0;
@@ -129,6 +129,6 @@ BOOST_AUTO_TEST_CASE(limits_and_wrong_sources_of_distances)
     BOOST_CHECK_GE(limited[v], distances[v] * (1 - 1e-10));
   BOOST_CHECK_THROW(FG::geodesic_distances(mesh, Vertex(mesh.number_of_vertices()), distances),
                     FG::Vertex_out_of_range_error);
-  BOOST_CHECK_THROW(FG::polar_coordinates(mesh, Surface::null_vertex(), boost::dummy_property_map()),
+  BOOST_CHECK_THROW(FG::logarithmic_map(mesh, Surface::null_vertex(), boost::dummy_property_map()),
                     FG::Vertex_out_of_range_error);
 }

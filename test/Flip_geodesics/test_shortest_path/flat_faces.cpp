@@ -85,9 +85,9 @@ BOOST_AUTO_TEST_CASE(logarithmic_maps_of_folded_vertices)
     const Length_metric metric(mesh, Length_map(lengths));
     for(const Surface::Vertex_index source : mesh.vertices()) {
       std::map<Surface::Vertex_index, FG::Polar_coordinates> coordinates;
-      const FG::Distances_report report = FG::polar_coordinates(
-          mesh, source, boost::make_assoc_property_map(coordinates),
-          CGAL::parameters::search_limit(FG::Window_limit(500)), CGAL::parameters::metric(metric));
+      const FG::Distances_report report =
+          FG::logarithmic_map(mesh, source, boost::make_assoc_property_map(coordinates),
+                              CGAL::parameters::search_limit(FG::Window_limit(500)), CGAL::parameters::metric(metric));
       bent += report.status != FG::Shortening_status::LOCALLY_SHORTEST ? 1 : 0;
       contracted += report.vertices < 15 ? 1 : 0;
     }

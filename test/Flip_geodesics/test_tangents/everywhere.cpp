@@ -55,7 +55,7 @@ struct Counts
 
 void compare(const Triangulation& t, const Mesh& mesh, const FG::Surface_location& source, Counts& counts)
 {
-  const FG::Geodesic_logarithm<Triangulation> one(t, mesh, source);
+  const FG::Logarithmic_map<Triangulation> one(t, mesh, source);
   Everywhere all(t, one, source);
   const double total = one.is_on_border() ? 2 * pi : one.total_angle();
   for(FG::Vertex_index v : FG::internal::descriptors<FG::Vertex_index>(t.input().number_of_vertices())) {
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(places_out_of_reach_have_no_coordinates)
   const FG::Surface_location source = t.location(FG::Vertex_index(grid_vertex(9, 4, 4)));
   FG::Distance_field_limits limits;
   limits.radius = 2.1;
-  const FG::Geodesic_logarithm<Triangulation> one(t, mesh, source, limits);
+  const FG::Logarithmic_map<Triangulation> one(t, mesh, source, limits);
   Everywhere all(t, one, source);
   std::size_t far = 0;
   for(FG::Vertex_index v : FG::internal::descriptors<FG::Vertex_index>(t.input().number_of_vertices())) {

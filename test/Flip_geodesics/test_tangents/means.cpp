@@ -534,6 +534,6 @@ BOOST_AUTO_TEST_CASE(sheets_that_meet_in_a_vertex_have_no_directions_in_common)
   const std::vector<Mesh_vertex> to_a = {v, a}, to_b = {v, b};
   BOOST_CHECK_EXCEPTION(FG::angle_between_curves(mesh, to_a, to_b), FG::Invalid_mesh_error, is_told);
   std::map<Mesh_vertex, FG::Polar_coordinates> polar;
-  BOOST_CHECK_EXCEPTION(FG::polar_coordinates(mesh, v, boost::make_assoc_property_map(polar)), FG::Invalid_mesh_error,
+  BOOST_CHECK_EXCEPTION(FG::logarithmic_map(mesh, v, boost::make_assoc_property_map(polar)), FG::Invalid_mesh_error,
                         is_told);
 }

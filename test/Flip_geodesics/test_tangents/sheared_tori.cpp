@@ -85,8 +85,8 @@ std::size_t check_map(const Sheared_torus& torus)
                                           std::back_inserter(map), CGAL::parameters::metric(torus.metric));
   const Complex axis = torus.edge(0, static_cast<int>(target(result.halfedge, torus.mesh)));
   const Length_triangulation triangulation(torus.mesh, torus.metric);
-  const FG::Geodesic_logarithm<Length_triangulation> logarithm(triangulation, torus.mesh,
-                                                               triangulation.location(FG::Vertex_index(0)));
+  const FG::Logarithmic_map<Length_triangulation> logarithm(triangulation, torus.mesh,
+                                                            triangulation.location(FG::Vertex_index(0)));
   std::size_t most_points = 0;
   for(int v = 1; v < static_cast<int>(map.size()); ++v) {
     const FG::Surface_location location = triangulation.location(FG::Vertex_index(v));

@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(torn_faces_hold_on_to_the_others)
     const std::pair<Mesh::Face_index, std::array<double, 3>> middle = {Mesh::Face_index(20), {{0.5, 0.25, 0.25}}};
     FG::texture_coordinates(mesh, middle, {mesh.halfedge(middle.first), 0}, 100, map);
     const Triangulation t(mesh);
-    const FG::Geodesic_logarithm<Triangulation> logarithm(t, mesh, FG::internal::trace_start(t, mesh, middle));
+    const FG::Logarithmic_map<Triangulation> logarithm(t, mesh, FG::internal::trace_start(t, mesh, middle));
     std::size_t together = 0;
     for(const auto v : mesh.vertices()) {
       const Place place = logarithm.in_plane(logarithm(t.index(v)));

@@ -27,7 +27,7 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * What a `Geodesic_logarithm` says of many places: a path to a place is one to the vertex at which it bends last, and a
+ * What a `Logarithmic_map` says of many places: a path to a place is one to the vertex at which it bends last, and a
  * straight leg, so that only that leg is new. Where windows do not tell it, or a path could be pulled tighter, that
  * logarithm is asked.
  */
@@ -46,7 +46,7 @@ public:
   };
 
   /* \param source that of the logarithm */
-  Logarithm_everywhere(const Triangulation& triangulation, const Geodesic_logarithm<Triangulation>& logarithm,
+  Logarithm_everywhere(const Triangulation& triangulation, const Logarithmic_map<Triangulation>& logarithm,
                        const Surface_location& source)
     : m_triangulation(triangulation)
     , m_logarithm(logarithm)
@@ -154,7 +154,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  const Geodesic_logarithm<Triangulation>& m_logarithm;
+  const Logarithmic_map<Triangulation>& m_logarithm;
   Frame m_source;
   const Geodesic_distance_field<Triangulation>& m_field;
   Source_directions<Triangulation> m_legs;
