@@ -393,9 +393,9 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
   const Surface mesh = to_mesh<Surface>(soup);
   const Double_triangulation<Surface> plain(mesh);
   FG::Input_halfedge_index inner = 70_input_h, border = 0_input_h;
-  while(plain.input().is_border(inner) || plain.input().is_border(twin_index(inner)))
+  while(plain.input().is_border(inner) || plain.input().is_border(FG::internal::twin_index(inner)))
     ++inner;
-  while(!plain.input().is_border(twin_index(border)))
+  while(!plain.input().is_border(FG::internal::twin_index(border)))
     ++border;
   const std::array<double, 3> inside = {{0.5, 0.3, 0.2}}, on_edge = {{0.6, 0.4, 0}};
   const std::vector<FG::Surface_location> sources = {{inner, inside}, {inner, on_edge}, {border, on_edge}};

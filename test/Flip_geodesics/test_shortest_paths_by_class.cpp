@@ -563,7 +563,7 @@ void for_each_edge(const Triangulation& triangulation, const Search& search, con
     FG::Input_halfedge_index h = first;
     for(std::size_t i = 0; i == 0 || h != first; ++i) {
       visit(lift, search.neighbor(lift, i), h);
-      h = input.next(twin_index(h));
+      h = input.next(FG::internal::twin_index(h));
     }
   }
 }
@@ -650,7 +650,8 @@ struct Part
   {
     for(FG::Input_halfedge_index g :
         FG::internal::descriptors<FG::Input_halfedge_index>(whole.input().number_of_halfedges()))
-      if(whole.input().tail(g) == tail(h) && whole.input().tail(twin_index(g)) == tail(twin_index(h)))
+      if(whole.input().tail(g) == tail(h) &&
+         whole.input().tail(FG::internal::twin_index(g)) == tail(FG::internal::twin_index(h)))
         return g;
     return FG::null_index;
   }
@@ -685,7 +686,7 @@ BOOST_AUTO_TEST_CASE(bounds_beyond_an_edge_are_by_both_of_its_cones)
     const double length = std::hypot(6, 4) + std::hypot(5, 7);
     int borders = 0;
     for(FG::Input_halfedge_index h : FG::internal::descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
-      if(!input.is_border(h) || input.tail(h).idx() + input.tail(twin_index(h)).idx() != 1)
+      if(!input.is_border(h) || input.tail(h).idx() + input.tail(FG::internal::twin_index(h)).idx() != 1)
         continue;
       const double bound = from_source.beyond(surface, h, from_goal);
       BOOST_TEST(bound <= length);

@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(locations_told_in_other_words_are_one_vertex)
   BOOST_TEST(t.insert({hp, {{0.125, 0.25, 0.5}}}) == 7_v); // a different point
   const FG::Vertex_index on_edge = t.insert({h, {{1, 3, 0}}});
   BOOST_TEST(on_edge == 8_v);
-  BOOST_TEST(t.insert({twin_index(h), {{3, 1, 0}}}) == on_edge);
+  BOOST_TEST(t.insert({FG::internal::twin_index(h), {{3, 1, 0}}}) == on_edge);
   BOOST_TEST(t.insert({hn, {{3, 0, 1}}}) == on_edge);
   BOOST_TEST(t.insert({hn, {{0, 7, 0}}}) == t.input().tail(hp));
   BOOST_TEST((kind(t.location(inside)) == FG::Location_kind::FACE));
@@ -100,7 +100,8 @@ BOOST_AUTO_TEST_CASE(a_location_has_one_canonical_form)
     std::size_t first_on_border = 0;
     for(FG::Input_halfedge_index h : descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
       const FG::Surface_location on_edge = FG::internal::canonical_location(input, {h, {{1, 3, 0}}}),
-                                 other = FG::internal::canonical_location(input, {twin_index(h), {{3, 1, 0}}});
+                                 other = FG::internal::canonical_location(input,
+                                                                          {FG::internal::twin_index(h), {{3, 1, 0}}});
       BOOST_TEST(on_edge.halfedge == other.halfedge);
       BOOST_TEST((on_edge.weights == other.weights));
       BOOST_TEST(!input.is_border(on_edge.halfedge));
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_location_has_one_canonical_form)
       first_on_border += input.is_border(h) && FG::internal::is_first_side(h) ? 1 : 0;
       const FG::Surface_location vertex = FG::internal::canonical_location(input, {h, {{0, 7, 0}}});
       BOOST_TEST((vertex.weights == std::array<double, 3>{{1, 0, 0}}));
-      BOOST_TEST(input.tail(vertex.halfedge) == input.tail(twin_index(h)));
+      BOOST_TEST(input.tail(vertex.halfedge) == input.tail(FG::internal::twin_index(h)));
     }
     BOOST_TEST((first_on_border > 0) == (removed > 0));
     CGAL::Euler::remove_face(mesh.halfedge(*mesh.faces().begin()), mesh);
@@ -180,7 +181,7 @@ BOOST_AUTO_TEST_CASE(bad_locations_are_refused_and_change_nothing)
   FG::Input_halfedge_index border = 0_input_h;
   while(!t.input().is_border(border))
     ++border;
-  const FG::Input_halfedge_index h = twin_index(border);
+  const FG::Input_halfedge_index h = FG::internal::twin_index(border);
   for(const FG::Surface_location& bad : std::vector<FG::Surface_location>{{FG::null_index, {{1, 1, 1}}},
                                                                           {6_input_h, {{1, 1, 1}}},
                                                                           {h, {{nan, 1, 1}}},
@@ -290,7 +291,8 @@ BOOST_AUTO_TEST_CASE(paths_in_a_face_are_shortest)
       bool is_inside = false;
       FG::Input_halfedge_index side = face;
       for(int i = 0; i < 3; ++i, side = t.input().next(side))
-        is_inside = is_inside || word.face == side || word.along == side || word.along == twin_index(side);
+        is_inside =
+            is_inside || word.face == side || word.along == side || word.along == FG::internal::twin_index(side);
       if(is_inside)
         length[t.tail(h)][t.head(h)] = (std::min)(length[t.tail(h)][t.head(h)], t.length(h));
     }

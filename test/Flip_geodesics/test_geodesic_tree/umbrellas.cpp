@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(spokes_are_those_of_all_umbrellas)
     auto& t = setting.triangulation;
     for(FG::Input_halfedge_index h :
         FG::internal::descriptors<FG::Input_halfedge_index>(t.input().number_of_halfedges()))
-      if(!t.input().is_border(h) && t.input().is_border(twin_index(h)) && h.idx() % 3 == 0)
+      if(!t.input().is_border(h) && t.input().is_border(FG::internal::twin_index(h)) && h.idx() % 3 == 0)
         t.insert({h, {{1, 2, 0}}});
     std::vector<int> degree(static_cast<std::size_t>(t.number_of_vertices()), 0);
     for(Halfedge_index h : FG::internal::descriptors<Halfedge_index>(t.number_of_halfedges()))

@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(fans_lead_from_angles_to_directions_and_back)
     const auto last = fan.turn_at(sum + tolerance);
     BOOST_TEST((last.halfedge == around[static_cast<std::size_t>(faces - 1)].halfedge));
     BOOST_TEST(last.angle > last.corner);
-    BOOST_CHECK_THROW(fan.angle_of(twin_index(start), input.tail(start)), FG::Invalid_mesh_error);
+    BOOST_CHECK_THROW(fan.angle_of(FG::internal::twin_index(start), input.tail(start)), FG::Invalid_mesh_error);
   }
 }
 
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(strips_without_length_have_no_relative_error)
     word.tail = word.head = t.head(h);
     for(FG::Halfedge_index g = t.counterclockwise(h); g != h; g = t.counterclockwise(g)) {
       const FG::Input_halfedge_index crossed = FG::internal::as_input(g);
-      word.crossed.push_back(twin_index(crossed));
+      word.crossed.push_back(FG::internal::twin_index(crossed));
       BOOST_REQUIRE(input.tail(crossed) == t.tail(h));
     }
     const FG::internal::Strip<Triangulation> strip(t, word);
@@ -313,7 +313,7 @@ void check_unfolding(const Mesh& mesh, const Triangulation& t, FG::Input_halfedg
   const double rounding = 1e-14; // of places in the plane
   const auto& input = t.input();
   const std::complex<double> origin = place(mesh, t, input.tail(start)),
-                             along = place(mesh, t, input.tail(twin_index(start))) - origin,
+                             along = place(mesh, t, input.tail(FG::internal::twin_index(start))) - origin,
                              unit = along / std::abs(along);
   auto faces = first_face(Layout(t), start, t.metric().length(input, start));
   auto again = faces;
@@ -329,7 +329,7 @@ void check_unfolding(const Mesh& mesh, const Triangulation& t, FG::Input_halfedg
       BOOST_TEST(corner.error < 1e-10);
     }
     const int side = number == 0 ? random.below(3) : 1 + random.below(2);
-    const FG::Input_halfedge_index entered = twin_index(faces.side(side));
+    const FG::Input_halfedge_index entered = FG::internal::twin_index(faces.side(side));
     if(input.is_border(entered))
       break;
     crossed.push_back(faces.side(side));
@@ -345,7 +345,7 @@ void check_unfolding(const Mesh& mesh, const Triangulation& t, FG::Input_halfedg
               [&](FG::Input_halfedge_index h, const auto&, const auto&) { BOOST_TEST((h == crossed[gates++])); });
   BOOST_TEST(gates == crossed.size());
   BOOST_TEST(again.entered() == crossed.size());
-  BOOST_TEST((again.halfedge() == twin_index(crossed.back())));
+  BOOST_TEST((again.halfedge() == FG::internal::twin_index(crossed.back())));
   for(int i = 0; i < 3; ++i) {
     BOOST_TEST((position(again.corners()[i]) == position(faces.corners()[i])));
     BOOST_TEST(again.corners()[i].error == faces.corners()[i].error);

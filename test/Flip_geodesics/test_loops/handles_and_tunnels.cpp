@@ -115,7 +115,7 @@ FG::Handle_and_tunnel_loops check_solid(const Mesh_soup& soup, std::size_t genus
   for(const auto* kind : {&loops.handles, &loops.tunnels})
     for(const Chain& chain : *kind) {
       classes.push_back(s.basis.homology_class(Setting::input_chain(chain)));
-      BOOST_TEST((chain.front() != twin_index(chain.back()))); // nothing is passed out and back
+      BOOST_TEST((chain.front() != FG::internal::twin_index(chain.back()))); // nothing is passed out and back
     }
   BOOST_TEST(is_basis(classes));
   for(FG::Index i = 0; i < s.basis.number_of_loops(); ++i) {

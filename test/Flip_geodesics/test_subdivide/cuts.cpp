@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_opens)
     const Surface plain = to_mesh<Surface>(soup);
     int slits = 0;
     for(FG::Index i = 0; i < static_cast<FG::Index>(plain.number_of_edges()); i += 3) {
-      const Halfedge_index first = first_side(Edge_index(i));
+      const Halfedge_index first = FG::internal::first_side(Edge_index(i));
       Curve_setting s(soup);
       s.network.add_curve(Halfedge_sequence{first}, false);
       check_inserted(s);
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_inside_a_face_opens)
 {
   Curve_setting s(flat_grid(5, 5, Diagonal_rule::RISING));
   const Vertex_index corner(grid_vertex(5, 2, 2));
-  const Input_halfedge_index h = as_input(s.triangulation.outgoing(corner));
+  const Input_halfedge_index h = FG::internal::as_input(s.triangulation.outgoing(corner));
   const Vertex_index x = s.triangulation.insert(FG::Surface_location{h, {{1, 1, 1}}});
   const Vertex_index y = s.triangulation.insert(FG::Surface_location{h, {{1, 1, 4}}});
   for(const Vertex_index to : {y, corner}) {
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(short_loops_are_cut)
   pillow.points = {{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}};
   pillow.triangles = {{0, 1, 2}, {0, 2, 1}};
   for(Edge_index e : descriptors<Edge_index>(3)) {
-    const Halfedge_index h = first_side(e);
+    const Halfedge_index h = FG::internal::first_side(e);
     Curve_setting s(pillow);
     if(!s.triangulation.is_flippable(h))
       continue;

@@ -29,7 +29,7 @@ inline int euler_characteristic_after_cut(Curve_setting& s)
   int result = euler_characteristic(s.mesh);
   Indexed_by<Vertex_index, std::vector<int>> degree(static_cast<std::size_t>(s.triangulation.number_of_vertices()), 0);
   for(Edge_index e : descriptors<Edge_index>(s.triangulation.number_of_edges())) {
-    const Halfedge_index h = first_side(e);
+    const Halfedge_index h = FG::internal::first_side(e);
     const bool is_border = s.triangulation.is_border(h) || s.triangulation.is_border(Triangulation::twin(h));
     if(!s.network.is_occupied(h) || is_border)
       continue;
@@ -147,11 +147,11 @@ inline void check_inserted(Curve_setting& s, std::size_t middles = 0)
   // By the smallest halfedge of the face.
   Indexed_by<Input_halfedge_index, std::vector<bool>> is_split(s.mesh.number_of_halfedges(), false);
   for(Edge_index e : descriptors<Edge_index>(s.triangulation.number_of_edges())) {
-    if(!s.network.is_occupied(first_side(e)))
+    if(!s.network.is_occupied(FG::internal::first_side(e)))
       continue;
-    occupied += s.triangulation.length(first_side(e));
+    occupied += s.triangulation.length(FG::internal::first_side(e));
     crossings += static_cast<std::size_t>((std::max)(s.triangulation.crossings(e), 0));
-    for(auto h : subdivision.halfedges_along(first_side(e)))
+    for(auto h : subdivision.halfedges_along(FG::internal::first_side(e)))
       if(!mesh.is_border(h))
         is_split[subdivision.input_face(mesh.face(h))] = true;
   }
