@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <ctime>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <string>
@@ -83,7 +84,7 @@ public:
       return;
     Deadline_visitor visitor(deadline);
     double start = processor_seconds();
-    const FG::Shortening_report report = FG::shorten(m_network, FG::Never_stop_predicate(), visitor);
+    const FG::Shortening_report report = FG::shorten(m_network, CGAL::parameters::visitor(std::ref(visitor)));
     tally.shorten += processor_seconds() - start;
     tally.flips += report.flips;
     start = processor_seconds();

@@ -118,7 +118,7 @@ private:
     network.add_curve(path, false);
     const double start = seconds();
     try {
-      const FG::Shortening_report report = FG::shorten(network, FG::Never_stop_predicate(), Time_limit_visitor(limit));
+      const FG::Shortening_report report = FG::shorten(network, CGAL::parameters::visitor(Time_limit_visitor(limit)));
       time += seconds() - start;
       measurement.flips += report.flips;
       measurement.done += report.is_complete() ? 1 : 0;

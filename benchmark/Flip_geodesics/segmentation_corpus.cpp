@@ -60,7 +60,8 @@ std::string straighten(const Mesh& mesh, const std::vector<int>& labels, FG::Jun
   const Curve_system before(network);
   const auto ready = Clock::now();
   const FG::Shortening_report report =
-      ratio > 0 ? FG::shorten(network, FG::Curve_length_ratio_stop_predicate(ratio)) : FG::shorten(network);
+      ratio > 0 ? FG::shorten(network, CGAL::parameters::stop_predicate(FG::Curve_length_ratio_stop_predicate(ratio)))
+                : FG::shorten(network);
   const auto finished = Clock::now();
 
   std::map<std::string, int> counts;

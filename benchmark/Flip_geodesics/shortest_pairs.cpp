@@ -144,7 +144,7 @@ void measure_landmarks(const std::string& name, std::size_t number, std::size_t 
     const Timed_report without =
         timed(triangulation, [&](Network& network) { return FG::add_shortest_path(network, search, source, target); });
     const Timed_report with = timed(triangulation, [&](Network& network) {
-      return FG::add_shortest_path(network, search, *landmarks, source, target);
+      return FG::add_shortest_path(network, search, source, target, CGAL::parameters::landmarks(*landmarks));
     });
     shortest.push_back(without.time);
     directed.push_back(with.time);

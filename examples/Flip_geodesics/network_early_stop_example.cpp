@@ -17,6 +17,7 @@
 
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <sstream>
@@ -70,7 +71,8 @@ try {
   Triangulation triangulation(mesh);
   Network network(triangulation);
   FG::add_region_boundaries(network, mesh, regions);
-  FG::shorten(network, FG::Curve_length_ratio_stop_predicate(ratio), visitor);
+  FG::shorten(network, CGAL::parameters::stop_predicate(FG::Curve_length_ratio_stop_predicate(ratio)),
+              CGAL::parameters::visitor(std::ref(visitor)));
   //! [Early stop]
   std::cout << network.number_of_curves() << " curves after " << visitor.steps << " steps.\n";
 

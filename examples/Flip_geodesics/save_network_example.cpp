@@ -52,7 +52,7 @@ try {
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
   const FG::Curve_index curve = network.add_curve(search(source, target), false);
-  FG::shorten(network, FG::Iteration_stop_predicate(10));
+  FG::shorten(network, CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(10)));
   const double saved_length = network.length(curve);
   std::ofstream out("network.flips");
   //! [Save]

@@ -66,7 +66,7 @@ struct Basic_curve_setting
   template <class Stop = CGAL::Flip_geodesics::Never_stop_predicate>
   CGAL::Flip_geodesics::Shortening_report pull(const Stop& stop = Stop())
   {
-    return CGAL::Flip_geodesics::shorten(network, stop);
+    return CGAL::Flip_geodesics::shorten(network, CGAL::parameters::stop_predicate(stop));
   }
 
   /// Adds a path, pulls it tight, returns its report, and takes everything back.

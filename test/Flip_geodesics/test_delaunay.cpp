@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -197,7 +198,8 @@ BOOST_AUTO_TEST_CASE(a_limit_is_kept_and_told)
   Curve_setting s(shaken(torus(10, 6, 3, 1), 0.05, 3));
   flip_at_random(s.triangulation, 300, random);
   const std::vector<FG::Edge_index> edges = {0_e, 1_e, 2_e, 3_e, 4_e, 5_e, 6_e, 7_e, 8_e, 9_e, 10_e};
-  const FG::Delaunay_report report = FG::flip_to_delaunay(s.triangulation, edges, 1);
+  const FG::Delaunay_report report =
+      FG::flip_to_delaunay(s.triangulation, edges, CGAL::parameters::number_of_iterations(1));
   BOOST_CHECK_EQUAL(report.flips, 1u);
   BOOST_CHECK(!report.is_complete());
   BOOST_CHECK(!FG::is_delaunay(s.triangulation));
@@ -228,13 +230,15 @@ BOOST_AUTO_TEST_CASE(a_visitor_interrupts)
   Curve_setting s(shaken(torus(10, 6, 3, 1), 0.05, 3));
   flip_at_random(s.triangulation, 300, random);
   Impatient_visitor impatient(100), patient(1000000);
-  const FG::Delaunay_report first = FG::flip_to_delaunay(s.triangulation, 1000000, impatient);
+  const FG::Delaunay_report first = FG::flip_to_delaunay(
+      s.triangulation, CGAL::parameters::number_of_iterations(1000000), CGAL::parameters::visitor(std::ref(impatient)));
   BOOST_CHECK(first.is_stopped);
   BOOST_CHECK(!first.is_complete());
   BOOST_CHECK_EQUAL(impatient.patience, -1);
   BOOST_CHECK_GT(first.flips, 0u);
   BOOST_CHECK_EQUAL(first.flips, impatient.flips);
-  const FG::Delaunay_report second = FG::flip_to_delaunay(s.triangulation, 1000000, patient);
+  const FG::Delaunay_report second = FG::flip_to_delaunay(
+      s.triangulation, CGAL::parameters::number_of_iterations(1000000), CGAL::parameters::visitor(std::ref(patient)));
   BOOST_CHECK(!second.is_stopped);
   BOOST_CHECK(second.is_complete());
   BOOST_CHECK_EQUAL(second.flips, patient.flips);

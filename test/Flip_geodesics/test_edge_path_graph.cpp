@@ -21,6 +21,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <set>
@@ -87,7 +88,8 @@ void shorten_and_check(Network& network, const Stop_predicate& stop, Tally& tall
   const auto curves = FG::internal::descriptors<FG::Curve_index>(network.number_of_curves());
   for(FG::Curve_index c : curves)
     visitor.lengths.push_back(network.length(c));
-  const FG::Shortening_report report = FG::shorten(archetype, stop, visitor);
+  const FG::Shortening_report report =
+      FG::shorten(archetype, CGAL::parameters::stop_predicate(stop), CGAL::parameters::visitor(std::ref(visitor)));
 
   std::set<FG::Curve_index> shortest;
   for(FG::Curve_index c : curves) {

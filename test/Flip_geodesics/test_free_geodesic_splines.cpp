@@ -170,8 +170,8 @@ BOOST_AUTO_TEST_CASE(paths_through_points_may_cross_themselves)
       BOOST_TEST(std::abs(path.report.curves.front().length - length) < 1e-11);
       BOOST_TEST(path.report.curves.front().initial_length > length);
       BOOST_TEST(t.log_position() == 0u);
-      const FG::Free_legs start =
-          FG::geodesics_through(t, locations(t, surface, polygon), FG::Iteration_stop_predicate(0));
+      const FG::Free_legs start = FG::geodesics_through(
+          t, locations(t, surface, polygon), CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(0)));
       BOOST_TEST(start.report.curves.front().length == path.report.curves.front().initial_length);
       BOOST_TEST((start.report.curves.front().status == FG::Shortening_status::ITERATION_LIMIT));
     }

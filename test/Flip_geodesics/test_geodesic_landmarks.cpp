@@ -50,7 +50,8 @@ FG::Shortest_path_report shortest(Setting& setting, const FG::Geodesic_landmarks
 {
   Setting::Search search(setting.triangulation);
   const auto report = landmarks == nullptr ? FG::add_shortest_path(setting.network, search, s, t)
-                                           : FG::add_shortest_path(setting.network, search, *landmarks, s, t);
+                                           : FG::add_shortest_path(setting.network, search, s, t,
+                                                                   CGAL::parameters::landmarks(*landmarks));
   setting.network.clear();
   setting.triangulation.rollback();
   return report;

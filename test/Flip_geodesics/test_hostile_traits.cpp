@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_loops_valid)
     setting.add(disk_ring(7, 3), true);
     Thrower thrower = {flips, setting.network.length(0_c)};
     try {
-      FG::shorten(setting.network, FG::Never_stop_predicate(), thrower);
+      FG::shorten(setting.network, CGAL::parameters::visitor(std::ref(thrower)));
     } catch(const std::runtime_error&) {
       ++thrown;
       BOOST_TEST(setting.network.is_valid());
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(steps_without_progress_end)
   Setting setting(torus(n, m, 3, 1), Hostile_traits(lies));
   setting.add(torus_loop(n, m, 1, 1), true);
   Watcher watcher(setting);
-  const FG::Shortening_report report = FG::shorten(setting.network, FG::Never_stop_predicate(), watcher);
+  const FG::Shortening_report report = FG::shorten(setting.network, CGAL::parameters::visitor(std::ref(watcher)));
   BOOST_TEST(!watcher.has_grown);
   BOOST_TEST(watcher.steps > 10000u);
   BOOST_TEST(watcher.steps < 100000u);
@@ -277,7 +277,8 @@ BOOST_AUTO_TEST_CASE(trees_among_lies_end)
       BOOST_TEST((is_bent ? report.status == FG::Shortening_status::PRECISION_LIMIT : true));
 
       // Of paths that stay as they are, the same is told.
-      BOOST_TEST((FG::make_shortest(tree, FG::Window_limit(1)).status == report.status));
+      BOOST_TEST(
+          (FG::make_shortest(tree, CGAL::parameters::search_limit(FG::Window_limit(1))).status == report.status));
     }
   BOOST_TEST(told > 0);
 }

@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(a_tree_that_is_made_shortest)
   stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
     Tree tree(setting.triangulation);
     tree.grow(0_v);
-    const auto report = FG::make_shortest(tree, FG::Window_limit(), visitor);
+    const auto report = FG::make_shortest(tree, CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(is_stopped_by_visitor(report) == is_stopped);
     BOOST_TEST(report.is_confirmed() == !is_stopped);
     BOOST_TEST(tree.is_valid());

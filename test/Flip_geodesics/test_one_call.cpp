@@ -376,9 +376,11 @@ BOOST_AUTO_TEST_CASE(least_policies_are_enough)
   Curve_setting setting(torus(24, 14, 2, 1));
   setting.add_path(setting.triangulation.index(Vertex(0)), setting.triangulation.index(Vertex(150)));
   Visitor_archetype of_network;
-  const FG::Shortening_report begun = FG::shorten(setting.network, few, of_network);
+  const FG::Shortening_report begun = FG::shorten(setting.network, CGAL::parameters::stop_predicate(few),
+                                                  CGAL::parameters::visitor(std::ref(of_network)));
   BOOST_CHECK(begun.curves.front().status == FG::Shortening_status::ITERATION_LIMIT);
   BOOST_CHECK_EQUAL(of_network.steps(), 2);
-  const FG::Shortening_report finished = FG::shorten(setting.network, many, of_network);
+  const FG::Shortening_report finished = FG::shorten(setting.network, CGAL::parameters::stop_predicate(many),
+                                                     CGAL::parameters::visitor(std::ref(of_network)));
   BOOST_CHECK(finished.is_complete());
 }

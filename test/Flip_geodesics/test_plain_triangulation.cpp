@@ -18,6 +18,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -159,8 +160,10 @@ BOOST_AUTO_TEST_CASE(the_same_edges_are_delaunay)
     plain.network.add_curve(walk, false);
     fast.network.add_curve(walk, false);
     BOOST_TEST((FG::edges_near_curves(plain.network) == FG::edges_near_curves(fast.network)));
-    FG::flip_to_delaunay(plain.triangulation, 100000, plain.flips);
-    FG::flip_to_delaunay(fast.triangulation, 100000, fast.flips);
+    FG::flip_to_delaunay(plain.triangulation, CGAL::parameters::number_of_iterations(100000),
+                         CGAL::parameters::visitor(std::ref(plain.flips)));
+    FG::flip_to_delaunay(fast.triangulation, CGAL::parameters::number_of_iterations(100000),
+                         CGAL::parameters::visitor(std::ref(fast.flips)));
     BOOST_TEST((plain.flips.flips == fast.flips.flips));
     BOOST_TEST(FG::is_delaunay(plain.triangulation));
   }

@@ -32,7 +32,8 @@ using Number = Exact_distances::Number;
 FG::Shortest_path_report shortest(Setting& setting, int s, int t, const FG::Window_limit& limit = FG::Window_limit())
 {
   Setting::Search search(setting.triangulation);
-  const auto report = FG::add_shortest_path(setting.network, search, Vertex_index(s), Vertex_index(t), limit);
+  const auto report = FG::add_shortest_path(setting.network, search, Vertex_index(s), Vertex_index(t),
+                                            CGAL::parameters::search_limit(limit));
   setting.network.clear();
   setting.triangulation.rollback();
   return report;

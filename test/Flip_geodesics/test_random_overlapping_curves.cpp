@@ -359,7 +359,7 @@ BOOST_AUTO_TEST_CASE(shortened_networks)
       rebuild(world.network);
       world.order();
       decided += check_decided_pairs(world.network);
-      shorten(world.network, Iteration_stop_predicate(engine() % 20));
+      shorten(world.network, CGAL::parameters::stop_predicate(Iteration_stop_predicate(engine() % 20)));
       BOOST_TEST(world.network.is_valid(), "shorten left the network invalid at seed " << seed);
     }
   }
@@ -382,7 +382,7 @@ BOOST_AUTO_TEST_CASE(parallel_torus_loops)
     }
     world.order();
     check_decided_pairs(world.network);
-    shorten(world.network, Iteration_stop_predicate(100));
+    shorten(world.network, CGAL::parameters::stop_predicate(Iteration_stop_predicate(100)));
     BOOST_TEST(world.network.is_valid());
     rebuild(world.network);
     world.order();

@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(flips_are_counted)
   std::size_t flips = 0;
   Flip_counter visitor;
   visitor.flips = &flips;
-  const FG::Refinement_report report = FG::refine(s.triangulation, {}, visitor);
+  const FG::Refinement_report report = FG::refine(s.triangulation, {}, CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_CHECK_GT(report.insertions, 0u);
   BOOST_CHECK_EQUAL(report.flips, flips);
 }
@@ -185,8 +185,8 @@ BOOST_AUTO_TEST_CASE(a_length_that_no_edge_has_spreads_the_vertices)
     BOOST_CHECK_EQUAL(report.insertions + report.splits, 1000u);
     BOOST_CHECK_EQUAL(report.given_up, 0u);
     for(FG::Edge_index e : descriptors<FG::Edge_index>(s.triangulation.number_of_edges())) {
-      BOOST_CHECK_LE(s.triangulation.length(first_side(e)), 3 * mean);
-      BOOST_CHECK_GE(s.triangulation.length(first_side(e)), mean / 5);
+      BOOST_CHECK_LE(s.triangulation.length(FG::internal::first_side(e)), 3 * mean);
+      BOOST_CHECK_GE(s.triangulation.length(FG::internal::first_side(e)), mean / 5);
     }
   }
 }
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(edges_have_the_wanted_length)
   options.longest_edge = 0.4;
   BOOST_CHECK(FG::refine(s.network, options).is_complete());
   for(FG::Edge_index e : descriptors<FG::Edge_index>(s.triangulation.number_of_edges()))
-    BOOST_CHECK_LE(s.triangulation.length(first_side(e)), 0.4);
+    BOOST_CHECK_LE(s.triangulation.length(FG::internal::first_side(e)), 0.4);
   check_refined(s, before, lengths);
 }
 
@@ -236,7 +236,8 @@ BOOST_AUTO_TEST_CASE(a_visitor_is_told_of_each_vertex)
     s.add_path(Vertex_index(grid_vertex(n, 0, 1)), Vertex_index(grid_vertex(n, n, 3)));
     s.pull();
     Counting_visitor visitor(patience);
-    const FG::Refinement_report report = FG::refine(s.network, FG::Refinement_options(), visitor);
+    const FG::Refinement_report report =
+        FG::refine(s.network, FG::Refinement_options(), CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_CHECK_EQUAL(visitor.insertions, report.insertions + report.splits);
     BOOST_CHECK(report.status ==
                 (patience > 1000 ? FG::Refinement_status::BOUNDS_REACHED : FG::Refinement_status::STOPPED_BY_VISITOR));
@@ -264,7 +265,7 @@ BOOST_AUTO_TEST_CASE(wrong_flips_between_points_of_one_edge_are_told)
   const Halfedge_index middle = halfedge(points[1], points[2]);
   const auto check_words = [&] {
     for(FG::Edge_index f : descriptors<FG::Edge_index>(s.triangulation.number_of_edges()))
-      BOOST_CHECK_EQUAL(s.triangulation.crossing_word(first_side(f)).crossed.size(),
+      BOOST_CHECK_EQUAL(s.triangulation.crossing_word(FG::internal::first_side(f)).crossed.size(),
                         static_cast<std::size_t>((std::max)(s.triangulation.crossings(f), 0)));
   };
   const std::size_t before = s.triangulation.log_position();
@@ -312,15 +313,18 @@ BOOST_AUTO_TEST_CASE(a_visitor_interrupts)
       const std::vector<double> lengths = lengths_of_curves(s);
       Impatient_visitor impatient(patience, throws), patient(10000000);
       if(throws) {
-        BOOST_CHECK_THROW(FG::refine(s.network, FG::Refinement_options(), impatient), int);
+        BOOST_CHECK_THROW(
+            FG::refine(s.network, FG::Refinement_options(), CGAL::parameters::visitor(std::ref(impatient))), int);
       } else {
-        const FG::Refinement_report report = FG::refine(s.network, FG::Refinement_options(), impatient);
+        const FG::Refinement_report report =
+            FG::refine(s.network, FG::Refinement_options(), CGAL::parameters::visitor(std::ref(impatient)));
         BOOST_CHECK(report.status == FG::Refinement_status::STOPPED_BY_VISITOR);
         BOOST_CHECK(!report.is_complete());
       }
       BOOST_CHECK_EQUAL(impatient.patience, -1);
       BOOST_CHECK(s.network.is_valid());
-      BOOST_CHECK(FG::refine(s.network, FG::Refinement_options(), patient).is_complete());
+      BOOST_CHECK(
+          FG::refine(s.network, FG::Refinement_options(), CGAL::parameters::visitor(std::ref(patient))).is_complete());
       check_refined(s, before, lengths);
     }
 }

@@ -397,7 +397,7 @@ BOOST_AUTO_TEST_CASE(tree_with_limited_effort)
     Tree tree(setting.triangulation);
     const auto grown = tree.grow(0_v);
     const auto position = setting.triangulation.log_position();
-    const FG::Distances_report report = FG::make_shortest(tree, FG::Window_limit(100));
+    const FG::Distances_report report = FG::make_shortest(tree, CGAL::parameters::search_limit(FG::Window_limit(100)));
     BOOST_TEST(!report.is_confirmed());
     BOOST_TEST(report.flips == 0u);
     BOOST_TEST(report.longer == report.longer_before);

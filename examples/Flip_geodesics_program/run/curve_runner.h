@@ -375,7 +375,7 @@ private:
                         visitor);
     } else {
       add_straightened_path(network, halfedges, m_options.most_memory);
-      CGAL::Flip_geodesics::shorten(network, memory_limit());
+      CGAL::Flip_geodesics::shorten(network, CGAL::parameters::stop_predicate(memory_limit()));
     }
     record(network, recorder);
   }
@@ -397,7 +397,8 @@ private:
     } else {
       m_progress.enter("shortening", "steps");
       Progress_visitor visitor(m_progress);
-      path = FG::geodesics_through(m_triangulation, request.points, memory_limit(), visitor);
+      path = FG::geodesics_through(m_triangulation, request.points, CGAL::parameters::stop_predicate(memory_limit()),
+                                   CGAL::parameters::visitor(std::ref(visitor)));
     }
     note(path.report, path.report.curves.front(), result);
     result.initial_segments = path.legs.size();
@@ -461,7 +462,7 @@ private:
     } else {
       curve = FG::draw_polyline(network, polyline, request.is_closed);
       FG::order_overlapping_curves(network);
-      FG::shorten(network, memory_limit());
+      FG::shorten(network, CGAL::parameters::stop_predicate(memory_limit()));
       network.reset_initial_length(curve);
       network.free_nodes(curve);
     }
@@ -544,8 +545,11 @@ private:
     const Stopwatch stopwatch;
     m_progress.enter("shortening", "steps");
     Recording_visitor<Network> visitor(m_progress, recorder);
-    const FG::Shortening_report report = m_options.stop_length ? FG::shorten(network, length_limit(), visitor)
-                                                               : FG::shorten(network, memory_limit(), visitor);
+    const FG::Shortening_report report = m_options.stop_length
+                                             ? FG::shorten(network, CGAL::parameters::stop_predicate(length_limit()),
+                                                           CGAL::parameters::visitor(std::ref(visitor)))
+                                             : FG::shorten(network, CGAL::parameters::stop_predicate(memory_limit()),
+                                                           CGAL::parameters::visitor(std::ref(visitor)));
     const double seconds = stopwatch.seconds();
     check_folds(report);
     for(std::size_t c = 0; c < results.size(); ++c) {

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/subdivide.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -68,9 +69,9 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
   std::ostringstream text;
   if(options.is_delaunay) {
     progress.enter("flipping to Delaunay");
-    auto& triangulation = network.triangulation();
-    const FG::Delaunay_report report = FG::flip_to_delaunay(
-        triangulation, FG::default_maximum_of_flips(triangulation.number_of_edges()), Progress_visitor(progress));
+    Progress_visitor visitor(progress);
+    const FG::Delaunay_report report =
+        FG::flip_to_delaunay(network.triangulation(), CGAL::parameters::visitor(std::ref(visitor)));
     text << "delaunay " << report.flips << " flips, " << report.constrained << " edges held by curves\n";
   }
   if(options.refine) {
@@ -80,7 +81,8 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     if(options.most_vertices)
       bounds.maximum_insertions = static_cast<std::size_t>(*options.most_vertices);
     progress.enter("refining", "vertices inserted");
-    const FG::Refinement_report report = FG::refine(network, bounds, Refinement_progress(progress));
+    Refinement_progress visitor(progress);
+    const FG::Refinement_report report = FG::refine(network, bounds, CGAL::parameters::visitor(std::ref(visitor)));
     text << "refined  " << counted(report.insertions, "vertex", "vertices") << " inserted, "
          << counted(report.splits, "edge", "edges") << " split; smallest angle " << report.smallest_angle << " degrees";
     if(report.exempt > 0)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace program {
@@ -62,8 +63,12 @@ CGAL::Flip_geodesics::Shortest_path_report add_shortest_pair(Network& network, S
   namespace FG = CGAL::Flip_geodesics;
   const FG::Window_limit limit =
       window_limit(static_cast<std::size_t>(network.triangulation().number_of_vertices()), most_memory);
-  return landmarks == nullptr ? FG::add_shortest_path(network, search, ends[0], ends[1], limit, visitor)
-                              : FG::add_shortest_path(network, search, *landmarks, ends[0], ends[1], limit, visitor);
+  return landmarks == nullptr
+             ? FG::add_shortest_path(network, search, ends[0], ends[1], CGAL::parameters::search_limit(limit),
+                                     CGAL::parameters::visitor(std::ref(visitor)))
+             : FG::add_shortest_path(network, search, ends[0], ends[1], CGAL::parameters::search_limit(limit),
+                                     CGAL::parameters::landmarks(*landmarks),
+                                     CGAL::parameters::visitor(std::ref(visitor)));
 }
 
 } // namespace program

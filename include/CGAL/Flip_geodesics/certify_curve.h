@@ -40,8 +40,9 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// A place of a curve that was made elsewhere, in one of the forms in which other packages give it: a vertex; a halfedge
-/// and a place on it, from 0 at its source to 1 at its target; or a `CGAL::Polygon_mesh_processing::Face_location`.
+/// A place of a curve that was made elsewhere, in one of the forms in which other packages give it: a vertex; a
+/// halfedge and a place on it, from 0 at its source to 1 at its target; or a
+/// `CGAL::Polygon_mesh_processing::Face_location`.
 template <class TriangleMesh>
 using Given_place =
     std::variant<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
@@ -67,8 +68,9 @@ struct Given_curve_certificate
   std::size_t number = 0;
   Side side = Side::LEFT; ///< of a bent joint, the side; in a segment, the one on which `vertex` lies
   /// By the numbers of the given places, where straight segments cross these edges, from 0 at the source of the halfedge
-  /// to 1 at its target, of an edge given by a location by its halfedge in that face; rounded, by the length of the segment over that of the edge and over the sine of the angle at
-  /// which it crosses it, times a unit in the last place. For what is no crossed edge 0. Empty if the curve is bent.
+  /// to 1 at its target, where that is the halfedge in the given face if the edge is given by a location; rounded, by
+  /// the length of the segment over that of the edge and over the sine of the angle at which it crosses it, times a unit
+  /// in the last place. For what is no crossed edge 0. Empty if the curve is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< how the comparisons were decided
 
@@ -311,8 +313,8 @@ private:
  *
  * \param mesh a triangle mesh
  * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
- *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last are the ends. What is in between is
- *        a passed vertex, or a crossed edge: a location with one weight of zero, or either halfedge of the edge. Where
+ *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last are the ends. What is in between
+ *        is a passed vertex, or a crossed edge: a location with one weight of zero, or either halfedge of the edge. Where
  *        nothing is crossed, the segment is on the edge, or in the face, that has both its ends
  * \param is_closed does the curve go on from the last place to the first, which is a vertex then, and not repeated?
  * \param np named parameters: `vertex_point_map` or `metric`, as for `geodesic_path()`

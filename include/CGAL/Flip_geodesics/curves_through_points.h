@@ -138,6 +138,31 @@ struct Free_legs
   Verdict verdict() const { return report.curves.front().verdict; }         ///< whether each is confirmed to be one
 };
 
+namespace internal {
+
+template <class Triangulation, class StopPredicate, class Visitor>
+Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surface_location>& points,
+                            const StopPredicate& stop, Visitor&& visitor)
+{
+  if(points.size() < 2)
+    throw Invalid_curve_error("a path needs two points");
+  Path_straightener<Triangulation> straightener(triangulation);
+  Free_legs result;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto& stop_on_leg = restarted(stop);
+    const auto tighten = [&](Edge_path_network<Triangulation>& network) {
+      return shorten(network, stop_on_leg, visitor);
+    };
+    result.legs.push_back(straightener.shortest(points[i], points[i + 1], tighten));
+  }
+  result.report = straightener.report();
+  if(std::all_of(result.legs.begin(), result.legs.end(), is_point))
+    result.report.curves.front() = report_of_point(triangulation);
+  return result;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
@@ -150,30 +175,19 @@ struct Free_legs
  *
  * \param triangulation that of the input, without flips and curves, as it is afterwards
  * \param points at least two
- * \param stop, visitor as for `shorten()`, for each leg; the first `restarted()` for each if it can be
+ * \param np named parameters: `stop_predicate` and `visitor` as for `shorten()`, for each leg; the former is
+ *        `restarted()` for each if it can be
  * \throws Invalid_curve_error for fewer than two points
  * \throws Occupied_triangulation_error if there are curves
  * \throws Disconnected_endpoints_error, and as `Intrinsic_triangulation::insert()`, `shorten()`
  */
-template <class Triangulation, class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
+template <class Triangulation, class... NamedParameters>
 Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surface_location>& points,
-                            const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
+                            const NamedParameters&... np)
 {
-  if(points.size() < 2)
-    throw Invalid_curve_error("a path needs two points");
-  internal::Path_straightener<Triangulation> straightener(triangulation);
-  Free_legs result;
-  for(std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const auto& stop_on_leg = internal::restarted(stop);
-    const auto tighten = [&](Edge_path_network<Triangulation>& network) {
-      return shorten(network, stop_on_leg, visitor);
-    };
-    result.legs.push_back(straightener.shortest(points[i], points[i + 1], tighten));
-  }
-  result.report = straightener.report();
-  if(std::all_of(result.legs.begin(), result.legs.end(), internal::is_point))
-    result.report.curves.front() = internal::report_of_point(triangulation);
-  return result;
+  const auto& options = internal::options_of<internal::Stop_parameter, internal_np::visitor_t>(np...);
+  auto visitor = internal::make_visitor(options);
+  return internal::geodesics_through(triangulation, points, internal::stop_predicate_of(options), visitor.get());
 }
 
 namespace internal {

@@ -4,7 +4,9 @@
 #define CGAL_FLIP_GEODESICS_DELAUNAY_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <algorithm>
@@ -28,13 +30,31 @@ struct Delaunay_report
   bool is_complete() const { return remaining == 0; }
 };
 
-/// \ingroup PkgFlipGeodesicsDelaunay
-/// What the parameter `maximum_flips` of `flip_to_delaunay()` is if it is not given: a guard of the memory that the
-/// flip log takes. Ten flips an edge are much, unless faces are extremely thin.
+namespace internal {
+
+/* A guard of the memory that the flip log takes. Ten flips an edge are much, unless faces are extremely thin. */
 inline std::size_t default_maximum_of_flips(Index number_of_edges)
 {
   return 1000000 + 1000 * static_cast<std::size_t>(number_of_edges);
 }
+
+template <class Triangulation, class EdgeRange, class Visitor>
+Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, std::size_t maximum_flips,
+                                 Visitor&& visitor)
+{
+  Lawson_flips<Triangulation> lawson(triangulation);
+  for(Edge_index e : edges)
+    lawson.allow(e);
+  Delaunay_report report;
+  report.flips = lawson.flip(maximum_flips, visitor);
+  report.is_stopped = lawson.is_stopped();
+  for(Edge_index e : edges)
+    if(!triangulation.is_locally_delaunay(first_side(e)))
+      ++(triangulation.holds(e) != 0 ? report.constrained : report.remaining);
+  return report;
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
@@ -45,63 +65,45 @@ inline std::size_t default_maximum_of_flips(Index number_of_edges)
  * Edges that are tied, since four points lie on one circle, are Delaunay both ways and are not flipped. With exact
  * traits the process ends on every input: each flip lowers a function of the triangulation, of which there are finitely
  * many below a given value. With `Intrinsic_triangulation_traits` ties have the width of its tolerance. Faces whose
- * edges are flipped again and again are laid out afresh from the input; so errors do not add up. `maximum_flips` is a
- * guard. How many flips are needed depends on the shapes of faces: about one an edge on ordinary meshes, as many as the
- * aspect ratio where a long thin cylinder is twisted.
+ * edges are flipped again and again are laid out afresh from the input; so errors do not add up. How many flips are
+ * needed depends on the shapes of faces: about one an edge on ordinary meshes, as many as the aspect ratio where a long thin cylinder is twisted.
  *
  * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of networks are constrained, and stay
  * \param edges a range of edge indices
- * \param maximum_flips ends the process early; `Delaunay_report::is_complete()` tells
- * \param visitor a model of `FlipOutVisitor`: `go_further()` is asked before each edge, and `on_flip()` called after each
- *        flip; it may also throw, and leaves a valid triangulation
+ * \param np named parameters: `number_of_iterations`, after how many flips the process ends early, by default a million
+ *        and a thousand for each edge; `Delaunay_report::is_complete()` returns whether they sufficed; and `visitor`, a
+ *        model of `FlipOutVisitor`: `go_further()` is called before each edge, and `on_flip()` after each flip; it may
+ *        also throw, and leaves a valid triangulation
+ * \throws Invalid_parameter_error for a negative number of flips
  * \throws what is thrown when faces are first touched
  *
  * Complexity: linear in the flips and the edges given.
  */
-template <class Triangulation, class EdgeRange, class Visitor = Default_shortening_visitor>
-Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, std::size_t maximum_flips,
-                                 Visitor&& visitor = Visitor())
+template <class Triangulation, class EdgeRange, class... NamedParameters,
+          std::enable_if_t<!internal::Is_named_parameters<EdgeRange>::value, int> = 0>
+Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, const NamedParameters&... np)
 {
-  internal::Lawson_flips<Triangulation> lawson(triangulation);
-  for(Edge_index e : edges)
-    lawson.allow(e);
-  Delaunay_report report;
-  report.flips = lawson.flip(maximum_flips, visitor);
-  report.is_stopped = lawson.is_stopped();
-  for(Edge_index e : edges)
-    if(!triangulation.is_locally_delaunay(internal::first_side(e)))
-      ++(triangulation.holds(e) != 0 ? report.constrained : report.remaining);
-  return report;
-}
-
-/// \ingroup PkgFlipGeodesicsDelaunay
-/// The same with the default limit.
-template <class Triangulation, class EdgeRange, std::enable_if_t<!std::is_arithmetic_v<EdgeRange>, int> = 0>
-Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges)
-{
-  return flip_to_delaunay(triangulation, edges, default_maximum_of_flips(triangulation.number_of_edges()));
+  const auto& options = internal::options_of<internal_np::number_of_iterations_t, internal_np::visitor_t>(np...);
+  auto visitor = internal::make_visitor(options);
+  const std::size_t standard = internal::default_maximum_of_flips(triangulation.number_of_edges());
+  return internal::flip_to_delaunay(triangulation, edges, internal::number_of_iterations(options, standard),
+                                    visitor.get());
 }
 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * The same for all edges: the result is the intrinsic Delaunay triangulation. If networks have curves in the
- * triangulation, it is the intrinsic constrained Delaunay triangulation of all these curves, the iCDT [SC20, section 6.3]. Throws as the
- * first overload. Complexity: linear in the mesh and the flips.
+ * Flips all edges of a triangulation until each is locally Delaunay: the result is the intrinsic Delaunay triangulation.
+ * If networks have curves in the triangulation, it is the intrinsic constrained Delaunay triangulation of all these
+ * curves, the iCDT [SC20, section 6.3]. Named parameters and exceptions are those of the first overload. Complexity:
+ * linear in the mesh and the flips.
  */
-template <class Triangulation, class Visitor = Default_shortening_visitor>
-Delaunay_report flip_to_delaunay(Triangulation& triangulation, std::size_t maximum_flips, Visitor&& visitor = Visitor())
+template <class Triangulation, class... NamedParameters,
+          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParameters&... np)
 {
-  return flip_to_delaunay(triangulation, internal::descriptors<Edge_index>(triangulation.number_of_edges()),
-                          maximum_flips, visitor);
-}
-
-/// \ingroup PkgFlipGeodesicsDelaunay
-/// The same with the default limit.
-template <class Triangulation>
-Delaunay_report flip_to_delaunay(Triangulation& triangulation)
-{
-  return flip_to_delaunay(triangulation, default_maximum_of_flips(triangulation.number_of_edges()));
+  return Flip_geodesics::flip_to_delaunay(triangulation,
+                                          internal::descriptors<Edge_index>(triangulation.number_of_edges()), np...);
 }
 
 /*!

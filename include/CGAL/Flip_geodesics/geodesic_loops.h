@@ -70,7 +70,8 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
       {
         typename Types::Network network(triangulation);
         const Curve_index curve = network.add_curve(basis.cycle(i), true);
-        internal::append_report(shorten(network, internal::stop_predicate_of(options), remembering), result.report);
+        internal::append_report(internal::shorten(network, internal::stop_predicate_of(options), remembering),
+                                result.report);
         result.values.push_back(internal::curve_forms<Form>(network, mesh, curve));
       }
       triangulation.rollback();
@@ -111,7 +112,7 @@ Shortening_report shorten_cut_graph(Network& network, Visitor&& visitor = Visito
   std::size_t flips = 0, flip_outs = 0;
   Shortening_report report;
   do {
-    report = shorten(network, Never_stop_predicate(), remembering);
+    report = internal::shorten(network, Never_stop_predicate(), remembering);
     flips += report.flips;
     flip_outs += report.flip_outs;
   } while(!remembering.has_stopped() && internal::Needless_seams<Network>(network).remove());

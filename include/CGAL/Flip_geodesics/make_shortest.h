@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -40,10 +41,10 @@ struct Distances_report
   double largest_excess = 0;        ///< the same now
   std::size_t windows = 0;          ///< what the search for shortest paths cost
   std::size_t flips = 0;            ///< by which shortest paths were inserted
-  /// `WITHIN_TOLERANCE` if the figures are exact up to rounding, and no shortest path is shorter than the one found by more
-  /// than 1e-10 of it, otherwise `UNDECIDED`: if the search was given up or stopped, or met an edge of length zero, or if
-  /// coordinates or lengths of the mesh are not doubles. Beside faces whose height is at most 1e-10 of their base, and
-  /// where rounding errors can be as large, only if a search with bounds that are rounded outward confirms it.
+  /// `WITHIN_TOLERANCE` if the figures are exact up to rounding, and no shortest path is shorter than the one found by
+  /// more than 1e-10 of it, otherwise `UNDECIDED`: if the search was given up or stopped, or met an edge of length zero,
+  /// or if coordinates or lengths of the mesh are not doubles. Beside faces whose height is at most 1e-10 of their base,
+  /// and where rounding errors can be as large, only if a search with bounds that are rounded outward confirms it.
   Verdict verdict = Verdict::UNDECIDED;
   /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it? Also of paths that were left as they are.
   /// `STOPPED_BY_VISITOR` if a visitor's `go_further()` returned `false`.
@@ -254,27 +255,30 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  * the edges that its last leg crosses; if any is, linear in the size of the mesh on top.
  *
  * \param tree a tree that has been grown to its end
- * \param limit beyond it the search is given up, and the tree stays as it is
- * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it returns
- *        `false`, then the report has the status `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. The tree
- *        remains valid: it stays as it is if the search is stopped; afterwards, some paths may have been replaced
+ * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the search is given up, and the tree stays
+ *        as it is; and `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular
+ *        intervals. If it returns `false`, then the report has the status `Shortening_status::STOPPED_BY_VISITOR` and is
+ *        not confirmed. The tree remains valid: it stays as it is if the search is stopped; afterwards, some paths may
+ *        have been replaced
  * \throws Invalid_coordinate_error
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source was inserted. Other inserted vertices have geodesics, which nothing
  * is said about.
  */
-template <class Triangulation, class Visitor = Default_shortening_visitor>
-Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_limit& limit = Window_limit(),
-                               Visitor&& visitor = Visitor())
+template <class Triangulation, class... NamedParameters>
+Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedParameters&... np)
 {
+  const auto& options = internal::options_of<internal::Limit_parameter, internal_np::visitor_t>(np...);
   CGAL_precondition(tree.source() != null_index);
   if(tree.triangulation().is_inserted(tree.source()))
     throw Vertex_out_of_range_error("shortest paths are searched from a vertex of the input mesh, and vertex " +
                                         std::to_string(tree.source().idx()) + " was inserted",
                                     {static_cast<std::size_t>(tree.source().idx())});
   internal::check_has_no_curves(tree.triangulation(), "the paths of a tree cannot be replaced");
-  const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
-  internal::Interruption interruption(visitor);
+  const std::size_t most_windows = internal::search_limit_of<Window_limit>(options)(
+      static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
+  auto visitor = internal::make_visitor(options);
+  internal::Interruption interruption(visitor.get());
   internal::Window_propagation<Triangulation> field(tree.triangulation(), false);
   field.add_vertex(tree.source(), 0, 0);
   const bool is_sound = internal::run_to_the_end(field, internal::longest_wanted(tree), most_windows, &interruption);

@@ -3,13 +3,16 @@
 #ifndef CGAL_FLIP_GEODESICS_NAMED_PARAMETERS_H
 #define CGAL_FLIP_GEODESICS_NAMED_PARAMETERS_H
 
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cstddef>
 #include <functional>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -127,6 +130,20 @@ Limit search_limit_of(const NamedParameters& np)
   } else {
     return Limit();
   }
+}
+
+/* The named parameter number_of_iterations, a whole number, which may be given with a sign. */
+template <class NamedParameters>
+std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard)
+{
+  const auto number =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), standard);
+  using Number = std::decay_t<decltype(number)>;
+  static_assert(std::is_integral<Number>::value, "number_of_iterations() is a whole number");
+  if constexpr(std::is_signed<Number>::value)
+    if(number < 0)
+      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", and not at least 0");
+  return static_cast<std::size_t>(number);
 }
 
 /* The landmarks that are given, or null. */

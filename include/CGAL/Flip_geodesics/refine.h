@@ -131,7 +131,8 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
   const double angle = options.smallest_angle * degree;
   Refinement_report report;
   const Delaunay_report flipped =
-      flip_to_delaunay(triangulation, default_maximum_of_flips(triangulation.number_of_edges()), visitor);
+      flip_to_delaunay(triangulation, descriptors<Edge_index>(triangulation.number_of_edges()),
+                       default_maximum_of_flips(triangulation.number_of_edges()), visitor);
   report.flips = flipped.flips;
   using Refiner = Delaunay_refiner<Triangulation, Splitter, Visitor>;
   Refiner refiner(triangulation, splitter, {angle, options.longest_edge, options.maximum_insertions}, visitor);
@@ -174,9 +175,10 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  *
  * \param network an `Edge_path_network`, whose triangulation is refined, a model of `IntrinsicTriangulationOfMesh`
  * \param options the bounds; up to about 25 degrees the process ends by itself in practice
- * \param visitor a model of `RefinementVisitor`: `go_further()` is asked before each flip to Delaunay and then before
- *        each bad face, `on_flip()` called after each flip and `on_insertion()` after each vertex. Ended by it, or by
- *        an exception that it throws, the triangulation and its curves are valid, and the curves as long as before
+ * \param np named parameters: `visitor`, a model of `RefinementVisitor`, which is copied unless it is given by
+ *        `std::ref()`: `go_further()` is called before each flip to Delaunay and then before each bad face, `on_flip()`
+ *        after each flip and `on_insertion()` after each vertex. If it ends the process, or throws an exception, the
+ *        triangulation and its curves are valid, and the curves as long as before
  * \return what was reached, measured on the result
  * \throws Invalid_parameter_error for bounds that make no sense; what is thrown when faces are first touched
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
@@ -184,28 +186,30 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * Complexity: about linear in the flips and insertions, with a logarithm for the queue, and in the crossings of the
  * faces that are refined: how many points an input face has got does not slow further ones down.
  */
-template <class Network, class Visitor = Default_shortening_visitor,
+template <class Network, class... NamedParameters,
           std::enable_if_t<internal::Is_curve_network<Network>::value, int> = 0>
 Refinement_report refine(Network& network, const Refinement_options& options = Refinement_options(),
-                         Visitor&& visitor = Visitor())
+                         const NamedParameters&... np)
 {
   if(network.triangulation().number_of_holds() != internal::edges_under_curves(network).size())
     throw Occupied_triangulation_error("a triangulation in which several networks have curves cannot be refined");
   auto splitter = internal::Internals<Network>::splitter(network);
-  return internal::refine(network.triangulation(), splitter, options, visitor);
+  auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
+  return internal::refine(network.triangulation(), splitter, options, visitor.get());
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// The same for a triangulation without curves. \throws Occupied_triangulation_error if a network in it has some
-template <class Triangulation, class Visitor = Default_shortening_visitor,
+template <class Triangulation, class... NamedParameters,
           std::enable_if_t<!internal::Is_curve_network<Triangulation>::value, int> = 0>
 Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),
-                         Visitor&& visitor = Visitor())
+                         const NamedParameters&... np)
 {
   if(triangulation.number_of_holds() > 0)
     throw Occupied_triangulation_error("a triangulation that has curves is refined by way of their network");
   internal::Triangulation_splitter<Triangulation> splitter = {triangulation};
-  return internal::refine(triangulation, splitter, options, visitor);
+  auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
+  return internal::refine(triangulation, splitter, options, visitor.get());
 }
 
 } // namespace Flip_geodesics

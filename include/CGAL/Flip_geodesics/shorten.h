@@ -5,7 +5,9 @@
 
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -218,6 +220,18 @@ private:
   Straightnesses m_straightness; // of the curves as they are now, or empty
 };
 
+namespace internal {
+
+template <class Network, class StopPredicate, class Visitor>
+Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&& visitor)
+{
+  Shortener<Network> shortener(network);
+  shortener.run(stop, visitor);
+  return shortener.report();
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsShortening
  *
@@ -231,19 +245,20 @@ private:
  * \param network the curves; they are moved, and the edges around them flipped. Where they share edges,
  *        `order_overlapping_curves()` has to put them in order first. Curves that cross go on crossing, and no status
  *        tells; `Edge_path_network::is_valid()` does.
- * \param stop a model of `FlipOutStopPredicate`
- * \param visitor a model of `FlipOutVisitor`
+ * \param np named parameters, in any order: `stop_predicate`, a model of `FlipOutStopPredicate`, by default
+ *        `Never_stop_predicate`; and `visitor`, a model of `FlipOutVisitor`, which is copied unless it is given by
+ *        `std::ref()`, by default none
  * \throws Degenerate_face_error, Invalid_coordinate_error if a face that is touched is no triangle; the network and its
  *         triangulation are then valid, and the curves somewhere on their way, none longer than before
  *
  * \sa `Shortener`, for many short runs
  */
-template <class Network, class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
-Shortening_report shorten(Network& network, const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
+template <class Network, class... NamedParameters>
+Shortening_report shorten(Network& network, const NamedParameters&... np)
 {
-  Shortener<Network> shortener(network);
-  shortener.run(stop, visitor);
-  return shortener.report();
+  const auto& options = internal::options_of<internal::Stop_parameter, internal_np::visitor_t>(np...);
+  auto visitor = internal::make_visitor(options);
+  return internal::shorten(network, internal::stop_predicate_of(options), visitor.get());
 }
 
 } // namespace Flip_geodesics

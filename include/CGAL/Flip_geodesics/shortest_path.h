@@ -272,7 +272,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     }
     if(is_found()) {
       network.add_curve(path, false);
-      report.shortening = shorten(network, Never_stop_predicate(), visitor);
+      report.shortening = internal::shorten(network, Never_stop_predicate(), visitor);
     } else {
       triangulation.rollback(0);
       report.shortening = shorten_from_start(network, edge_path, Never_stop_predicate(), visitor);
@@ -326,40 +326,28 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \param network an empty network in a triangulation that has not been flipped
  * \param search an edge path search over that triangulation
  * \param source, target different vertices of one component
- * \param limit beyond it the rest of the gap is reported
- * \param visitor a model of `FlipOutVisitor`. The searches call `go_further()` as well, at regular intervals. If it
- *        returns `false`, then the path has the status `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If
- *        that happens before there is an edge path, then the network remains empty, and the length is zero
+ * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the rest of the gap is reported;
+ *        `landmarks`, `Geodesic_landmarks` of the mesh and its metric, for many paths on one mesh, which narrow the
+ *        search: the bound holds as well, may differ in the last digits, and of several paths that are as short the path
+ *        may be another one; and `visitor`, a model of `FlipOutVisitor`. The searches call its `go_further()` as well, at
+ *        regular intervals. If it returns `false`, then the path has the status `Shortening_status::STOPPED_BY_VISITOR`
+ *        and is not confirmed. If that happens before there is an edge path, then the network remains empty, and the
+ *        length is zero
  * \return what is known; the path is the network's only curve, if there is one
  * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`; the network is empty then, and
  *         nothing is flipped, also if the visitor throws
+ * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()`
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
  */
-template <class Network, class Search, class Visitor = Default_shortening_visitor>
+template <class Network, class Search, class... NamedParameters>
 Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_index source, Vertex_index target,
-                                       const Window_limit& limit = Window_limit(), Visitor&& visitor = Visitor())
+                                       const NamedParameters&... np)
 {
-  return internal::add_shortest_path(network, search, nullptr, source, target, limit, visitor);
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsBuilders
- *
- * The same where landmarks of the mesh are known, for many paths on one mesh: they narrow the sweep and the search.
- * The bound is proven as well. It may differ in the last digits, and where several paths are as short, the path may be
- * another of them.
- *
- * \param network, search, source, target, limit, visitor as above
- * \param landmarks made for this mesh and its metric
- * \return what is known; the path is the network's only curve
- * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()`; otherwise as above
- */
-template <class Network, class Search, class Visitor = Default_shortening_visitor>
-Shortest_path_report add_shortest_path(Network& network, Search& search, const Geodesic_landmarks& landmarks,
-                                       Vertex_index source, Vertex_index target,
-                                       const Window_limit& limit = Window_limit(), Visitor&& visitor = Visitor())
-{
-  return internal::add_shortest_path(network, search, &landmarks, source, target, limit, visitor);
+  const auto& options =
+      internal::options_of<internal::Limit_parameter, internal::Landmarks_parameter, internal_np::visitor_t>(np...);
+  auto visitor = internal::make_visitor(options);
+  return internal::add_shortest_path(network, search, internal::landmarks_of<Geodesic_landmarks>(options), source,
+                                     target, internal::search_limit_of<Window_limit>(options), visitor.get());
 }
 
 namespace internal {

@@ -42,6 +42,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -124,7 +125,8 @@ private:
     m_record.report(shortener.report());
     m_record.ways(network);
     Refinement_visitor_archetype refinement_visitor;
-    const FG::Refinement_report refined = FG::refine(network, {15, 0.8, 20}, refinement_visitor);
+    const FG::Refinement_report refined =
+        FG::refine(network, {15, 0.8, 20}, CGAL::parameters::visitor(std::ref(refinement_visitor)));
     BOOST_TEST(static_cast<std::size_t>(refinement_visitor.insertions()) == refined.insertions + refined.splits);
     m_record.report(refined);
     m_record.ways(network);
@@ -171,7 +173,8 @@ private:
   {
     FG::Shortest_edge_path<Triangulation> search(network.triangulation());
     Visitor_archetype visitor;
-    m_record.report(FG::add_shortest_path(network, search, Vertex(0), m_last, FG::Window_limit(), visitor));
+    m_record.report(
+        FG::add_shortest_path(network, search, Vertex(0), m_last, CGAL::parameters::visitor(std::ref(visitor))));
     BOOST_TEST(visitor.questions() > 0);
   }
 
@@ -263,7 +266,9 @@ private:
   {
     Visitor_archetype visitor;
     const Stop_predicate_archetype stop(1000);
-    const FG::Free_legs legs = FG::geodesics_through(triangulation, points(triangulation), stop, visitor);
+    const FG::Free_legs legs =
+        FG::geodesics_through(triangulation, points(triangulation), CGAL::parameters::stop_predicate(stop),
+                              CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(visitor.questions() > 0);
     for(const auto& leg : legs.legs)
       m_record.polyline(leg);
@@ -327,8 +332,9 @@ private:
   {
     m_record.triangulation(triangulation, m_mesh);
     Visitor_archetype visitor;
-    const FG::Delaunay_report report =
-        FG::flip_to_delaunay(triangulation, (std::numeric_limits<std::size_t>::max)(), visitor);
+    const FG::Delaunay_report report = FG::flip_to_delaunay(
+        triangulation, CGAL::parameters::number_of_iterations((std::numeric_limits<std::size_t>::max)()),
+        CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(static_cast<std::size_t>(visitor.flips()) == report.flips);
     m_record.report(FG::refine(triangulation, {25, 0.5, 50}));
     m_record.triangulation(triangulation, m_mesh);

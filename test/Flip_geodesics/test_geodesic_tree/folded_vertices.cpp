@@ -64,7 +64,8 @@ std::map<std::string, int> statuses(FG::Zero_length_edges zero_length_edges)
       ++result[FG::to_string(tree.grow(source).status)];
       BOOST_TEST(tree.is_valid());
       BOOST_TEST(tree.report().flip_outs < 1000u); // a joint is flipped out in vain once
-      const FG::Distances_report report = FG::make_shortest(tree, FG::Window_limit(2000));
+      const FG::Distances_report report =
+          FG::make_shortest(tree, CGAL::parameters::search_limit(FG::Window_limit(2000)));
       BOOST_TEST(tree.is_valid());
       BOOST_TEST((report.status == tree.report().status));
       BOOST_TEST(has_finite_lengths(triangulation));
@@ -123,7 +124,8 @@ BOOST_AUTO_TEST_CASE(delaunay_among_folded_vertices)
   for_each_torus<Plain>(FG::Zero_length_edges::REFUSE, [](auto& triangulation) {
     for(Vertex_index source : {0_v, 2_v}) {
       FG::Geodesic_tree<Triangulation_by_lengths<Plain>>(triangulation).grow(source);
-      const FG::Delaunay_report report = FG::flip_to_delaunay(triangulation, 5000);
+      const FG::Delaunay_report report =
+          FG::flip_to_delaunay(triangulation, CGAL::parameters::number_of_iterations(5000));
       BOOST_TEST(report.flips < 5000u);
       BOOST_TEST(has_finite_lengths(triangulation));
     }

@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
         options.maximum_insertions = 300;
         Liars_start start;
         start.lies_left = &lies_left;
-        const FG::Refinement_report report = FG::refine(setting.network, options, start);
+        const FG::Refinement_report report =
+            FG::refine(setting.network, options, CGAL::parameters::visitor(std::ref(start)));
         refused += report.refused;
         BOOST_TEST(report.insertions + report.splits <= 300u);
         BOOST_TEST(report.insertions + report.splits + setting.mesh.number_of_vertices() ==
@@ -62,7 +63,7 @@ BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
           BOOST_TEST(std::abs(setting.network.length(0_c) - length) < 1e-9 * length);
         BOOST_TEST(setting.network.is_valid());
         for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
-          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(first_side(e)));
+          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(FG::internal::first_side(e)));
       }
     BOOST_TEST(refused > 10u);
   }
@@ -109,14 +110,15 @@ BOOST_AUTO_TEST_CASE(refinement_among_wrong_flips_ends)
         FG::Refinement_options options;
         options.longest_edge = 0.5;
         options.maximum_insertions = 200;
-        const FG::Refinement_report report = FG::refine(setting.network, options, start);
+        const FG::Refinement_report report =
+            FG::refine(setting.network, options, CGAL::parameters::visitor(std::ref(start)));
         is_lying = false;
         refused += report.refused;
         BOOST_TEST(report.insertions + report.splits ==
                    std::size_t(setting.triangulation.number_of_vertices() - vertices));
         BOOST_TEST(setting.network.is_valid());
         for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
-          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(first_side(e)));
+          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(FG::internal::first_side(e)));
       }
   BOOST_TEST(refused > 10u);
 }
@@ -133,7 +135,7 @@ BOOST_AUTO_TEST_CASE(an_exception_between_points_leaves_the_triangulation_as_it_
   const auto h = triangulation.input().index(halfedge(Surface::Face_index(3), setting.mesh));
   const auto g = triangulation.input().index(halfedge(Surface::Face_index(60), setting.mesh));
   const std::vector<FG::Surface_location> ends = {{h, {{0.25, 0.25, 0.5}}}, {g, {{0.5, 0.25, 0.25}}}};
-  BOOST_CHECK_THROW(FG::geodesics_through(triangulation, ends, FG::Never_stop_predicate(), Thrower()),
+  BOOST_CHECK_THROW(FG::geodesics_through(triangulation, ends, CGAL::parameters::visitor(Thrower())),
                     std::runtime_error);
   BOOST_TEST(triangulation.log_position() == 0u);
   BOOST_TEST(triangulation.number_of_vertices() == Index(setting.mesh.number_of_vertices()));

@@ -159,8 +159,9 @@ struct Add_shortest_paths
       typename Setting<Triangulation>::Network network(s.triangulation);
       const FG::Vertex_index v = s.random_vertex(), w = s.random_vertex();
       summary.attempt([&] {
-        const auto report =
-            FG::add_shortest_path(network, search, v, w, i % 10 == 5 ? FG::Window_limit(100) : FG::Window_limit());
+        const auto report = FG::add_shortest_path(
+            network, search, v, w,
+            CGAL::parameters::search_limit(i % 10 == 5 ? FG::Window_limit(100) : FG::Window_limit()));
         BOOST_TEST(report.gap() >= 0);
         windows += report.windows;
         confirmed += report.is_confirmed() ? 1 : 0;

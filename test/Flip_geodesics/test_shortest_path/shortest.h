@@ -37,7 +37,7 @@ inline FG::Shortest_path_report shortest(Setting& setting, Vertex_index s, Verte
                                          const FG::Window_limit& limit = FG::Window_limit())
 {
   Setting::Search search(setting.triangulation);
-  const auto report = FG::add_shortest_path(setting.network, search, s, t, limit);
+  const auto report = FG::add_shortest_path(setting.network, search, s, t, CGAL::parameters::search_limit(limit));
   BOOST_TEST(setting.triangulation.is_valid());
   BOOST_TEST(setting.network.is_valid());
   BOOST_TEST(setting.triangulation.tail(setting.network.halfedges(0_c).front()) == s);

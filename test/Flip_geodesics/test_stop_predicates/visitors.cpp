@@ -11,7 +11,7 @@ BOOST_AUTO_TEST_CASE(visitors_see_everything)
   for_random_networks(100, 9, [](Curve_setting& setting, Random_numbers&) {
     Counting_visitor visitor;
     const auto start = setting.triangulation.log_position();
-    const FG::Shortening_report report = FG::shorten(setting.network, FG::Never_stop_predicate(), visitor);
+    const FG::Shortening_report report = FG::shorten(setting.network, CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(visitor.flips == report.flips);
     BOOST_TEST(visitor.flips ==
                std::accumulate(report.curves.begin(), report.curves.end(), std::size_t(0),
@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(visitors_interrupt)
   for_random_networks(300, 10, [&](Curve_setting& setting, Random_numbers& random) {
     Counting_visitor visitor;
     visitor.limit = static_cast<std::size_t>(random.below(6));
-    const FG::Shortening_report report = FG::shorten(setting.network, FG::Never_stop_predicate(), visitor);
+    const FG::Shortening_report report = FG::shorten(setting.network, CGAL::parameters::visitor(std::ref(visitor)));
     check_consistency(setting, report);
     BOOST_TEST(report.flip_outs <= visitor.limit);
     BOOST_TEST((report.is_complete() || report.flip_outs == visitor.limit));
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_no_curve_longer)
     Throwing_visitor visitor;
     visitor.limit = limit;
     try {
-      FG::shorten(setting.network, FG::Never_stop_predicate(), visitor);
+      FG::shorten(setting.network, CGAL::parameters::visitor(std::ref(visitor)));
     } catch(int) {
       ++thrown;
     }

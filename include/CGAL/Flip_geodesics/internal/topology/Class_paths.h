@@ -512,8 +512,9 @@ private:
     {
       Network network(covering);
       Path path = {lift,
-                   add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift),
-                                     window_limit(covering), Interrupting_visitor(m_interruption)),
+                   internal::add_shortest_path(network, edge_paths, nullptr, m_surface->vertex(0),
+                                               m_surface->vertex(lift), window_limit(covering),
+                                               Interrupting_visitor(m_interruption)),
                    {}};
       if(is_interrupted())
         return;
