@@ -6,8 +6,10 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/topology/Cut_edges.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -45,47 +47,30 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * \param network an empty network in a triangulation whose edges are the input's
  * \param base_points vertices, at most one in each component; where there is none, the first vertex of the border is
  *        taken, or the first vertex
+ * \param np named parameters: `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at
+ *        regular intervals. If it returns `false`, then no curve is added
  * \return the number of curves added
  * \throws as `Loop_basis`
  * \pre the triangulation's edges are still the input's
  *
  * Complexity: \f$O(n \log n)\f$.
  */
-template <class Network, class VertexRange>
-Index add_cut_graph(Network& network, const VertexRange& base_points)
+template <class Network, class VertexRange, class... NamedParameters,
+          std::enable_if_t<!internal::Is_named_parameters<VertexRange>::value, int> = 0>
+Index add_cut_graph(Network& network, const VertexRange& base_points, const NamedParameters&... np)
 {
-  return internal::add_cut_graph(network, base_points, nullptr);
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsLoops
- *
- * Does the same, and lets a visitor stop the search for the cut graph.
- *
- * \param network, base_points as above
- * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
- *        returns `false`, then no curve is added
- * \return the number of curves added
- * \throws as above
- * \pre the triangulation's edges are still the input's
- */
-template <class Network, class VertexRange, class Visitor>
-Index add_cut_graph(Network& network, const VertexRange& base_points, Visitor&& visitor)
-{
-  internal::Interruption interruption(visitor);
-  try {
-    return internal::add_cut_graph(network, base_points, &interruption);
-  } catch(const internal::Interrupted&) {
-    return 0;
-  }
+  return internal::result_unless_stopped(internal::options_of<internal_np::visitor_t>(np...), [&](auto* interruption) {
+    return internal::add_cut_graph(network, base_points, interruption);
+  });
 }
 
 /// \ingroup PkgFlipGeodesicsLoops
-/// The same with a base point of the function's choice in each component.
-template <class Network>
-Index add_cut_graph(Network& network)
+/// Adds a cut graph with a base point of the function's choice in each component.
+template <class Network, class... NamedParameters,
+          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+Index add_cut_graph(Network& network, const NamedParameters&... np)
 {
-  return Flip_geodesics::add_cut_graph(network, std::vector<Vertex_index>());
+  return Flip_geodesics::add_cut_graph(network, std::vector<Vertex_index>(), np...);
 }
 
 } // namespace Flip_geodesics

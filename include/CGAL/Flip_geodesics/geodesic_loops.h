@@ -97,7 +97,7 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  *
  * \param network a network made by `add_cut_graph()`, or any other one that cuts each component into disks; where curves
  *        are dropped, its curves are numbered anew
- * \param visitor a model of `FlipOutVisitor`, as for `shorten()`. If its `go_further()` returns `false`, then this ends
+ * \param np named parameters: `visitor`, as for `shorten()`. If its `go_further()` returns `false`, then this ends
  *        without looking for needless chains once more: the network still cuts each component open, but into several
  *        disks perhaps
  * \return the report of the last run of `shorten()`, for the curves that are left, with flips and steps of all runs
@@ -105,10 +105,11 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  *
  * Complexity: that of `shorten()`, and linear in the triangulation for each run.
  */
-template <class Network, class Visitor = Default_shortening_visitor>
-Shortening_report shorten_cut_graph(Network& network, Visitor&& visitor = Visitor())
+template <class Network, class... NamedParameters>
+Shortening_report shorten_cut_graph(Network& network, const NamedParameters&... np)
 {
-  internal::Stop_remembering_visitor<std::remove_reference_t<Visitor>> remembering(visitor);
+  auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
+  internal::Stop_remembering_visitor<std::remove_reference_t<decltype(visitor.get())>> remembering(visitor.get());
   std::size_t flips = 0, flip_outs = 0;
   Shortening_report report;
   do {

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/topology/Solid_loops.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <iterator>
 #include <vector>
@@ -53,6 +54,8 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * some percent shorter or longer.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points. Its input is read
+ * \param np named parameters: `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at
+ *        regular intervals. If it returns `false`, then the result has no loops
  * \pre the surface does not cross or touch itself. Where that is noticed, it is an error
  * \throws Invalid_mesh_error if the mesh is no closed surface of triangles, or is seen to cross itself
  * \throws Degenerate_face_error if faces without area are in the way
@@ -61,31 +64,12 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * Complexity: \f$O(n \log n)\f$, and the cube of the genus times the size of the numbers. For loops of \f$m\f$ edges, up
  * to \f$m^2\f$ pairs that are near in the projection.
  */
-template <class Triangulation>
-Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation)
+template <class Triangulation, class... NamedParameters>
+Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, const NamedParameters&... np)
 {
-  return internal::handle_and_tunnel_loops(triangulation, nullptr);
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsLoops
- *
- * Computes the same, and lets a visitor stop that.
- *
- * \param triangulation as above
- * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
- *        returns `false`, then the result has no loops
- * \throws as above
- */
-template <class Triangulation, class Visitor>
-Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, Visitor&& visitor)
-{
-  internal::Interruption interruption(visitor);
-  try {
-    return internal::handle_and_tunnel_loops(triangulation, &interruption);
-  } catch(const internal::Interrupted&) {
-    return {};
-  }
+  return internal::result_unless_stopped(internal::options_of<internal_np::visitor_t>(np...), [&](auto* interruption) {
+    return internal::handle_and_tunnel_loops(triangulation, interruption);
+  });
 }
 
 } // namespace Flip_geodesics

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
 #include <CGAL/Flip_geodesics/internal/topology/Reduced_words.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <cstddef>
 #include <limits>
@@ -183,56 +184,29 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
   return shortest_loop_through(triangulation, vertices, kind, interruption);
 }
 
-/* Calls `search(interruption)`; there is no loop if the visitor stops it. */
-template <class Visitor, class Search>
-std::vector<Halfedge_index> loop_unless_stopped(Visitor& visitor, const Search& search)
-{
-  Interruption interruption(visitor);
-  try {
-    return search(&interruption);
-  } catch(const Interrupted&) {
-    return {};
-  }
-}
-
 } // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * The shortest loop of edges through a vertex that is of a kind, by [EH04]: its halfedges from the vertex back to it;
- * empty if there is none, as on a sphere. A part at the vertex may be passed out and back.
+ * Computes the shortest loop of edges through a vertex that is of a kind, by [EH04]: its halfedges from the vertex back
+ * to it; none if there is no such loop, as on a sphere. A part at the vertex may be passed out and back.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`; its input is searched, and lengths are the metric's
+ * \param v, kind the vertex, and which loops are searched
+ * \param np named parameters: `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at
+ *        regular intervals. If it returns `false`, then the result is empty
  * \throws Vertex_out_of_range_error
  * \throws Invalid_mesh_error, Invalid_coordinate_error as `Loop_basis`
  *
  * Complexity: \f$O(n \log n)\f$ for a fixed genus and number of borders.
  */
-template <class Triangulation>
+template <class Triangulation, class... NamedParameters>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Vertex_index v,
-                                          Loop_kind kind = Loop_kind::NOT_CONTRACTIBLE)
+                                          Loop_kind kind = Loop_kind::NOT_CONTRACTIBLE, const NamedParameters&... np)
 {
   internal::check_vertex(v, triangulation.input().number_of_vertices());
-  return internal::shortest_loop_through(triangulation, {v}, kind, nullptr);
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsLoops
- *
- * Computes the same, and lets a visitor stop that.
- *
- * \param triangulation, v, kind as above
- * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
- *        returns `false`, then the result is empty
- * \throws as above
- */
-template <class Triangulation, class Visitor>
-std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Vertex_index v, Loop_kind kind,
-                                          Visitor&& visitor)
-{
-  internal::check_vertex(v, triangulation.input().number_of_vertices());
-  return internal::loop_unless_stopped(visitor, [&](internal::Interruption* interruption) {
+  return internal::result_unless_stopped(internal::options_of<internal_np::visitor_t>(np...), [&](auto* interruption) {
     return internal::shortest_loop_through(triangulation, {v}, kind, interruption);
   });
 }
@@ -240,36 +214,20 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * The shortest of all loops of edges that are of a kind; empty if there is none. Such a loop passes a vertex of each
- * network that cuts the surface into disks. So only loops through vertices of a cut graph are searched, each to half of
- * the length of the best one so far.
+ * Computes the shortest of all loops of edges that are of a kind; none if there is no such loop. The loop passes a
+ * vertex of each network that cuts the surface into disks. So only loops through vertices of a cut graph are searched,
+ * each to half of the length of the best one so far.
  *
  * Parameters and errors as above.
  *
  * Complexity: \f$O(n \log n + c\,m \log m)\f$ for a fixed genus and number of borders, with c vertices of the cut graph,
  * and at most m vertices nearer to one of them than half of the length of the loops found on the way.
  */
-template <class Triangulation>
+template <class Triangulation, class... NamedParameters>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation,
-                                          Loop_kind kind = Loop_kind::NOT_CONTRACTIBLE)
+                                          Loop_kind kind = Loop_kind::NOT_CONTRACTIBLE, const NamedParameters&... np)
 {
-  return internal::shortest_loop(triangulation, kind, nullptr);
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsLoops
- *
- * Computes the same, and lets a visitor stop that.
- *
- * \param triangulation, kind as above
- * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
- *        returns `false`, then the result is empty
- * \throws as above
- */
-template <class Triangulation, class Visitor>
-std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Loop_kind kind, Visitor&& visitor)
-{
-  return internal::loop_unless_stopped(visitor, [&](internal::Interruption* interruption) {
+  return internal::result_unless_stopped(internal::options_of<internal_np::visitor_t>(np...), [&](auto* interruption) {
     return internal::shortest_loop(triangulation, kind, interruption);
   });
 }

@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(handle_and_tunnel_loops)
   const auto expected = FG::handle_and_tunnel_loops(setting.triangulation);
   BOOST_TEST(expected.handles.size() == 3u);
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-    const auto loops = FG::handle_and_tunnel_loops(setting.triangulation, visitor);
+    const auto loops = FG::handle_and_tunnel_loops(setting.triangulation, CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST((loops.handles == (is_stopped ? std::vector<Chain>() : expected.handles)));
     BOOST_TEST((loops.tunnels == (is_stopped ? std::vector<Chain>() : expected.tunnels)));
   });
@@ -79,10 +79,12 @@ BOOST_AUTO_TEST_CASE(shortest_loops)
     });
     BOOST_TEST(calls > 8u);
   };
-  check(FG::shortest_loop(setting.triangulation, kind),
-        [&](Stopping_visitor& visitor) { return FG::shortest_loop(setting.triangulation, kind, visitor); });
-  check(FG::shortest_loop(setting.triangulation, 0_v, kind),
-        [&](Stopping_visitor& visitor) { return FG::shortest_loop(setting.triangulation, 0_v, kind, visitor); });
+  check(FG::shortest_loop(setting.triangulation, kind), [&](Stopping_visitor& visitor) {
+    return FG::shortest_loop(setting.triangulation, kind, CGAL::parameters::visitor(std::ref(visitor)));
+  });
+  check(FG::shortest_loop(setting.triangulation, 0_v, kind), [&](Stopping_visitor& visitor) {
+    return FG::shortest_loop(setting.triangulation, 0_v, kind, CGAL::parameters::visitor(std::ref(visitor)));
+  });
 }
 
 BOOST_AUTO_TEST_CASE(a_cut_graph)
@@ -92,7 +94,8 @@ BOOST_AUTO_TEST_CASE(a_cut_graph)
   setting.network.clear();
   BOOST_TEST(expected > 0);
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-    BOOST_TEST(FG::add_cut_graph(setting.network, no_base_points, visitor) == (is_stopped ? 0 : expected));
+    BOOST_TEST(FG::add_cut_graph(setting.network, no_base_points, CGAL::parameters::visitor(std::ref(visitor))) ==
+               (is_stopped ? 0 : expected));
     BOOST_TEST(setting.network.number_of_curves() == (is_stopped ? 0 : expected));
     setting.network.clear();
   });
@@ -107,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_cut_graph_that_is_shortened)
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
     FG::add_cut_graph(setting.network);
     const double before = total_length(setting.network);
-    const auto report = FG::shorten_cut_graph(setting.network, visitor);
+    const auto report = FG::shorten_cut_graph(setting.network, CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(report.is_complete() == !is_stopped);
     BOOST_TEST(setting.network.is_valid());
     BOOST_TEST(total_length(setting.network) <= before * (1 + 1e-12));

@@ -142,6 +142,24 @@ auto make_visitor(const NamedParameters& np)
   }
 }
 
+/* Returns what `compute(interruption)` returns, where the interruption is null unless a visitor is given, or a
+ * value-initialised result if the visitor stops it. */
+template <class NamedParameters, class Compute>
+auto result_unless_stopped(const NamedParameters& np, const Compute& compute)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
+    return static_cast<void>(np), compute(static_cast<Interruption*>(nullptr));
+  } else {
+    auto visitor = make_visitor(np);
+    Interruption interruption(visitor.get());
+    try {
+      return compute(&interruption);
+    } catch(const Interrupted&) {
+      return decltype(compute(&interruption))();
+    }
+  }
+}
+
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
