@@ -94,8 +94,8 @@ struct Distance_field_report
   /// long compared with the distance, and the faces that paths cross. The bound is cautious: most errors are far smaller.
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if no path is shorter than a distance up to `Geodesic_distance_field::reach()` by more than
-  /// 1e-10 of it. `UNDECIDED` beside such a face, if such rounding errors are possible, and if coordinates or lengths of
-  /// the mesh are not doubles.
+  /// 1e-10 of it. `UNDECIDED` beside such a face, if such rounding errors are possible, and if coordinates or lengths
+  /// of the mesh are not doubles.
   Verdict verdict = Verdict::UNDECIDED;
 };
 

@@ -69,8 +69,8 @@ struct Given_curve_certificate
   Side side = Side::LEFT; ///< of a bent joint, the side; in a segment, the one on which `vertex` lies
   /// By the numbers of the given places, where straight segments cross these edges, from 0 at the source of the halfedge
   /// to 1 at its target, where that is the halfedge in the given face if the edge is given by a location; rounded, by
-  /// the length of the segment over that of the edge and over the sine of the angle at which it crosses it, times a unit
-  /// in the last place. For what is no crossed edge 0. Empty if the curve is bent.
+  /// the length of the segment over that of the edge and over the sine of the angle at which it crosses it, times a
+  /// unit in the last place. For what is no crossed edge 0. Empty if the curve is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< how the comparisons were decided
 
@@ -314,8 +314,8 @@ private:
  * \param mesh a triangle mesh
  * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
  *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last are the ends. What is in between
- *        is a passed vertex, or a crossed edge: a location with one weight of zero, or either halfedge of the edge. Where
- *        nothing is crossed, the segment is on the edge, or in the face, that has both its ends
+ *        is a passed vertex, or a crossed edge: a location with one weight of zero, or either halfedge of the edge.
+ *        Where nothing is crossed, the segment is on the edge, or in the face, that has both its ends
  * \param is_closed does the curve go on from the last place to the first, which is a vertex then, and not repeated?
  * \param np named parameters: `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \throws Invalid_curve_error if the places are no such curve: too few, two in a row equal, in between one inside a face

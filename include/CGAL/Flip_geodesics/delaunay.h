@@ -66,7 +66,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * traits the process ends on every input: each flip lowers a function of the triangulation, of which there are finitely
  * many below a given value. With `Intrinsic_triangulation_traits` ties have the width of its tolerance. Faces whose
  * edges are flipped again and again are laid out afresh from the input; so errors do not add up. How many flips are
- * needed depends on the shapes of faces: about one an edge on ordinary meshes, as many as the aspect ratio where a long thin cylinder is twisted.
+ * needed depends on the shapes of faces: about one an edge on ordinary meshes, as many as the aspect ratio where a long
+ * thin cylinder is twisted.
  *
  * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of networks are constrained, and stay
  * \param edges a range of edge indices
@@ -93,10 +94,10 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Flips all edges of a triangulation until each is locally Delaunay: the result is the intrinsic Delaunay triangulation.
- * If networks have curves in the triangulation, it is the intrinsic constrained Delaunay triangulation of all these
- * curves, the iCDT [SC20, section 6.3]. Named parameters and exceptions are those of the first overload. Complexity:
- * linear in the mesh and the flips.
+ * Flips all edges of a triangulation until each is locally Delaunay: the result is the intrinsic Delaunay
+ * triangulation. If networks have curves in the triangulation, it is the intrinsic constrained Delaunay triangulation
+ * of all these curves, the iCDT [SC20, section 6.3]. Named parameters and exceptions are those of the first overload.
+ * Complexity: linear in the mesh and the flips.
  */
 template <class Triangulation, class... NamedParameters,
           std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>

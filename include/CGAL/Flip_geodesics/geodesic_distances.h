@@ -65,8 +65,8 @@ void put_logarithmic_map(const Vertex_logarithmic_map& map, const Triangulation&
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Puts the polar coordinates of the vertices about a tree's source, as `logarithmic_map()` returns them, into a property
- * map of the mesh.
+ * Puts the polar coordinates of the vertices about a tree's source, as `logarithmic_map()` returns them, into a
+ * property map of the mesh.
  *
  * \param map what `logarithmic_map(tree)` gives
  * \param tree the tree

@@ -31,7 +31,8 @@ namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
 /// How many paths of a tree are globally shortest. Paths are compared with those that the search found, and with nothing
-/// else: unless they are confirmed, it may have missed vertices, or shorter paths, and 0 longer ones then prove nothing.
+/// else: unless they are confirmed, it may have missed vertices, or shorter paths, and 0 longer ones then prove
+/// nothing.
 struct Distances_report
 {
   std::size_t vertices = 0;         ///< that the search reached within the tree's limit; without the source
@@ -42,9 +43,10 @@ struct Distances_report
   std::size_t windows = 0;          ///< what the search for shortest paths cost
   std::size_t flips = 0;            ///< by which shortest paths were inserted
   /// `WITHIN_TOLERANCE` if the figures are exact up to rounding, and no shortest path is shorter than the one found by
-  /// more than 1e-10 of it, otherwise `UNDECIDED`: if the search was given up or stopped, or met an edge of length zero,
-  /// or if coordinates or lengths of the mesh are not doubles. Beside faces whose height is at most 1e-10 of their base,
-  /// and where rounding errors can be as large, only if a search with bounds that are rounded outward confirms it.
+  /// more than 1e-10 of it, otherwise `UNDECIDED`: if the search was given up or stopped, or met an edge of length
+  /// zero, or if coordinates or lengths of the mesh are not doubles. Beside faces whose height is at most 1e-10 of
+  /// their base, and where rounding errors can be as large, only if a search with bounds that are rounded outward
+  /// confirms it.
   Verdict verdict = Verdict::UNDECIDED;
   /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it? Also of paths that were left as they are.
   /// `STOPPED_BY_VISITOR` if a visitor's `go_further()` returned `false`.
@@ -257,9 +259,9 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  * \param tree a tree that has been grown to its end
  * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the search is given up, and the tree stays
  *        as it is; and `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular
- *        intervals. If it returns `false`, then the report has the status `Shortening_status::STOPPED_BY_VISITOR` and is
- *        not confirmed. The tree remains valid: it stays as it is if the search is stopped; afterwards, some paths may
- *        have been replaced
+ *        intervals. If it returns `false`, then the report has the status `Shortening_status::STOPPED_BY_VISITOR` and
+ *        is not confirmed. The tree remains valid: it stays as it is if the search is stopped; afterwards, some paths
+ *        may have been replaced
  * \throws Invalid_coordinate_error
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source was inserted. Other inserted vertices have geodesics, which nothing

@@ -39,10 +39,11 @@ namespace Flip_geodesics {
  *
  * Vertices have the numbers of their order in `vertices(mesh)`. The two halfedges of the edge with number `e` in
  * `edges(mesh)` have `2e` and `2e+1`. So a number that a result holds leads back to the mesh: of the
- * `Input_halfedge_index h` of a surface point or a face, `triangulation.input().halfedge(h)` is the mesh's halfedge, and
- * `face(triangulation.input().halfedge(h), mesh)` its face.
+ * `Input_halfedge_index h` of a surface point or a face, `triangulation.input().halfedge(h)` is the mesh's halfedge,
+ * and `face(triangulation.input().halfedge(h), mesh)` its face.
  *
- * Member functions take constant time, except that `index()` takes logarithmic time unless the mesh is a `Surface_mesh`.
+ * Member functions take constant time, except that `index()` takes logarithmic time unless the mesh is a
+ * `Surface_mesh`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */

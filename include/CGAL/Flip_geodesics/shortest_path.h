@@ -328,11 +328,11 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \param source, target different vertices of one component
  * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the rest of the gap is reported;
  *        `landmarks`, `Geodesic_landmarks` of the mesh and its metric, for many paths on one mesh, which narrow the
- *        search: the bound holds as well, may differ in the last digits, and of several paths that are as short the path
- *        may be another one; and `visitor`, a model of `FlipOutVisitor`. The searches call its `go_further()` as well, at
- *        regular intervals. If it returns `false`, then the path has the status `Shortening_status::STOPPED_BY_VISITOR`
- *        and is not confirmed. If that happens before there is an edge path, then the network remains empty, and the
- *        length is zero
+ *        search: the bound holds as well, may differ in the last digits, and of several paths that are as short the
+ *        path may be another one; and `visitor`, a model of `FlipOutVisitor`. The searches call its `go_further()` as
+ *        well, at regular intervals. If it returns `false`, then the path has the status
+ *        `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If that happens before there is an edge path,
+ *        then the network remains empty, and the length is zero
  * \return what is known; the path is the network's only curve, if there is one
  * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`; the network is empty then, and
  *         nothing is flipped, also if the visitor throws

@@ -342,8 +342,8 @@ private:
  * \param targets a range of such; for all vertices `vertices(mesh)`
  * \param out receives `Polar_coordinates`, one for each target
  * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
- * \return a `Logarithmic_map_result`. Of a `Face_location` the angles are told from `halfedge(face, mesh)`, of a vertex from a
- *         halfedge that starts there
+ * \return a `Logarithmic_map_result`. Of a `Face_location` the angles are told from `halfedge(face, mesh)`, of a vertex
+ *         from a halfedge that starts there
  * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
  * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *

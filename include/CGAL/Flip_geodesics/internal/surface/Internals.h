@@ -11,7 +11,8 @@ namespace internal {
 
 /*
  * What the library uses of its own classes beyond their documentation. The header of such a class specializes this
- * template. Other models of a concept have nothing but what the concept requires, and the library does without the rest.
+ * template. Other models of a concept have nothing but what the concept requires, and the library does without the
+ * rest.
  */
 template <class Model>
 struct Internals
