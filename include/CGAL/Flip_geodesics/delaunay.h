@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
@@ -84,6 +85,8 @@ template <class Triangulation, class EdgeRange, class... NamedParameters,
           std::enable_if_t<!internal::Is_named_parameters<EdgeRange>::value, int> = 0>
 Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, const NamedParameters&... np)
 {
+  static_assert(internal::is_range_of<EdgeRange, Edge_index>,
+                "what follows the triangulation is not a range of edges of the triangulation, nor a named parameter");
   const auto& options = internal::options_of<internal_np::number_of_iterations_t, internal_np::visitor_t>(np...);
   auto visitor = internal::make_visitor(options);
   const std::size_t standard = internal::default_maximum_of_flips(triangulation.number_of_edges());

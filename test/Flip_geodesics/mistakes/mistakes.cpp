@@ -5,10 +5,12 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/isolines.h>
+#include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -119,6 +121,10 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 31
   FG::geodesic_paths(mesh, pairs, std::back_inserter(paths),
                      CGAL::parameters::landmarks(FG::geodesic_landmarks(mesh, 3)));
+#elif MISTAKE == 32
+  FG::shorten(network, stop);
+#elif MISTAKE == 33
+  FG::flip_to_delaunay(triangulation, 1000);
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::stop_predicate(stop));
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(visitor),
@@ -136,6 +142,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   const FG::Geodesic_landmarks landmarks(triangulation, vertices);
   FG::isolines(mesh, field, levels, std::back_inserter(isolines), 0.1);
   network.add_curve(halfedges, false);
+  FG::shorten(network, CGAL::parameters::stop_predicate(stop), CGAL::parameters::visitor(visitor));
+  FG::flip_to_delaunay(triangulation, CGAL::parameters::number_of_iterations(1000));
   network.add_curve(FG::halfedges_through(triangulation, vertices, false), false);
 #endif
 }
