@@ -306,7 +306,7 @@ BOOST_AUTO_TEST_CASE(constrained_edges_and_limits_end_it)
   const Traced before = trace(mesh, middle, Vector(3, 0.5, 0), 100, np.number_of_iterations(2));
   BOOST_TEST((before.result.status() == Trace_status::CROSSING_LIMIT));
   BOOST_TEST(before.result.report.edges + before.result.report.vertices == 2u);
-  const Traced first = trace(mesh, middle, Vector(1, 0, 0), 100, At_vertices::STOP, np);
+  const Traced first = trace(mesh, middle, Vector(1, 0, 0), 100, CGAL::parameters::at_vertices(At_vertices::STOP), np);
   BOOST_TEST((first.result.status() == Trace_status::VERTEX));
   BOOST_TEST(distance(first.points.back(), Point(7, 6, 0)) < 1e-14);
   const auto negative = CGAL::parameters::number_of_iterations(-1);

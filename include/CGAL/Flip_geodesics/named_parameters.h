@@ -25,6 +25,7 @@ enum Metric_parameter { metric_parameter };
 enum Stop_parameter { stop_parameter };
 enum Limit_parameter { limit_parameter };
 enum Landmarks_parameter { landmarks_parameter };
+enum At_vertices_parameter { at_vertices_parameter };
 
 template <class NamedParameters, class Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;

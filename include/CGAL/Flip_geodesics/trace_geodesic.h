@@ -74,9 +74,21 @@ enum class At_vertices {
   STOP         ///< it ends there
 };
 
-namespace internal {
+} // namespace Flip_geodesics
 
-} // namespace internal
+namespace parameters {
+
+/// \ingroup PkgFlipGeodesicsParameters
+/// What `trace_geodesic()` does at vertices.
+/// \param rule by default `At_vertices::GO_STRAIGHT`
+inline auto at_vertices(Flip_geodesics::At_vertices rule)
+{
+  return Named_function_parameters<Flip_geodesics::At_vertices, Flip_geodesics::internal::At_vertices_parameter>(rule);
+}
+
+} // namespace parameters
+
+namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTracing
 /// Lets straightest geodesics cross all edges.
@@ -515,8 +527,10 @@ struct Is_constrained
 
 template <class Triangulation, class TriangleMesh, class NamedParameters>
 auto make_trace_limits(const Triangulation& triangulation, const TriangleMesh& mesh, double length,
-                       At_vertices at_vertices, const NamedParameters& np)
+                       const NamedParameters& np)
 {
+  const At_vertices at_vertices =
+      parameters::choose_parameter(parameters::get_parameter(np, at_vertices_parameter), At_vertices::GO_STRAIGHT);
   const std::size_t most = number_of_iterations(np, Trace_limits<>().most_crossings);
   if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
     const auto map = parameters::get_parameter(np, internal_np::edge_is_constrained);
@@ -582,11 +596,11 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
  * \param length how long it is to be, at most; its unit is that of the coordinates
  * \param out receives the points of the geodesic in order, as `geodesic_path()` writes them: its start, the edges and
  *        vertices that it crosses, its end
- * \param at_vertices whether it passes vertices
  * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`;
  *        `edge_is_constrained_map`, a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as
  *        values: it ends at edges that have `true`, by default none; `number_of_iterations`, how many edges and vertices it
- *        crosses at most, a million by default
+ *        crosses at most, a million by default; `at_vertices`, an `At_vertices`, whether it passes vertices, which it
+ *        does by default
  * \return a `Trace_result`. From its `location` in its `direction` it can be traced on
  * \throws Vertex_out_of_range_error, Invalid_location_error for a source that is not on the mesh
  * \throws Invalid_parameter_error for a length or a direction that is not finite, a negative length, a vector without
@@ -600,10 +614,11 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
 template <class TriangleMesh, class Source, class Direction, class OutputIterator, class... NamedParameters>
 Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& mesh, const Source& source,
                                                           const Direction& direction, double length, OutputIterator out,
-                                                          At_vertices at_vertices, const NamedParameters&... np)
+                                                          const NamedParameters&... np)
 {
   const auto& options =
-      internal::surface_options<internal_np::edge_is_constrained_t, internal_np::number_of_iterations_t>(np...);
+      internal::surface_options<internal_np::edge_is_constrained_t, internal_np::number_of_iterations_t,
+                                internal::At_vertices_parameter>(np...);
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Triangulation = typename Types::Triangulation;
@@ -618,24 +633,12 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   std::vector<Surface_point> points;
   const Trace_report trace =
       internal::Given_direction<Triangulation, TriangleMesh>(triangulation)
-          .trace(place, direction, internal::make_trace_limits(triangulation, mesh, length, at_vertices, options),
+          .trace(place, direction, internal::make_trace_limits(triangulation, mesh, length, options),
                  [&points](const Surface_point& p) { points.push_back(p); });
   return {internal::write_points<Form>(triangulation, mesh, points, out),
           trace,
           internal::face_location_of(triangulation, mesh, trace.location),
           {triangulation.input().halfedge(trace.halfedge), trace.angle}};
-}
-
-/// \ingroup PkgFlipGeodesicsTracing
-/// The same, straight on at vertices.
-template <class TriangleMesh, class Source, class Direction, class OutputIterator, class... NamedParameters>
-Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& mesh, const Source& source,
-                                                          const Direction& direction, double length, OutputIterator out,
-                                                          const NamedParameters&... np)
-{
-  const auto& options =
-      internal::surface_options<internal_np::edge_is_constrained_t, internal_np::number_of_iterations_t>(np...);
-  return Flip_geodesics::trace_geodesic(mesh, source, direction, length, out, At_vertices::GO_STRAIGHT, options);
 }
 
 } // namespace Flip_geodesics

@@ -111,7 +111,7 @@ inline Traced trace_from(const Surface& mesh, Vertex start, const Vector& v, dou
         weight = mesh.source(corner) == start ? 1 : 0;
         corner = mesh.next(corner);
       }
-      return trace(mesh, source, v, length, at);
+      return trace(mesh, source, v, length, CGAL::parameters::at_vertices(at));
     }
   }
   throw std::logic_error("no face about the vertex has the direction");

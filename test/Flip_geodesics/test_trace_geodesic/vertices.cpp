@@ -207,7 +207,8 @@ BOOST_AUTO_TEST_CASE(vertices_are_met_exactly_from_inside_a_face)
       for(const Vertex v : mesh.vertices()) {
         const Point start = point_at(mesh, {f, weights});
         const Vector way = mesh.point(v) - start;
-        const Traced t = trace(mesh, Face_location{f, weights}, way, 100, At_vertices::STOP);
+        const Traced t =
+            trace(mesh, Face_location{f, weights}, way, 100, CGAL::parameters::at_vertices(At_vertices::STOP));
         const double part = t.result.length() / std::sqrt(way.squared_length()); // of the way, up to its first vertex
         const bool is_at_v = part > 1 - 1e-14;
         BOOST_TEST(part < 1 + 1e-14);
