@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(other_meshes_are_contracted_alike)
   const auto length_of = [&](FG::Input_halfedge_index h) {
     return distance(soup.points[plain.tail(h).idx()], soup.points[plain.tail(FG::internal::twin_index(h)).idx()]);
   };
-  const auto left = plain.contracted(Lengths_alone{length_of});
+  const auto left = FG::internal::contracted(plain, Lengths_alone{length_of});
   BOOST_CHECK_EQUAL(left.number_of_halfedges(), 3 * static_cast<FG::Index>(cube(3).triangles.size()));
   for(FG::Input_halfedge_index h(0); h.idx() < left.number_of_halfedges(); ++h) {
     BOOST_REQUIRE_EQUAL(left.next(left.next(left.next(h))), h);
@@ -406,10 +406,11 @@ BOOST_AUTO_TEST_CASE(sides_of_a_needle_are_of_one_length)
   for(double first : {1, 2, 3}) {
     const auto contracted = [&] {
       // Of the edge from 0 to 1, of that from 1 to 2, of that from 2 to 0.
-      plain.contracted(Lengths_alone{[&](FG::Input_halfedge_index h) {
-        const FG::Index sum = plain.tail(h).idx() + plain.tail(FG::internal::twin_index(h)).idx();
-        return sum == 1 ? 0 : (sum == 3 ? first : 2);
-      }});
+      FG::internal::contracted(plain, Lengths_alone{[&](FG::Input_halfedge_index h) {
+                                 const FG::Index sum =
+                                     plain.tail(h).idx() + plain.tail(FG::internal::twin_index(h)).idx();
+                                 return sum == 1 ? 0 : (sum == 3 ? first : 2);
+                               }});
     };
     if(first == 2)
       BOOST_CHECK_NO_THROW(contracted());
@@ -433,8 +434,9 @@ BOOST_AUTO_TEST_CASE(halfedges_that_are_left_lead_where_they_did)
     const FG::internal::Indexed_mesh<Mesh> input(mesh);
     const auto twin = [](FG::Input_halfedge_index h) { return FG::internal::twin_index(h); };
     const auto at = [&](FG::Vertex_index v) { return soup.points[v.idx()]; };
-    const auto left = input.contracted(Lengths_alone{
-        [&](FG::Input_halfedge_index h) { return distance(at(input.tail(h)), at(input.tail(twin(h)))); }});
+    const auto left = FG::internal::contracted(input, Lengths_alone{[&](FG::Input_halfedge_index h) {
+                                                 return distance(at(input.tail(h)), at(input.tail(twin(h))));
+                                               }});
     contracted_meshes += left.is_contracted() ? 1 : 0;
     for(FG::Input_halfedge_index h(0); h.idx() < input.number_of_halfedges(); ++h) {
       const FG::Input_halfedge_index g = left.contracted_halfedge(h);

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
+#include <CGAL/Flip_geodesics/internal/surface/Zero_edge_contractor.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
@@ -738,7 +739,7 @@ private:
     Input_mesh input(mesh);
     if(zero_length_edges == Zero_length_edges::REFUSE)
       return input;
-    return input.contracted(internal::Contracted_metric<Metric>{metric, input});
+    return internal::contracted(input, internal::Contracted_metric<Metric>{metric, input});
   }
 
   // Of a wedge that the traits leave open.

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contraction.h>
+#include <CGAL/Flip_geodesics/internal/surface/Zero_edge_contractor.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
@@ -237,8 +238,8 @@ bool are_curves_folded(const Triangulation& triangulation, const Shortening_repo
   };
   if(triangulation.input().is_contracted() || std::none_of(report.curves.begin(), report.curves.end(), is_hindered))
     return false;
-  return triangulation.input()
-      .contracted(Contracted_metric<typename Triangulation::Metric>{triangulation.metric(), triangulation.input()})
+  return contracted(triangulation.input(),
+                    Contracted_metric<typename Triangulation::Metric>{triangulation.metric(), triangulation.input()})
       .is_contracted();
 }
 
@@ -253,9 +254,9 @@ bool is_contraction_of_use(const Triangulation& triangulation)
   if(input.is_contracted())
     return false;
   try {
-    const auto contracted =
-        input.contracted(Contracted_metric<typename Triangulation::Metric>{triangulation.metric(), input});
-    return contracted.is_contracted() && !contracted.has_split_point();
+    const auto left =
+        contracted(input, Contracted_metric<typename Triangulation::Metric>{triangulation.metric(), input});
+    return left.is_contracted() && !left.has_split_point();
   } catch(const Degenerate_face_error&) {
     return false;
   }

@@ -8,8 +8,8 @@
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
-#include <CGAL/Flip_geodesics/internal/surface/planar_sine.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>

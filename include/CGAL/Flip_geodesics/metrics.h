@@ -7,13 +7,13 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/surface/planar_sine.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -30,6 +30,15 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+namespace internal {
+
+// What `sine_in_plane()` computes with: whatever calls it includes the definition, since most users of a metric do not.
+class Flat_edges;
+template <class Mesh, class PlaceOf>
+class Planar_sine;
+
+} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsCurves

@@ -372,7 +372,7 @@ BOOST_AUTO_TEST_CASE(lengths_tell_what_is_folded)
     }
     const Length_metric metric(mesh, boost::const_associative_property_map<Lengths>(lengths));
     const FG::Numbered_mesh<Mesh> input(mesh);
-    const auto left = input.contracted(FG::internal::Contracted_metric<Length_metric>{metric, input});
+    const auto left = FG::internal::contracted(input, FG::internal::Contracted_metric<Length_metric>{metric, input});
     BOOST_CHECK_EQUAL(left.is_contracted(), share == 1.5);
     BOOST_CHECK_EQUAL(left.contracted_vertex(2_v) == left.contracted_vertex(3_v), share == 1.5);
   }

@@ -110,17 +110,6 @@ public:
     copy_connectivity(mesh);
   }
 
-  /* The same mesh with its edges of length zero contracted, by a metric as the contractor asks for. */
-  template <class Metric>
-  Indexed_mesh contracted(const Metric& metric) const
-  {
-    Zero_edge_contractor<Indexed_mesh> contractor(*this, metric);
-    Indexed_mesh result(*this);
-    if(contractor.is_needed())
-      result.replace_connectivity(contractor());
-    return result;
-  }
-
   Index number_of_vertices() const { return static_cast<Index>(m_vertices.size()); }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
   /* If all are triangles. */
@@ -144,6 +133,19 @@ public:
   bool is_border(Input_halfedge_index h) const { return m_is_border[h] != 0; }
   /// A halfedge that starts at `v`, or `null_index` at an isolated vertex.
   Input_halfedge_index outgoing(Vertex_index v) const { return m_outgoing[v]; }
+
+  /* Makes this the mesh that is left by a contraction. */
+  void replace_connectivity(Contraction&& contraction)
+  {
+    auto origin = std::make_shared<Uncontracted<Indexed_mesh>>(Uncontracted<Indexed_mesh>{*this, {}});
+    m_next = contraction.next;
+    m_tail = contraction.tail;
+    m_outgoing = contraction.outgoing;
+    m_is_border = contraction.is_border;
+    link_previous();
+    origin->contraction = std::move(contraction);
+    this->m_origin = std::move(origin);
+  }
 
 private:
   template <class Descriptor>
@@ -207,18 +209,6 @@ private:
         throw Invalid_mesh_error("a halfedge of the mesh is followed by none");
       m_previous[m_next[h]] = h;
     }
-  }
-
-  void replace_connectivity(Contraction&& contraction)
-  {
-    auto origin = std::make_shared<Uncontracted<Indexed_mesh>>(Uncontracted<Indexed_mesh>{*this, {}});
-    m_next = contraction.next;
-    m_tail = contraction.tail;
-    m_outgoing = contraction.outgoing;
-    m_is_border = contraction.is_border;
-    link_previous();
-    origin->contraction = std::move(contraction);
-    this->m_origin = std::move(origin);
   }
 
   Indexed_by<Vertex_index, std::vector<vertex_descriptor>> m_vertices;
@@ -285,30 +275,6 @@ public:
   }
 
   /* As above. */
-  template <class Metric>
-  Indexed_mesh contracted(const Metric& metric) const
-  {
-    Zero_edge_contractor<Indexed_mesh> contractor(*this, metric);
-    Indexed_mesh result(*this);
-    if(contractor.is_needed())
-      result.replace_connectivity(contractor());
-    return result;
-  }
-
-private:
-  static halfedge_descriptor own_halfedge(Input_halfedge_index h)
-  {
-    return halfedge_descriptor(static_cast<std::uint32_t>(h.idx()));
-  }
-  static Input_halfedge_index of_own(halfedge_descriptor h) { return Input_halfedge_index(static_cast<Index>(h)); }
-
-  template <class Descriptor>
-  static Index to_index(Descriptor d, Index bound)
-  {
-    const std::size_t i = static_cast<std::size_t>(d);
-    return i < static_cast<std::size_t>(bound) ? static_cast<Index>(i) : Index(null_index);
-  }
-
   void replace_connectivity(Contraction&& contraction)
   {
     auto left = std::make_shared<Mesh>();
@@ -325,6 +291,20 @@ private:
         Uncontracted<Indexed_mesh>{Indexed_mesh(*m_mesh), std::move(contraction)});
     m_contracted_mesh = left;
     m_mesh = left.get();
+  }
+
+private:
+  static halfedge_descriptor own_halfedge(Input_halfedge_index h)
+  {
+    return halfedge_descriptor(static_cast<std::uint32_t>(h.idx()));
+  }
+  static Input_halfedge_index of_own(halfedge_descriptor h) { return Input_halfedge_index(static_cast<Index>(h)); }
+
+  template <class Descriptor>
+  static Index to_index(Descriptor d, Index bound)
+  {
+    const std::size_t i = static_cast<std::size_t>(d);
+    return i < static_cast<std::size_t>(bound) ? static_cast<Index>(i) : Index(null_index);
   }
 
   static void connect(Mesh& mesh, const Contraction& contraction)

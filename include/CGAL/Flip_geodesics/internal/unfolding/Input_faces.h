@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/planar_sine.h>
+#include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 
 #include <array>
 #include <cmath>
