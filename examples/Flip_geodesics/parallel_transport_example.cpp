@@ -8,6 +8,7 @@
 // line from each in the direction that is carried there. Writes the lines to arrows.vtp, with the mesh.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 

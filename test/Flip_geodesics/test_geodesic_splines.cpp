@@ -13,6 +13,7 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Face_chart.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

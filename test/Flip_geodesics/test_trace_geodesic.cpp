@@ -11,6 +11,7 @@
 #include "test_trace_geodesic/rays.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 

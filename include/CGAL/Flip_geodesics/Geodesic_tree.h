@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_TREE_H
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
@@ -497,14 +498,6 @@ private:
   std::vector<Halfedge_index> m_arc, m_flipped;
   std::vector<Vertex_index> m_orphans;
   std::vector<Walker> m_spokes;
-};
-
-/// \ingroup PkgFlipGeodesicsTree
-/// Where a vertex lies as seen from the source of a tree.
-struct Polar_coordinates
-{
-  double radius = std::numeric_limits<double>::infinity(); ///< the length of the path; infinite if there is none
-  double angle = std::numeric_limits<double>::quiet_NaN(); ///< in radians; NaN at the source, and without a path
 };
 
 /// \ingroup PkgFlipGeodesicsTree

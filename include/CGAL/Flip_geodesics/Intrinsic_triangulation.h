@@ -158,9 +158,7 @@ private:
 template <class TriangleMesh, class Traits_, class Metric_>
 class Intrinsic_triangulation_elements
 {
-  static_assert(internal::Is_triangulation_traits<Traits_>::value,
-                "the traits are not a model of IntrinsicTriangulationTraits: of a kernel K, give "
-                "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
+  static_assert(internal::are_triangulation_traits<Traits_>());
 
 public:
   using Triangle_mesh = TriangleMesh;                           ///< the input, as it was given

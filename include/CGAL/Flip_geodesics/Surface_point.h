@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -49,6 +50,14 @@ inline Location_kind kind(const Surface_location& location)
   const auto zeros = std::count(location.weights.begin(), location.weights.end(), 0.0);
   return zeros == 0 ? Location_kind::FACE : (zeros == 1 ? Location_kind::EDGE : Location_kind::VERTEX);
 }
+
+/// \ingroup PkgFlipGeodesicsTree
+/// Where a vertex lies as seen from the source of a tree.
+struct Polar_coordinates
+{
+  double radius = std::numeric_limits<double>::infinity(); ///< the length of the path; infinite if there is none
+  double angle = std::numeric_limits<double>::quiet_NaN(); ///< in radians; NaN at the source, and without a path
+};
 
 namespace internal {
 

@@ -7,9 +7,9 @@
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
@@ -324,15 +324,14 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
                             OutputIterator out, const NamedParameters&... np)
 {
   const auto& options = internal::surface_options(np...);
-  using Triangulation =
-      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
-  static_assert(internal::Has_points<typename Triangulation::Metric>::value,
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
+  static_assert(internal::Has_points<typename Surface::Metric>::value,
                 "the metric has no points in space: Located_curve gives the places alone");
   if(number < 2)
     throw Invalid_parameter_error("a curve is sampled at two points at least");
-  const Triangulation triangulation = internal::make_triangulation(mesh, options);
-  const Located_curve<Triangulation> located = internal::located_curve(triangulation, mesh, curve);
-  const internal::Curve_sampler<Triangulation, TriangleMesh> sample(triangulation, mesh, located);
+  const Surface surface = internal::make_surface(mesh, options);
+  const Located_curve<Surface> located = internal::located_curve(surface, mesh, curve);
+  const internal::Curve_sampler<Surface, TriangleMesh> sample(surface, mesh, located);
   std::vector<decltype(sample(0.0))> result;
   for(std::size_t i = 0; i < number; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(number - 1);
@@ -361,15 +360,14 @@ double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first
                             const NamedParameters&... np)
 {
   const auto& options = internal::surface_options(np...);
-  using Triangulation =
-      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
-  const Triangulation triangulation = internal::make_triangulation(mesh, options);
-  const Located_curve<Triangulation> a = internal::located_curve(triangulation, mesh, first),
-                                     b = internal::located_curve(triangulation, mesh, second);
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
+  const Surface surface = internal::make_surface(mesh, options);
+  const Located_curve<Surface> a = internal::located_curve(surface, mesh, first),
+                               b = internal::located_curve(surface, mesh, second);
   const Surface_location& p = a.locations().front();
-  if(!internal::is_one_place(triangulation.input(), p, b.locations().front()))
+  if(!internal::is_one_place(surface.input(), p, b.locations().front()))
     throw Invalid_curve_error("two curves, between which there is to be an angle, start at different places");
-  return angle_between(triangulation, p, a.direction(0), b.direction(0));
+  return angle_between(surface, p, a.direction(0), b.direction(0));
 }
 
 } // namespace Flip_geodesics

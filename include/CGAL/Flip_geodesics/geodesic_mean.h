@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
@@ -266,15 +266,13 @@ auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Tar
                        const NamedParameters&... np)
 {
   const auto& options = internal::surface_options(np...);
-  using Triangulation =
-      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
-  const Triangulation triangulation = internal::make_triangulation(mesh, options);
-  const Surface_location end = internal::trace_start(triangulation, mesh, target);
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
+  const Surface surface = internal::make_surface(mesh, options);
+  const Surface_location end = internal::trace_start(surface, mesh, target);
   Distance_field_limits limits;
   limits.targets.push_back(end);
-  const Logarithmic_map<Triangulation> logarithm(triangulation, mesh,
-                                                 internal::trace_start(triangulation, mesh, source), limits);
-  return internal::face_location_of(triangulation, mesh, logarithm.between(end, 0.5));
+  const Logarithmic_map<Surface> logarithm(surface, mesh, internal::trace_start(surface, mesh, source), limits);
+  return internal::face_location_of(surface, mesh, logarithm.between(end, 0.5));
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
@@ -314,19 +312,18 @@ Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const
                                                  const WeightRange& weights, const NamedParameters&... np)
 {
   const auto& options = internal::surface_options<internal_np::number_of_iterations_t>(np...);
-  using Triangulation =
-      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
-  const Triangulation triangulation = internal::make_triangulation(mesh, options);
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
+  const Surface surface = internal::make_surface(mesh, options);
   std::vector<Surface_location> locations;
   for(const auto& place : points)
-    locations.push_back(internal::trace_start(triangulation, mesh, place));
-  const Geodesic_mean<Triangulation> mean(triangulation, mesh, std::move(locations),
-                                          std::vector<double>(std::begin(weights), std::end(weights)));
+    locations.push_back(internal::trace_start(surface, mesh, place));
+  const Geodesic_mean<Surface> mean(surface, mesh, std::move(locations),
+                                    std::vector<double>(std::begin(weights), std::end(weights)));
   Mean_limits limits;
   limits.most_iterations = internal::number_of_iterations(options, limits.most_iterations);
   Surface_location place = mean.heaviest();
   const Mean_report report = mean(place, limits);
-  return {internal::face_location_of(triangulation, mesh, place), report};
+  return {internal::face_location_of(surface, mesh, place), report};
 }
 
 /// \ingroup PkgFlipGeodesicsTangents

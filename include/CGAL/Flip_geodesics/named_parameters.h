@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -108,16 +107,6 @@ template <class... Tags, class... NamedParameters>
 decltype(auto) curve_options(const NamedParameters&... np)
 {
   return surface_options<internal_np::visitor_t, Stop_parameter, Tags...>(np...);
-}
-
-/* The stop predicate that is given, or one that never stops. */
-template <class NamedParameters>
-decltype(auto) stop_predicate_of(const NamedParameters& np)
-{
-  if constexpr(is_given<NamedParameters, Stop_parameter>)
-    return parameters::get_parameter_reference(np, stop_parameter);
-  else
-    return Never_stop_predicate();
 }
 
 /* The limit that is given, or the standard one. */

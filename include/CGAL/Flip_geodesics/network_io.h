@@ -9,7 +9,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 
 #include <CGAL/assertions.h>
 
@@ -138,7 +137,7 @@ bool repeat_insertion(Triangulation& triangulation, const Log_entry& entry)
   if(entry.gap < 0 || entry.gap > static_cast<Index>(word.crossed.size()))
     return false;
   const std::size_t gap = static_cast<std::size_t>(entry.gap);
-  const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(word, gap);
+  const Input_halfedge_index face = face_of_gap(word, gap);
   const bool is_along = entry.kind == 'e' && word.along != null_index;
   if(!is_location_in_face(triangulation.input(), entry.location, face, is_along))
     return false;

@@ -171,9 +171,6 @@ private:
 
 namespace internal {
 
-template <class T>
-constexpr bool is_stop_predicate = std::is_invocable_r<Stop_decision, const T&, const Shortening_step&>::value;
-
 template <class StopPredicate, class = void>
 struct Can_restart : std::false_type
 {

@@ -4,11 +4,15 @@
 #define CGAL_FLIP_GEODESICS_SUBDIVIDE_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay_layout.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -17,6 +21,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -637,6 +643,156 @@ template <class Network>
 auto cut_along_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
 {
   return cut_along_curves<typename Network::Triangulation::Triangle_mesh>(network, mesh);
+}
+
+namespace internal {
+
+/*
+ * The input location of a point near an intrinsic edge, by its vector from the edge's tail in the frame of the edge's
+ * strip: of the input faces along the edge, that in which the smallest weight is largest.
+ */
+template <class Triangulation>
+class Location_finder
+{
+  using Vector = std::complex<double>;
+
+public:
+  explicit Location_finder(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  /* Looks at the faces along an edge; `along` is the vector with the edge itself as 1. */
+  void look_along(const Crossing_word& word, const Vector& along)
+  {
+    if(word.crossed.empty())
+      return look_in_one_face(word, along);
+    const Strip<Triangulation> strip(m_triangulation, word);
+    const Vector point = along * strip.end();
+    for(std::size_t gap = 0; gap <= word.crossed.size(); ++gap) {
+      const auto corners = strip.face(gap);
+      std::array<double, 3> weights;
+      for(int i = 0; i < 3; ++i)
+        weights[i] = cross(corners[(i + 1) % 3].position - point, corners[(i + 2) % 3].position - point);
+      note(face_of_gap(word, gap), weights);
+    }
+  }
+
+  /* The best face, and weights there that are not negative. */
+  Surface_location result() const
+  {
+    Surface_location result = m_best;
+    const double sum = result.weights[0] + result.weights[1] + result.weights[2];
+    for(double& weight : result.weights)
+      weight = weight / sum < zero_weight ? 0 : weight / sum;
+    return canonical_location(m_triangulation.input(), result);
+  }
+
+  /* The best face, and weights there that are all positive; those on an edge of the face keep what
+   * is exactly zero. */
+  Surface_location result_inside(bool is_on_edge = false) const
+  {
+    constexpr double least = 1.0 / (1LL << 50);
+    Surface_location result = m_best;
+    const double sum = result.weights[0] + result.weights[1] + result.weights[2];
+    for(double& weight : result.weights)
+      if(!is_on_edge || weight != 0)
+        weight = (std::max)(weight / sum, least);
+    return result;
+  }
+
+private:
+  void note(Input_halfedge_index face, const std::array<double, 3>& weights)
+  {
+    const double sum = weights[0] + weights[1] + weights[2];
+    const double smallest = (std::min)({weights[0], weights[1], weights[2]}) / sum;
+    if(!(sum > 0) || !(smallest > m_smallest))
+      return;
+    m_smallest = smallest;
+    m_best = {face, weights};
+  }
+
+  // In the face on the left of an edge along an input edge, or in that which holds the edge.
+  void look_in_one_face(const Crossing_word& word, const Vector& along)
+  {
+    const Input_halfedge_index h = face_of_gap(word, 0);
+    const auto& input = m_triangulation.input();
+    const auto from = vertex_weights(m_triangulation, word.tail, input.is_border(h) ? twin_index(h) : h);
+    const auto to = vertex_weights(m_triangulation, word.head, input.is_border(h) ? twin_index(h) : h);
+    const double from_sum = from[0] + from[1] + from[2], to_sum = to[0] + to[1] + to[2];
+    std::array<double, 3> weights;
+    for(int i = 0; i < 3; ++i)
+      weights[i] = (1 - along.real()) * (from[i] / from_sum) + along.real() * (to[i] / to_sum);
+    if(along.imag() != 0)
+      add_height(word, h, along.imag(), weights);
+    note(input.is_border(h) ? twin_index(h) : h, weights);
+  }
+
+  // Moves weights to the left of the edge by a part of its length.
+  void add_height(const Crossing_word& word, Input_halfedge_index h, double height,
+                  std::array<double, 3>& weights) const
+  {
+    const auto f = input_face_geometry(m_triangulation, h);
+    const Vector u(f[0].x, f[0].y), v(-f[2].x, -f[2].y); // the two sides at the tail of h
+    const Vector left = height * Vector(0, 1) * barycentric_vector(word, h, u, v);
+    const double area = cross(u, v), at_head = cross(left, v) / area, at_apex = cross(u, left) / area;
+    weights[0] -= at_head + at_apex;
+    weights[1] += at_head;
+    weights[2] += at_apex;
+  }
+
+  Vector barycentric_vector(const Crossing_word& word, Input_halfedge_index h, const Vector& u, const Vector& v) const
+  {
+    const auto d = barycentric_difference(vertex_weights(m_triangulation, word.tail, h),
+                                          vertex_weights(m_triangulation, word.head, h));
+    return d[1] * u + d[2] * v;
+  }
+
+  const Triangulation& m_triangulation;
+  Surface_location m_best;
+  double m_smallest = -std::numeric_limits<double>::infinity();
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The input location, rounded, of the point that divides intrinsic edge `edge(h)`: `t` of the way from the tail of `h`
+ * to its head. It lies on an input edge exactly if the whole edge does. Linear in the input edges that are crossed.
+ * \pre 0 < `t` < 1
+ */
+template <class Triangulation>
+Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_index h, double t)
+{
+  internal::Location_finder<Triangulation> finder(triangulation);
+  const Crossing_word word = triangulation.crossing_word(h);
+  finder.look_along(word, t);
+  return internal::canonical_location(triangulation.input(), finder.result_inside(word.along != null_index));
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The input location, rounded, of the point of an intrinsic face with barycentric coordinates at the tail of `h`, its
+ * head, and the third vertex: among the input faces along the face's sides, the one that holds it. Every input face
+ * that meets the intrinsic face is among them. Linear in the input edges that the sides cross. \pre `h` is not on the
+ * border, and the coordinates are not negative and sum to one
+ */
+template <class Triangulation>
+Surface_location location_in_face(const Triangulation& triangulation, Halfedge_index h,
+                                  const std::array<double, 3>& coordinates)
+{
+  internal::Location_finder<Triangulation> finder(triangulation);
+  for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {
+    // By lengths alone, which all traits have.
+    const double a = triangulation.length(h), b = triangulation.length(triangulation.next(h)),
+                 c = triangulation.length(triangulation.previous(h));
+    const double x = ((a - b) * (a + b) + c * c) / (2 * a), y = std::sqrt((std::max)((c - x) * (c + x), 0.0));
+    const std::complex<double> apex(x / a, y / a);
+    finder.look_along(triangulation.crossing_word(h), coordinates[(i + 1) % 3] + coordinates[(i + 2) % 3] * apex);
+  }
+  return finder.result();
 }
 
 } // namespace Flip_geodesics

@@ -4,15 +4,14 @@
 #define CGAL_FLIP_GEODESICS_TANGENT_VECTORS_H
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
-#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
@@ -357,16 +356,15 @@ Logarithmic_map_result<OutputIterator, TriangleMesh> logarithmic_map(const Trian
                                                                      const NamedParameters&... np)
 {
   const auto& options = internal::surface_options(np...);
-  using Triangulation =
-      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
-  const Triangulation triangulation = internal::make_triangulation(mesh, options);
-  const Surface_location from = internal::trace_start(triangulation, mesh, source);
-  const Logarithmic_map<Triangulation> logarithm(triangulation, mesh, from);
-  internal::Logarithm_of_targets<Triangulation> logarithm_of(triangulation, mesh, logarithm, from);
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
+  const Surface surface = internal::make_surface(mesh, options);
+  const Surface_location from = internal::trace_start(surface, mesh, source);
+  const Logarithmic_map<Surface> logarithm(surface, mesh, from);
+  internal::Logarithm_of_targets<Surface> logarithm_of(surface, mesh, logarithm, from);
   std::vector<Polar_coordinates> result;
   for(const auto& target : targets)
     result.push_back(logarithm_of(target));
-  return {std::copy(result.begin(), result.end(), out), triangulation.input().halfedge(logarithm.halfedge()),
+  return {std::copy(result.begin(), result.end(), out), surface.input().halfedge(logarithm.halfedge()),
           logarithm.total_angle(), logarithm.is_on_border(), logarithm.report()};
 }
 
@@ -397,16 +395,15 @@ auto parallel_transport(
     const NamedParameters&... np)
 {
   const auto& options = internal::surface_options(np...);
-  using Triangulation =
-      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Direction = std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>;
-  const Triangulation triangulation = internal::make_triangulation(mesh, options);
+  const Surface surface = internal::make_surface(mesh, options);
   std::vector<Surface_location> locations;
   for(const auto& place : curve)
-    locations.push_back(internal::trace_start(triangulation, mesh, place));
-  const Surface_direction end = Parallel_transport<Triangulation>(triangulation)(
-      locations, {triangulation.input().index(direction.first), direction.second});
-  return Direction(triangulation.input().halfedge(end.halfedge), end.angle);
+    locations.push_back(internal::trace_start(surface, mesh, place));
+  const Surface_direction end =
+      Parallel_transport<Surface>(surface)(locations, {surface.input().index(direction.first), direction.second});
+  return Direction(surface.input().halfedge(end.halfedge), end.angle);
 }
 
 } // namespace Flip_geodesics

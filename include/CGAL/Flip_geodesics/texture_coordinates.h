@@ -7,12 +7,12 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Logarithm_everywhere.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
@@ -193,21 +193,20 @@ Texture_report texture_coordinates(
 {
   const auto& options = internal::surface_options(np...);
   static_assert(internal::is_property_map<CornerMap>());
-  using Triangulation =
-      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Value = typename boost::property_traits<CornerMap>::value_type;
   if(!(size > 0 && std::isfinite(size)))
     throw Invalid_parameter_error("the size of a picture on a surface is not positive, or no finite number");
-  const Triangulation triangulation = internal::make_triangulation(mesh, options);
-  const auto& input = triangulation.input();
-  const Surface_location middle = internal::trace_start(triangulation, mesh, source);
+  const Surface surface = internal::make_surface(mesh, options);
+  const auto& input = surface.input();
+  const Surface_location middle = internal::trace_start(surface, mesh, source);
   Distance_field_limits limits;
-  limits.radius = std::sqrt(0.5) * size + internal::longest_side(triangulation);
-  const Logarithmic_map<Triangulation> logarithm(triangulation, mesh, middle, limits);
+  limits.radius = std::sqrt(0.5) * size + internal::longest_side(surface);
+  const Logarithmic_map<Surface> logarithm(surface, mesh, middle, limits);
   const double angle =
-      angle_between(triangulation, middle, {logarithm.halfedge(), 0}, {input.index(right.first), right.second});
+      angle_between(surface, middle, {logarithm.halfedge(), 0}, {input.index(right.first), right.second});
   const auto [x, y] = logarithm.in_plane({1, angle});
-  internal::Tangent_plane_layout<Triangulation> layout(triangulation, logarithm, middle, {x, y});
+  internal::Tangent_plane_layout<Surface> layout(surface, logarithm, middle, {x, y});
 
   Texture_report report;
   std::vector<std::pair<Input_halfedge_index, Value>> values; // with the halfedge at whose target each is

@@ -6,17 +6,17 @@
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Ray.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -620,25 +620,24 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
       internal::surface_options<internal_np::edge_is_constrained_t, internal_np::number_of_iterations_t,
                                 internal::At_vertices_parameter>(np...);
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
-  using Triangulation = typename Types::Triangulation;
-  using Form = internal::Curve_form<Triangulation, OutputIterator>;
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
+  using Form = internal::Curve_form<Surface, OutputIterator>;
   constexpr bool is_vector = internal::is_vector_in_space<Direction>;
   static_assert(is_vector || std::is_convertible<Direction, std::pair<Halfedge, double>>::value,
                 "a direction is a pair of a halfedge and an angle, or a vector in space");
   static_assert(!is_vector || !internal::is_mesh_vertex<TriangleMesh, Source>,
                 "a vector in space is told in a face: give a Face_location at the vertex, or a halfedge and an angle");
-  const Triangulation triangulation = internal::make_triangulation(mesh, options);
-  const Surface_location place = internal::trace_start(triangulation, mesh, source);
+  const Surface surface = internal::make_surface(mesh, options);
+  const Surface_location place = internal::trace_start(surface, mesh, source);
   std::vector<Surface_point> points;
   const Trace_report trace =
-      internal::Given_direction<Triangulation, TriangleMesh>(triangulation)
-          .trace(place, direction, internal::make_trace_limits(triangulation, mesh, length, options),
+      internal::Given_direction<Surface, TriangleMesh>(surface)
+          .trace(place, direction, internal::make_trace_limits(surface, mesh, length, options),
                  [&points](const Surface_point& p) { points.push_back(p); });
-  return {internal::write_points<Form>(triangulation, mesh, points, out),
+  return {internal::write_points<Form>(surface, mesh, points, out),
           trace,
-          internal::face_location_of(triangulation, mesh, trace.location),
-          {triangulation.input().halfedge(trace.halfedge), trace.angle}};
+          internal::face_location_of(surface, mesh, trace.location),
+          {surface.input().halfedge(trace.halfedge), trace.angle}};
 }
 
 } // namespace Flip_geodesics

@@ -32,6 +32,7 @@
 #include <CGAL/Flip_geodesics/shortest_loop.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What computes distances asks nothing of a triangulation but its input and metric, and gives the same with an archetype
-// that has nothing else.
+// What computes distances asks nothing of a triangulation but its input and metric, and gives the same over a
+// `Metric_surface`, which has nothing else.
 
-#include "Surface_archetype.h"
 #include "test_distance_field/asked_surface.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
@@ -14,7 +14,7 @@ using namespace Flip_geodesics_test;
 
 namespace {
 
-using Input_alone = Surface_archetype<Mesh>;
+using Input_alone = FG::internal::Surface_by_name<Mesh, CGAL::parameters::Default_named_parameters>;
 
 /* Numbers that depend on all that is computed from two vertices. */
 template <class Triangulation>
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(distances_ask_for_the_input_of_a_triangulation_alone)
 {
   for(const auto& [name, soup] : meshes()) {
     const Asked_surface s(soup);
-    const Input_alone surface(s.mesh);
+    const Input_alone surface = FG::internal::make_surface(s.mesh, CGAL::parameters::default_values());
     BOOST_TEST(distances_over(surface, s.mesh) == distances_over(s.triangulation, s.mesh), name);
     BOOST_TEST(paths_over(surface) == paths_over(s.triangulation), name);
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // What unfolds rows of faces asks for a mesh, its metric and points on it, and for no triangulation: it gives the same
-// with an archetype that has nothing else.
+// over a `Metric_surface`, which has nothing else.
 
-#include "Surface_archetype.h"
 #include "generated_meshes.h"
 #include "test_internal_arithmetic/numbers.h"
 
@@ -11,6 +10,7 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Words_of_places.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Input_faces.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
@@ -31,6 +31,7 @@ using namespace Flip_geodesics_test;
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Surface = FI::Surface_by_name<Mesh, CGAL::parameters::Default_named_parameters>;
 
 /* The words that cross two edges in a row, the second one on the right. */
 template <class Input_mesh>
@@ -87,8 +88,8 @@ BOOST_AUTO_TEST_CASE(strips_ask_for_the_input_of_a_triangulation_alone)
 {
   for(const Mesh_soup& soup : {bumpy_sphere(4, 0.3, 1), flat_grid(4, 4, Diagonal_rule::RISING)}) {
     const Mesh mesh = to_mesh<Mesh>(soup);
-    const Surface_archetype<Mesh> surface(mesh);
-    const FI::Places_on_input<Surface_archetype<Mesh>> places(surface);
+    const Surface surface = FI::make_surface(mesh, CGAL::parameters::default_values());
+    const FI::Places_on_input<Surface> places(surface);
     const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
     const std::vector<double> result = unfolded(places);
     BOOST_TEST(!result.empty());

@@ -264,7 +264,8 @@ BOOST_AUTO_TEST_CASE(points_lie_beside_edges_as_in_the_plane)
       continue;
     const std::complex<double> from = place(mesh, t, t.tail(h)), along = place(mesh, t, t.head(h)) - from;
     for(std::size_t gap = 0; gap <= word.crossed.size(); ++gap) {
-      const FG::Input_halfedge_index a = side.face_of_gap(word, gap), b = t.input().next(a), c = t.input().next(b);
+      const FG::Input_halfedge_index a = FG::internal::face_of_gap(word, gap), b = t.input().next(a),
+                                     c = t.input().next(b);
       const FG::Surface_location center = {a, {{1, 2, 5}}};
       const std::complex<double> p = (in_plane(a) + 2. * in_plane(b) + 5. * in_plane(c)) / 8.;
       const double expected = std::imag(std::conj(along) * (p - from)) / std::abs(along);

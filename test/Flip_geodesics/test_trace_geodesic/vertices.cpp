@@ -7,6 +7,7 @@
 #include "mesh_soup.h"
 #include "rays.h"
 
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/boost/graph/generators.h>

@@ -3,88 +3,17 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_TYPES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_TYPES_H
 
-#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
-#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 
-#include <boost/graph/graph_traits.hpp>
-
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <type_traits>
-
-// What the named parameters of the one-call functions are, as far as their declarations need it.
-
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
-
-/* The metric's type: as it is given, or of the points that are given, or of the mesh's own. */
-template <class TriangleMesh, class NamedParameters, bool HAS_METRIC, bool HAS_POINTS>
-struct Metric_of
-{
-  using type = Given<NamedParameters, Metric_parameter>;
-};
-
-template <class TriangleMesh, class NamedParameters>
-struct Metric_of<TriangleMesh, NamedParameters, false, true>
-{
-  using type = Embedded_metric<TriangleMesh, Given<NamedParameters, internal_np::vertex_point_t>>;
-};
-
-template <class TriangleMesh, class NamedParameters>
-struct Metric_of<TriangleMesh, NamedParameters, false, false>
-{
-  static_assert(graph_has_property<TriangleMesh, boost::vertex_point_t>::value,
-                "the mesh has no points of its own: give vertex_point_map() or metric()");
-  using type =
-      Embedded_metric<TriangleMesh, typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type>;
-};
-
-struct No_graph
-{
-  struct vertex_descriptor
-  {
-  };
-};
-
-/* The vertices of what a function is given first. */
-template <class TriangleMesh>
-struct Vertex_of
-{
-  static_assert(Has_faces<TriangleMesh>::value,
-                "the first argument is no mesh; the order is mesh, ends or curves, output, named parameters");
-  using Graph = std::conditional_t<Has_faces<TriangleMesh>::value, boost::graph_traits<TriangleMesh>, No_graph>;
-  using type = typename Graph::vertex_descriptor;
-};
-
-template <class TriangleMesh>
-using Vertex_in = typename Vertex_of<TriangleMesh>::type;
-
-template <class TriangleMesh, class T>
-constexpr bool is_mesh_vertex = std::is_convertible<T, Vertex_in<TriangleMesh>>::value;
-
-/* The metric of a mesh with these named parameters, and the form in which an output takes points. */
-template <class TriangleMesh, class NamedParameters>
-using Metric_by_name = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
-                                          is_given<NamedParameters, internal_np::vertex_point_t>>::type;
-template <class TriangleMesh, class NamedParameters, class Output, template <class> class Container = Itself>
-using Form_by_name = typename Curve_form_of<Curve_forms_of<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>,
-                                            Output, Container>::type;
-
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
 
 // The types that the named parameters of the one-call functions stand for, in one place.
 
@@ -109,18 +38,6 @@ struct Curve_types
 };
 
 template <class TriangleMesh, class NamedParameters>
-auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
-{
-  using Metric = typename Curve_types<TriangleMesh, NamedParameters>::Metric;
-  if constexpr(is_given<NamedParameters, Metric_parameter>)
-    return parameters::get_parameter(np, metric_parameter);
-  else if constexpr(is_given<NamedParameters, internal_np::vertex_point_t>)
-    return Metric(parameters::get_parameter(np, internal_np::vertex_point));
-  else
-    return Metric(get_const_property_map(CGAL::vertex_point, mesh));
-}
-
-template <class TriangleMesh, class NamedParameters>
 auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
                         Zero_length_edges zero_length_edges = Zero_length_edges::REFUSE)
 {
@@ -128,6 +45,16 @@ auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
   const auto traits =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
   return typename Types::Triangulation(mesh, make_metric(mesh, np), traits, zero_length_edges);
+}
+
+/* The stop predicate that is given, or one that never stops. */
+template <class NamedParameters>
+decltype(auto) stop_predicate_of(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, Stop_parameter>)
+    return parameters::get_parameter_reference(np, stop_parameter);
+  else
+    return Never_stop_predicate();
 }
 
 /* Triangulations of a mesh as it is, and of what is left of it when edges of length zero are contracted. Each is made

@@ -6,7 +6,11 @@
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
+#include <CGAL/enum.h>
+
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -121,6 +125,46 @@ inline double length(const Double_double_vector& v)
 {
   return std::sqrt(unfused(v.x.high * v.x.high) + unfused(v.y.high * v.y.high));
 }
+
+/* A sum of doubles, exactly, as parts that do not overlap, the largest last [Shewchuk, Grow-Expansion]. */
+template <std::size_t MostTerms>
+class Exact_sum
+{
+public:
+  void add(double x)
+  {
+    std::size_t kept = 0;
+    for(std::size_t i = 0; i < m_size; ++i) {
+      const Double_double sum = exact_sum(x, m_parts[i]);
+      if(sum.low != 0)
+        m_parts[kept++] = sum.low;
+      x = sum.high;
+    }
+    if(x != 0)
+      m_parts[kept++] = x;
+    m_size = kept;
+  }
+
+  void add_product(double a, double b)
+  {
+    const Double_double product = exact_product(a, b);
+    add(product.low);
+    add(product.high);
+  }
+
+  void add_product(double a, double b, double c)
+  {
+    const Double_double product = exact_product(a, b);
+    add_product(product.low, c);
+    add_product(product.high, c);
+  }
+
+  Sign sign() const { return m_size == 0 ? ZERO : (m_parts[m_size - 1] > 0 ? POSITIVE : NEGATIVE); }
+
+private:
+  std::array<double, MostTerms> m_parts;
+  std::size_t m_size = 0;
+};
 
 } // namespace internal
 } // namespace Flip_geodesics

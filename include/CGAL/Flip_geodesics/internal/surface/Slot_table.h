@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_SLOT_TABLE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <cstddef>
@@ -15,15 +15,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/* A number of elements as an index, if all of them can be numbered; throws `Invalid_mesh_error` otherwise. */
-template <class Count>
-Index checked_index_bound(Count count)
-{
-  if(static_cast<std::uint64_t>(count) >= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)()))
-    throw Invalid_mesh_error("the mesh has more elements than 32-bit indices can number");
-  return static_cast<Index>(count);
-}
 
 /*
  * Gives slots to the elements of a sequence, by blocks, in the order in which they are first used. What is kept of the

@@ -22,6 +22,14 @@ Location_kind vertex_kind(const Triangulation& triangulation, Vertex_index v)
   return triangulation.is_inserted(v) ? kind(triangulation.location(v)) : Location_kind::VERTEX;
 }
 
+/* The halfedge that the corners of the face of a gap are told from: of that between letters gap - 1 and gap of a word. */
+inline Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t gap)
+{
+  if(word.along != null_index)
+    return word.along;
+  return gap < word.crossed.size() ? word.crossed[gap] : word.last_face();
+}
+
 /* The word of an edge does not lead to the end that it is to have. */
 [[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
 {

@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Contraction.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <algorithm>
 #include <cmath>

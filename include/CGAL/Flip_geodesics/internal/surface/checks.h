@@ -10,12 +10,23 @@
 #include <boost/config.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* A number of elements as an index, if all of them can be numbered; throws `Invalid_mesh_error` otherwise. */
+template <class Count>
+Index checked_index_bound(Count count)
+{
+  if(static_cast<std::uint64_t>(count) >= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)()))
+    throw Invalid_mesh_error("the mesh has more elements than 32-bit indices can number");
+  return static_cast<Index>(count);
+}
 
 /* Names the vertices of the face on the left of h, the first of them if there are many. */
 template <class Input_mesh>

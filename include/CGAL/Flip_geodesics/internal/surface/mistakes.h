@@ -19,6 +19,10 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+enum class Stop_decision;
+struct Shortening_step;
+
 namespace internal {
 
 template <class T, class = void>
@@ -31,6 +35,16 @@ struct Is_triangulation_traits<T, std::void_t<typename T::Halfedge_geometry, typ
   : std::true_type
 {
 };
+
+/* Ends the compilation if what is to be traits is none. */
+template <class Traits>
+constexpr bool are_triangulation_traits()
+{
+  static_assert(Is_triangulation_traits<Traits>::value,
+                "the traits are not a model of IntrinsicTriangulationTraits: of a kernel K, give "
+                "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
+  return true;
+}
 
 /* Does a triangulation tell the words of its edges on an input? */
 template <class Triangulation, class = void>
@@ -105,6 +119,10 @@ template <class T, class = void>
 constexpr bool is_metric = false;
 template <class T>
 constexpr bool is_metric<T, std::void_t<typename T::Kernel, typename T::Place>> = true;
+
+/* Does a predicate decide whether a step is taken? */
+template <class T>
+constexpr bool is_stop_predicate = std::is_invocable_r<Stop_decision, const T&, const Shortening_step&>::value;
 
 /* Has a visitor the members that are called for a network while its curves are shortened? */
 template <class Visitor, class Network, class = void>

@@ -3,12 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LOGARITHM_EVERYWHERE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LOGARITHM_EVERYWHERE_H
 
-#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -142,8 +141,8 @@ private:
       return Continued{{length, m_source.angle(m_source.position(leg.first, leg.start), m_logarithm.halfedge())}, 0};
     const Vertex_index v(leg.root);
     const End& end = *m_vertices[v];
-    const Vertex_directions<Triangulation> directions(m_triangulation, v);
-    const double on = directions.of_input(leg.first) + std::arg(leg.start);
+    const Vertex_fan directions = umbrella_of(m_triangulation, input().outgoing(v));
+    const double on = directions.angle_of(leg.first, v) + std::arg(leg.start);
     const double wedge =
         (std::min)(directions.counterclockwise(on, end.back), directions.counterclockwise(end.back, on));
     if(!(wedge >= pi - unfolded_place_error))

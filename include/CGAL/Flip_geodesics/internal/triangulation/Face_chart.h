@@ -9,7 +9,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <algorithm>
@@ -184,7 +183,7 @@ private:
   void add_piece(int i, std::size_t gap, Part& part) const
   {
     const Crossing_word& word = m_sides[i].word;
-    const Input_halfedge_index own = Point_side<Triangulation>::face_of_gap(word, gap);
+    const Input_halfedge_index own = face_of_gap(word, gap);
     const Input_halfedge_index face = part.vertices.empty() ? own : part.vertices.front().face;
     for(const std::size_t k : {gap, gap + 1}) {
       Weights weights;
@@ -255,7 +254,7 @@ std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, H
 {
   constexpr double margin = 0.05; // of the piece in an input face
   const Crossing_word word = triangulation.crossing_word(h);
-  const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(word, 0);
+  const Input_halfedge_index face = face_of_gap(word, 0);
   Point_on_edge result = {{face, {{0, 0, 0}}}, 0};
   if(word.crossed.empty()) {
     std::array<double, 3> a = vertex_weights(triangulation, word.tail, face);
@@ -286,7 +285,7 @@ std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, H
     return std::imag(std::conj(u) * v);
   };
   const double area = cross(b, c);
-  result.location.halfedge = Point_side<Triangulation>::face_of_gap(word, result.gap);
+  result.location.halfedge = face_of_gap(word, result.gap);
   result.location.weights = {{0, cross(d, c) / area, cross(b, d) / area}};
   result.location.weights[0] = 1 - result.location.weights[1] - result.location.weights[2];
   for(double weight : result.location.weights)

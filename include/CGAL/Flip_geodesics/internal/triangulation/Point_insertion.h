@@ -277,7 +277,7 @@ private:
   // A path that starts at x in the input face of the gap.
   Word_path<Triangulation> path_from(const Place& place) const
   {
-    const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(place.word, place.gap);
+    const Input_halfedge_index face = face_of_gap(place.word, place.gap);
     return {m_triangulation, m_x, anchor(m_triangulation, m_x, face)};
   }
 
@@ -367,7 +367,7 @@ private:
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
     Word_path<Triangulation> loop = path_over_head(m_place);
     loop.cross(from_twin.word.crossed, 0, from_twin.gap);
-    const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(from_twin.word, from_twin.gap);
+    const Input_halfedge_index face = face_of_gap(from_twin.word, from_twin.gap);
     const Crossing_word around_b = loop.finish(m_x, anchor(m_triangulation, m_x, face));
 
     const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o), xx = m_editor.add_edge(around_b);
@@ -415,8 +415,7 @@ private:
     for(Halfedge_index h : sides)
       if(m_triangulation.crossings(Triangulation::edge(h)) > 0)
         fail("an exact number type can express points only where no edge crosses an input edge yet");
-    const Input_halfedge_index face =
-        Point_side<Triangulation>::face_of_gap(m_triangulation.crossing_word(sides[0]), 0);
+    const Input_halfedge_index face = face_of_gap(m_triangulation.crossing_word(sides[0]), 0);
     std::array<std::array<double, 3>, 3> weights;
     for(int i = 0; i < 3; ++i)
       weights[i] = vertex_weights(m_triangulation, m_triangulation.tail(sides[i]), face);

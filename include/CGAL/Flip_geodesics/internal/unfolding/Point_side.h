@@ -90,14 +90,6 @@ public:
     return std::imag(std::conj(strip.end()) * position) / strip.length();
   }
 
-  /* The halfedge that the corners of a gap's face are told from. */
-  static Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t gap)
-  {
-    if(word.along != null_index)
-      return word.along;
-    return gap < word.crossed.size() ? word.crossed[gap] : word.last_face();
-  }
-
 private:
   Uncertain<Sign> in_double(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
   {

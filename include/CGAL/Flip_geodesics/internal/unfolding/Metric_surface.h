@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_METRIC_SURFACE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_METRIC_SURFACE_H
+
+#include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * A mesh with a metric, and no edges but its own: all that rays, distances and tangent vectors ask of the triangulation
+ * that is a parameter of their templates. It has neither edges that can be flipped nor what these cross, so that a call
+ * of the modules above does not compile.
+ */
+template <class TriangleMesh, class Metric_>
+class Metric_surface
+{
+public:
+  using Triangle_mesh = TriangleMesh;
+  using Input_mesh = Numbered_mesh<TriangleMesh>;
+  using Metric = Metric_;
+
+  /* Of the arithmetic of a triangulation the limit of work for signs. */
+  struct Traits
+  {
+    using Has_drift = Tag_false;
+    std::uint64_t sign_work_limit() const { return work_limit; }
+
+    std::uint64_t work_limit;
+  };
+
+  /* The mesh must outlive the surface. */
+  Metric_surface(const TriangleMesh& mesh, const Metric& metric, std::uint64_t sign_work_limit = default_sign_work)
+    : m_input(mesh)
+    , m_metric(metric)
+    , m_traits{sign_work_limit}
+  {
+  }
+
+  const Input_mesh& input() const { return m_input; }
+  const Metric& metric() const { return m_metric; }
+  const Traits& traits() const { return m_traits; }
+  Index number_of_vertices() const { return m_input.number_of_vertices(); }
+  Index number_of_halfedges() const { return m_input.number_of_halfedges(); }
+  Vertex_index index(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v) const { return m_input.index(v); }
+
+  static bool is_inserted(Vertex_index) { return false; }
+
+  /* \pre `v` is not isolated */
+  Surface_location location(Vertex_index v) const
+  {
+    return canonical_location(m_input, {m_input.outgoing(v), {{1, 0, 0}}});
+  }
+
+private:
+  Input_mesh m_input;
+  Metric m_metric;
+  Traits m_traits;
+};
+
+/* The metric's type: as it is given, or of the points that are given, or of the mesh's own. */
+template <class TriangleMesh, class NamedParameters, bool HAS_METRIC, bool HAS_POINTS>
+struct Metric_of
+{
+  using type = Given<NamedParameters, Metric_parameter>;
+};
+
+template <class TriangleMesh, class NamedParameters>
+struct Metric_of<TriangleMesh, NamedParameters, false, true>
+{
+  using type = Embedded_metric<TriangleMesh, Given<NamedParameters, internal_np::vertex_point_t>>;
+};
+
+template <class TriangleMesh, class NamedParameters>
+struct Metric_of<TriangleMesh, NamedParameters, false, false>
+{
+  static_assert(graph_has_property<TriangleMesh, boost::vertex_point_t>::value,
+                "the mesh has no points of its own: give vertex_point_map() or metric()");
+  using type =
+      Embedded_metric<TriangleMesh, typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type>;
+};
+
+struct No_graph
+{
+  struct vertex_descriptor
+  {
+  };
+};
+
+/* The vertices of what a function is given first. */
+template <class TriangleMesh>
+struct Vertex_of
+{
+  static_assert(Has_faces<TriangleMesh>::value,
+                "the first argument is no mesh; the order is mesh, ends or curves, output, named parameters");
+  using Graph = std::conditional_t<Has_faces<TriangleMesh>::value, boost::graph_traits<TriangleMesh>, No_graph>;
+  using type = typename Graph::vertex_descriptor;
+};
+
+template <class TriangleMesh>
+using Vertex_in = typename Vertex_of<TriangleMesh>::type;
+
+template <class TriangleMesh, class T>
+constexpr bool is_mesh_vertex = std::is_convertible<T, Vertex_in<TriangleMesh>>::value;
+
+/* The metric of a mesh with these named parameters, and the form in which an output takes points. */
+template <class TriangleMesh, class NamedParameters>
+using Metric_by_name = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
+                                          is_given<NamedParameters, internal_np::vertex_point_t>>::type;
+template <class TriangleMesh, class NamedParameters, class Output, template <class> class Container = Itself>
+using Form_by_name = typename Curve_form_of<Curve_forms_of<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>,
+                                            Output, Container>::type;
+
+/* The named parameter number_of_iterations, a whole number, which may be given with a sign. */
+template <class NamedParameters>
+std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard)
+{
+  const auto number =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), standard);
+  using Number = std::decay_t<decltype(number)>;
+  static_assert(std::is_integral<Number>::value, "number_of_iterations() is a whole number");
+  if constexpr(std::is_signed<Number>::value)
+    if(number < 0)
+      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", and not at least 0");
+  return static_cast<std::size_t>(number);
+}
+
+template <class TriangleMesh, class NamedParameters>
+auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  using Metric = Metric_by_name<TriangleMesh, NamedParameters>;
+  if constexpr(is_given<NamedParameters, Metric_parameter>)
+    return parameters::get_parameter(np, metric_parameter);
+  else if constexpr(is_given<NamedParameters, internal_np::vertex_point_t>)
+    return Metric(parameters::get_parameter(np, internal_np::vertex_point));
+  else
+    return Metric(get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+/* The surface that named parameters describe. */
+template <class TriangleMesh, class NamedParameters>
+using Surface_by_name = Metric_surface<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>;
+
+template <class TriangleMesh, class NamedParameters>
+Surface_by_name<TriangleMesh, NamedParameters> make_surface(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  std::uint64_t work_limit = default_sign_work;
+  if constexpr(is_given<NamedParameters, internal_np::geom_traits_t>) {
+    const auto traits = parameters::get_parameter(np, internal_np::geom_traits);
+    using Traits = std::decay_t<decltype(traits)>;
+    static_assert(are_triangulation_traits<Traits>());
+    if constexpr(!Traits::Has_drift::value)
+      work_limit = traits.sign_work_limit();
+  }
+  return {mesh, make_metric(mesh, np), work_limit};
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_METRIC_SURFACE_H
