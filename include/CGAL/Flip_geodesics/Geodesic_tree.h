@@ -3,7 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_GEODESIC_TREE_H
 #define CGAL_FLIP_GEODESICS_GEODESIC_TREE_H
 
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>
@@ -14,7 +13,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -217,7 +215,7 @@ private:
   void start(Vertex_index source, double max_distance)
   {
     m_labels.start(static_cast<std::size_t>(m_triangulation->number_of_vertices())); // some may have been inserted
-    m_measured = typename Straightness::Measured_legs();
+    m_measured = internal::Measured_legs();
     m_source = source;
     m_max_distance = max_distance;
     m_report = Geodesic_tree_report();
@@ -493,7 +491,7 @@ private:
   std::size_t m_lengthened = 0; // wedges flipped out for arcs that are no shorter
   double m_max_distance = std::numeric_limits<double>::infinity();
   Geodesic_tree_report m_report;
-  typename Straightness::Measured_legs m_measured; // of the paths, where they have been
+  internal::Measured_legs m_measured; // of the paths, where they have been
   internal::Hindered_joints m_hindered;
   std::vector<Halfedge_index> m_arc, m_flipped;
   std::vector<Vertex_index> m_orphans;
@@ -552,12 +550,11 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
   const Vertex_index source = tree.source();
   if(triangulation.outgoing(source) == null_index)
     return;
-  using Straightness = Tree_straightness<Tree>;
-  typename Straightness::Measured_legs measured(static_cast<std::size_t>(triangulation.number_of_vertices()));
+  Measured_legs measured(static_cast<std::size_t>(triangulation.number_of_vertices()));
   const std::vector<Halfedge_index> around = triangulation.is_inserted(source)
                                                  ? spokes(triangulation, source)
                                                  : spokes_beside(triangulation, triangulation.input().outgoing(source));
-  Straightness straightness(tree, measured);
+  Tree_straightness<Tree> straightness(tree, measured);
   for(const Fan_leg& leg : straightness.legs(around, Edge_end()))
     function(leg.head, leg.is_found ? directions.of_input(leg.reference()) + leg.start.direction.angle
                                     : directions(leg.start.halfedge));

@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_OVERLAPPING_CURVES_H
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
 #include <CGAL/Flip_geodesics/internal/network/Stack_order_search.h>
 

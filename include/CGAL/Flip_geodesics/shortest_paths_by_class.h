@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>

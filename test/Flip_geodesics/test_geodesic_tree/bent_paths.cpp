@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(paths_are_bent_where_their_angles_are_below_pi)
                        Case{{at(0, 1), at(1, 2), at(2, 2), at(3, 3)}, 3 * pi / 4, {at(2, 2), at(3, 3)}}})
   {
     const Tree_of_one_path tree(setting.triangulation, c.path);
-    Straightness::Measured_legs measured(static_cast<std::size_t>(setting.triangulation.number_of_vertices()));
+    FG::internal::Measured_legs measured(static_cast<std::size_t>(setting.triangulation.number_of_vertices()));
     std::vector<FG::Vertex_index> bent;
     const double angle = Straightness(tree, measured)(std::back_inserter(bent));
     BOOST_TEST((angle == c.angle || std::abs(angle - c.angle) < 1e-15));

@@ -28,7 +28,7 @@ namespace {
 
 using Triangulation = Double_tree_setting::Triangulation;
 using Straightness = FG::internal::Tree_straightness<Double_tree_setting::Tree>;
-using Measured_legs = Straightness::Measured_legs;
+using Measured_legs = FG::internal::Measured_legs;
 
 // The edges of a tree that leave a vertex, measured.
 struct Measured_fan

@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>
-#include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
@@ -56,7 +55,7 @@ public:
     const auto nearest = is_known ? of_input : std::min_element(around.begin(), around.end(), crosses_less);
     number = static_cast<std::size_t>(nearest - around.begin());
     return is_known ? Edge_end{*nearest, {as_input(*nearest), 0, 0}, true}
-                    : Edge_straightness<Triangulation>(m_triangulation)(*nearest).tail;
+                    : edge_straightness(m_triangulation)(*nearest).tail;
   }
 
   /* From the place of the spoke before to that of h, the next one clockwise, over the input edges that start in
@@ -270,6 +269,9 @@ struct Measured_leg
   bool is_measured, is_bent;
 };
 
+/* For each vertex. */
+using Measured_legs = Indexed_by<Vertex_index, Lazy_array<Measured_leg>>;
+
 /*
  * Measures the paths of a geodesic tree afresh from the input, as `Straightness_meter` measures the curves of a
  * network: the edges that go on from each vertex all at once (`Leg_fan`), and those not found so by their words.
@@ -279,16 +281,15 @@ template <class Tree>
 class Tree_straightness
 {
   using Triangulation = typename Tree::Triangulation;
+  using Edges = decltype(edge_straightness(std::declval<const Triangulation&>()));
 
 public:
-  using Measured_legs = Indexed_by<Vertex_index, Lazy_array<Measured_leg>>;
-
-  /* \param measured for each vertex; of an earlier measurement, or nothing */
+  /* \param measured of an earlier measurement, or nothing */
   Tree_straightness(const Tree& tree, Measured_legs& measured)
     : m_tree(tree)
     , m_triangulation(tree.triangulation())
     , m_measured(measured)
-    , m_edges(tree.triangulation())
+    , m_edges(edge_straightness(m_triangulation))
     , m_places(tree.triangulation())
     , m_fan(tree.triangulation())
   {
@@ -358,7 +359,8 @@ public:
     if(!is_bent_clockwise(from, to))
       std::swap(from, to);
     const bool is_inside = angle_clockwise(from, to) < infinity;
-    return refresh_wedge(m_triangulation, from.halfedge, to.halfedge) && is_inside; // up to the border, if there is one
+    return Edges::refresh_wedge(m_triangulation, from.halfedge, to.halfedge) &&
+           is_inside; // up to the border, if there is one
   }
 
 private:
@@ -541,7 +543,7 @@ private:
   const Tree& m_tree;
   Triangulation& m_triangulation;
   Measured_legs& m_measured;
-  Edge_straightness<Triangulation> m_edges;
+  Edges m_edges;
   Spoke_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
   std::vector<Halfedge_index> m_around, m_leg_spokes; // of the vertex that is measured

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>
@@ -18,23 +19,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/* How a halfedge leaves its tail, as the input says. Without a reference if an end of its edge is an inserted
- * vertex. */
-struct Edge_end
-{
-  Halfedge_index halfedge = null_index;
-  Word_angle direction;
-  bool is_along = false; // an edge of the input
-};
-
-/* How straight an edge is. */
-struct Measured_edge
-{
-  Edge_end tail, head;                       // that at the head is of the other direction
-  double bend = 0;                           // the angle by which the edge leaves its strip of input faces
-  bool has_strip = true, is_straight = true; // exactly; true if that was not asked
-};
 
 /*
  * Measures edges of a triangulation, and the wedges between them, afresh from the input: of what flips computed, only

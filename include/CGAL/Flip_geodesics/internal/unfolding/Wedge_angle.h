@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_WEDGE_ANGLE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_WEDGE_ANGLE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -73,6 +74,23 @@ struct Word_angle
   Input_halfedge_index reference = null_index;
   double angle = 0;
   double error = 0;
+};
+
+/* How a halfedge leaves its tail, as the input says. Without a reference if an end of its edge is an inserted
+ * vertex. */
+struct Edge_end
+{
+  Halfedge_index halfedge = null_index;
+  Word_angle direction;
+  bool is_along = false; // an edge of the input
+};
+
+/* How straight an edge is. */
+struct Measured_edge
+{
+  Edge_end tail, head;                       // that at the head is of the other direction
+  double bend = 0;                           // the angle by which the edge leaves its strip of input faces
+  bool has_strip = true, is_straight = true; // exactly; true if that was not asked
 };
 
 /* At the tail of a word. */
