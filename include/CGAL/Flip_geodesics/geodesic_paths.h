@@ -60,7 +60,6 @@ class Path_workspace
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   using Triangulation = typename Types::Triangulation;
-  using Network = typename Types::Network;
   using Search = Shortest_edge_path<Triangulation>;
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
@@ -84,8 +83,15 @@ public:
       }
       if(!m_memory)
         m_memory.emplace(m_mesh, m_np);
-      return compute_on_surface(m_memory->surfaces,
-                                [&](Triangulation& triangulation) { return compute(triangulation, source, target); });
+      const auto search_over = [this](Triangulation& triangulation) -> Search& {
+        return this->search_over(triangulation);
+      };
+      const auto stop = restarted(stop_predicate_of(m_np));
+      auto path = compute_on_surface(
+          m_memory->surfaces,
+          Path_computation<Form, TriangleMesh, NamedParameters, decltype(stop)&, decltype(search_over)>{
+              m_mesh, source, target, m_np, stop, search_over});
+      return {std::move(path.values), std::move(path.report), nullptr};
     } catch(...) {
       m_memory.reset(); // whatever state the failure left
       result.error = std::current_exception();
@@ -112,8 +118,9 @@ private:
     return visitor.get().go_further();
   }
 
-  Search& search_over(const Triangulation& triangulation)
+  Search& search_over(Triangulation& triangulation)
   {
+    triangulation.rollback(); // the flips of the path before
     std::optional<Search>& search =
         triangulation.input().is_contracted() ? m_memory->contracted_search : m_memory->search;
     if(!search && m_landmarks == nullptr)
@@ -121,15 +128,6 @@ private:
     else if(!search)
       search.emplace(triangulation, *m_landmarks);
     return *search;
-  }
-
-  Result compute(Triangulation& triangulation, Vertex source, Vertex target)
-  {
-    triangulation.rollback(); // the flips of the path before
-    Network network(triangulation);
-    auto path = geodesic_between<Form>(network, search_over(triangulation), m_mesh, source, target, m_np,
-                                       restarted(stop_predicate_of(m_np)));
-    return {std::move(path.values), std::move(path.report), nullptr};
   }
 
   const TriangleMesh& m_mesh;

@@ -6,13 +6,12 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
-#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/path_computations.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Shortest_tree_repair.h>
@@ -211,6 +210,17 @@ void take_shorter_path(Network& network, Vertex_index source, Vertex_index targe
     count_before(report.shortening, before, best->flips.size());
 }
 
+/* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
+ * is to see all of it. */
+template <class Network, class Visitor>
+Shortening_report shorten_from_start(Network& network, const std::vector<Halfedge_index>& path, Visitor& visitor)
+{
+  const std::size_t flips = add_start<observes_steps<Visitor>>(network, path);
+  Shortening_report report = shorten(network, Never_stop_predicate(), visitor);
+  count_start(report, flips);
+  return report;
+}
+
 /* Adds a shortest path to a network, or some path if there is none up to a length of `longest`. Landmarks, if there are
  * any, narrow the search. */
 template <class Network, class Search, class Visitor>
@@ -232,7 +242,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     report.shortening = report_of_stopped_search();
     return report;
   }
-  report.shortening = shorten_from_start(network, edge_path, Never_stop_predicate(), visitor);
+  report.shortening = shorten_from_start(network, edge_path, visitor);
   report.length = report.first_length = network.length(Curve_index(0));
   report.lower_bound = lower_bound_in_space(triangulation, source, target);
   Interruption interruption(visitor);
@@ -275,7 +285,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
       report.shortening = internal::shorten(network, Never_stop_predicate(), visitor);
     } else {
       triangulation.rollback(0);
-      report.shortening = shorten_from_start(network, edge_path, Never_stop_predicate(), visitor);
+      report.shortening = shorten_from_start(network, edge_path, visitor);
     }
     count_before(report.shortening, before, flips);
     report.length = network.length(Curve_index(0));
@@ -355,8 +365,8 @@ namespace internal {
 /* The computation of `shortest_path()` over a mesh; like `compute_path()` not inline. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> compute_shortest_path(const TriangleMesh& mesh,
-                                                                  Mesh_vertex<TriangleMesh> source,
-                                                                  Mesh_vertex<TriangleMesh> target,
+                                                                  Vertex_in<TriangleMesh> source,
+                                                                  Vertex_in<TriangleMesh> target,
                                                                   const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
@@ -412,8 +422,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
           np...);
   using Form = internal::Form_by_name<TriangleMesh, internal::Joined<NamedParameters...>, OutputIterator>;
   return internal::write_computed<Shortest_path_result<OutputIterator>>(
-      internal::compute_shortest_path<Form>(mesh, Mesh_vertex<TriangleMesh>(source), Mesh_vertex<TriangleMesh>(target),
-                                            options),
+      internal::compute_shortest_path<Form>(mesh, internal::Vertex_in<TriangleMesh>(source),
+                                            internal::Vertex_in<TriangleMesh>(target), options),
       out);
 }
 
@@ -459,20 +469,20 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParam
  * \throws Vertex_out_of_range_error; otherwise as `Geodesic_landmarks`
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-          class VertexRange = std::vector<Mesh_vertex<TriangleMesh>>, class... NamedParameters,
+          class VertexRange = std::vector<internal::Vertex_in<TriangleMesh>>, class... NamedParameters,
           std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value &&
                                !internal::Is_named_parameters<VertexRange>::value,
                            int> = 0>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRange& landmarks,
                                       const NamedParameters&... np)
 {
-  static_assert(internal::is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
+  static_assert(internal::is_range_of<VertexRange, internal::Vertex_in<TriangleMesh>>,
                 "no number of landmarks where it belongs, nor a range of vertices of the mesh; the order is mesh, "
                 "landmarks, named parameters");
   const auto& options = internal::surface_options<internal_np::visitor_t>(np...);
   const auto triangulation = internal::make_triangulation(mesh, options);
   std::vector<Vertex_index> indices;
-  for(const Mesh_vertex<TriangleMesh> v : landmarks)
+  for(const internal::Vertex_in<TriangleMesh> v : landmarks)
     indices.push_back(triangulation.index(v));
   auto visitor = internal::make_visitor(options);
   return Geodesic_landmarks(triangulation, indices, ConcurrencyTag(), visitor.get());
@@ -483,7 +493,7 @@ namespace internal {
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
   CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE Computed_output<Form, Shortest_path_report> compute_shortest_path(        \
-      const Mesh&, Mesh_vertex<Mesh>, Mesh_vertex<Mesh>, const parameters::Default_named_parameters&);
+      const Mesh&, Vertex_in<Mesh>, Vertex_in<Mesh>, const parameters::Default_named_parameters&);
 CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
 #undef CGAL_FLIP_GEODESICS_INSTANCES
 

@@ -3,8 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H
 
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <utility>

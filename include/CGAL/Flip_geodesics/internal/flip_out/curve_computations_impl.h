@@ -3,98 +3,26 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_IMPL_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_IMPL_H
 
-#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
-#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/named_parameters.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/path_computations.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
-#include <CGAL/Flip_geodesics/straightened_path.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
-#include <iterator>
-#include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
-namespace internal {
-
-/* Passes on only whether a computation is to continue: for steps that the caller's visitor is not to observe. */
-struct Interrupting_visitor : Default_shortening_visitor
-{
-  explicit Interrupting_visitor(Interruption& interruption_)
-    : interruption(interruption_)
-  {
-  }
-
-  bool go_further() { return !interruption.begin_part(); }
-
-  Interruption& interruption;
-};
-
-/* Passes all on to a visitor, in a computation that consists of several shortenings: none of them takes a step once the
- * visitor has stopped one, and it is not asked again. */
-template <class Visitor>
-class Stop_remembering_visitor
-{
-public:
-  explicit Stop_remembering_visitor(Visitor& visitor)
-    : m_visitor(visitor)
-    , m_interruption(visitor)
-  {
-  }
-
-  template <class Triangulation>
-  void on_flip(const Triangulation& triangulation, Halfedge_index h)
-  {
-    m_visitor.on_flip(triangulation, h);
-  }
-
-  template <class Network>
-  void after_flip_out(const Network& network, Curve_index curve)
-  {
-    m_visitor.after_flip_out(network, curve);
-  }
-
-  bool go_further() { return !m_interruption.begin_part(); }
-  bool has_stopped() const { return m_interruption.has_occurred(); }
-
-private:
-  Visitor& m_visitor;
-  Interruption m_interruption;
-};
-
-/* Is a visitor to see the steps of a shortening, so that it starts from the path that is given? */
-template <class Visitor>
-constexpr bool observes_steps =
-    !std::is_same<Visitor, Default_shortening_visitor>::value && !std::is_same<Visitor, Interrupting_visitor>::value;
-
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
-
-// What curve_computations.h declares.
-
-namespace CGAL {
-namespace Flip_geodesics {
-
 namespace internal {
 
 template <class TriangleMesh>
@@ -108,99 +36,6 @@ Shortening_report shorten_by_parameters(Network& network, const NamedParameters&
 {
   auto visitor = make_visitor(np);
   return shorten(network, stop_predicate_of(np), visitor.get());
-}
-
-/* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
- * or the stop predicate is to see all of it. */
-template <class Network, class StopPredicate, class Visitor>
-Shortening_report shorten_from_start(Network& network, const std::vector<Halfedge_index>& path,
-                                     const StopPredicate& stop, Visitor& visitor)
-{
-  std::size_t flips = 0;
-  if constexpr(!observes_steps<Visitor> && std::is_same<StopPredicate, Never_stop_predicate>::value)
-    flips = add_straightened_path(network, path);
-  else
-    network.add_curve(path, false);
-  Shortening_report report = shorten(network, stop, visitor);
-  report.flips += flips;
-  report.curves.front().flips += flips;
-  return report;
-}
-
-/* Searches the edge path from which a geodesic is to start; there is none if the visitor stops the search. */
-template <class Search, class Visitor>
-std::vector<Halfedge_index> edge_path_between(Search& search, const std::vector<Vertex_index>& ends, Visitor& visitor)
-{
-  if constexpr(std::is_same<Visitor, Default_shortening_visitor>::value)
-    return shortest_halfedges_through(search, ends);
-  else
-    return shortest_halfedges_through(search, ends, false, visitor);
-}
-
-/* The report of a path that a visitor stopped before there was one. */
-inline Shortening_report report_of_stopped_search()
-{
-  Shortening_report report;
-  report.curves.emplace_back();
-  report.curves.back().status = Shortening_status::STOPPED_BY_VISITOR;
-  return report;
-}
-
-/* Returns the points of a curve of a network in the form that the output takes; none of a loop that is a point. */
-template <class Form, class Network, class TriangleMesh>
-std::vector<Form> curve_forms(const Network& network, const TriangleMesh& mesh, Curve_index curve)
-{
-  using Triangulation = typename Network::Triangulation;
-  std::vector<Form> result;
-  if(network.is_closed(curve) && network.length(curve) == 0)
-    return result;
-  Curve_extractor<Network> extractor(network);
-  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value) {
-    extractor.curve_points(curve, mesh, std::back_inserter(result));
-  } else {
-    const Form_converter<Triangulation, Form> convert(network.triangulation(), mesh);
-    for(const Surface_point& p : extractor.surface_points(curve))
-      result.push_back(convert(p));
-  }
-  return result;
-}
-
-/* Returns the path of length zero between coincident vertices: its two end points. */
-template <class Form, class Triangulation, class TriangleMesh>
-Computed_output<Form> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh, Vertex_index v)
-{
-  check_vertex(v, triangulation.input().number_of_vertices());
-  if(triangulation.input().outgoing(v) == null_index) {
-    if(triangulation.input().is_contracted())
-      throw_no_surface_left(v);
-    throw Vertex_out_of_range_error("vertex " + std::to_string(v.idx()) + " is in no face of the mesh",
-                                    {static_cast<std::size_t>(v.idx())});
-  }
-  Computed_output<Form> result;
-  result.report.curves.push_back(report_of_point(triangulation));
-  note_contraction(triangulation, result.report);
-  const Form_converter<Triangulation, Form> convert(triangulation, mesh);
-  result.values.assign(2, convert(surface_point_at_vertex(triangulation, v)));
-  return result;
-}
-
-/* Computes a geodesic between two vertices of a mesh, in an empty network. */
-template <class Form, class Network, class Search, class TriangleMesh, class Vertex, class NamedParameters,
-          class StopPredicate>
-Computed_output<Form> geodesic_between(Network& network, Search& search, const TriangleMesh& mesh, Vertex source,
-                                       Vertex target, const NamedParameters& np, const StopPredicate& stop)
-{
-  const auto& triangulation = network.triangulation();
-  const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
-  if(ends[0] == ends[1])
-    return path_in_one_place<Form>(triangulation, mesh, ends[0]);
-  auto visitor = make_visitor(np);
-  const std::vector<Halfedge_index> path = edge_path_between(search, ends, visitor.get());
-  if(path.empty())
-    return {{}, report_of_stopped_search()};
-  Shortening_report report = shorten_from_start(network, path, stop, visitor.get());
-  note_contraction(triangulation, report);
-  return {curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
 }
 
 /* The indices of vertices of the mesh, before edges are contracted. */
@@ -244,12 +79,12 @@ template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
                                    Vertex_in<TriangleMesh> target, const NamedParameters& np)
 {
-  using Types = Curve_types<TriangleMesh, NamedParameters>;
-  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
-    Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
-    typename Types::Network network(triangulation);
-    return geodesic_between<Form>(network, search, mesh, source, target, np, stop_predicate_of(np));
-  });
+  using Search = Shortest_edge_path<typename Curve_types<TriangleMesh, NamedParameters>::Triangulation>;
+  const auto search_over = [](const auto& triangulation) { return Search(triangulation, Search_method::LOOK_BACK); };
+  return compute_on_surface(
+      Mesh_surfaces(mesh, np),
+      Path_computation<Form, TriangleMesh, NamedParameters, decltype(stop_predicate_of(np)), decltype(search_over)>{
+          mesh, source, target, np, stop_predicate_of(np), search_over});
 }
 
 /* Of `geodesic_loop()`. */

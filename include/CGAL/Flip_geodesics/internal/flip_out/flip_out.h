@@ -222,8 +222,15 @@ public:
   {
     while(m_wedges.has_next() && !has_ended()) {
       const Queued_wedge candidate = m_wedges.pop();
-      if(is_current(candidate) && m_wedges.is_still_free(candidate.joint()))
-        take_step(candidate);
+      if(!is_current(candidate) || !m_wedges.is_still_free(candidate.joint()) || is_stopped_by_visitor(candidate))
+        continue;
+      const Curve_index curve = m_network.curve(candidate.joint().incoming);
+      const std::size_t flips_before = m_state.flips;
+      if(candidate.joint().incoming == candidate.outgoing())
+        shorten_single_segment_loop(candidate);
+      else
+        shorten_joint(candidate);
+      m_curves[curve].flips += m_state.flips - flips_before;
     }
   }
 
@@ -245,20 +252,13 @@ private:
     return status == Shortening_status::LOCALLY_SHORTEST;
   }
 
-  void take_step(const Queued_wedge& candidate)
+  bool is_stopped_by_visitor(const Queued_wedge& candidate)
   {
-    if(!m_visitor.go_further()) {
-      m_wedges.hold(candidate);
-      m_end = Shortening_status::STOPPED_BY_VISITOR;
-      return;
-    }
-    const Curve_index curve = m_network.curve(candidate.joint().incoming);
-    const std::size_t flips_before = m_state.flips;
-    if(candidate.joint().incoming == candidate.outgoing())
-      shorten_single_segment_loop(candidate);
-    else
-      shorten_joint(candidate);
-    m_curves[curve].flips += m_state.flips - flips_before;
+    if(m_visitor.go_further())
+      return false;
+    m_wedges.hold(candidate);
+    m_end = Shortening_status::STOPPED_BY_VISITOR;
+    return true;
   }
 
   void shorten_joint(const Queued_wedge& candidate)

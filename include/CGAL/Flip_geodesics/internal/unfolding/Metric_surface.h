@@ -132,20 +132,6 @@ template <class TriangleMesh, class NamedParameters, class Output, template <cla
 using Form_by_name = typename Curve_form_of<Curve_forms_of<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>,
                                             Output, Container>::type;
 
-/* The named parameter number_of_iterations, a whole number, which may be given with a sign. */
-template <class NamedParameters>
-std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard)
-{
-  const auto number =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), standard);
-  using Number = std::decay_t<decltype(number)>;
-  static_assert(std::is_integral<Number>::value, "number_of_iterations() is a whole number");
-  if constexpr(std::is_signed<Number>::value)
-    if(number < 0)
-      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", and not at least 0");
-  return static_cast<std::size_t>(number);
-}
-
 template <class TriangleMesh, class NamedParameters>
 auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
 {
