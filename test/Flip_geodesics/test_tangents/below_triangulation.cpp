@@ -48,7 +48,7 @@ std::vector<double> carried(const Surface& surface, const Mesh& mesh)
   std::vector<double> result;
   const FG::Vertex_index first(0), last(surface.number_of_vertices() - 1);
   const FG::Surface_location source = surface.location(first), target = surface.location(last);
-  const FG::Geodesic_logarithm<Surface> logarithm(surface, mesh, source);
+  const FG::Logarithmic_map<Surface> logarithm(surface, mesh, source);
   FG::internal::Logarithm_everywhere<Surface> everywhere(surface, logarithm, source);
   for(const FG::Polar_coordinates& p : {logarithm(last), everywhere(last)})
     result.insert(result.end(), {p.radius, p.angle});
