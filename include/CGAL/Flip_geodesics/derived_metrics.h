@@ -116,9 +116,10 @@ struct Metric_point<Metric, std::void_t<typename Metric::Point_3>>
  * \cgalModels{IntrinsicMetric}
  */
 template <class Metric>
-class Mollified_metric : private Metric
+class Mollified_metric : private Metric, public internal::Metric_of_lengths<Mollified_metric<Metric>>
 {
   using Base = Metric;
+  using Lengths = internal::Metric_of_lengths<Mollified_metric>;
 
 public:
   using Mesh = typename Base::Mesh;                            ///< the mesh, numbered
@@ -156,9 +157,6 @@ public:
   /// The length that was added to every edge; zero if none was needed.
   double added_length() const { return m_added; }
 
-  /// The length of halfedge `h`. \throws Invalid_coordinate_error
-  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::usable_length(*this, mesh, h); }
-
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) + m_added; }
 
@@ -186,24 +184,14 @@ public:
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    const auto [a, b, c] = internal::face_lengths(*this, mesh, h);
+    const auto [a, b, c] = Lengths::face_lengths(mesh, h);
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
 
-  /// The same face in exact numbers; the lengths are taken as the doubles they are.
-  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    return internal::exact_face_from_lengths(internal::face_lengths(*this, mesh, h));
-  }
-
-  /// False: lengths do not say what lies in one plane.
-  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, internal::Flat_edges&, Sign&) const
-  {
-    return false;
-  }
-
-  /// Returns whether the other metric rounds numbers of the mesh to doubles. Then nothing is certified.
-  bool is_rounded(const Mesh& mesh) const { return Base::is_rounded(mesh); }
+  using Base::is_rounded; ///< whether the other metric rounds numbers of the mesh; then nothing is certified
+  using Lengths::exact_face;
+  using Lengths::length;
+  using Lengths::sine_in_plane;
 
 private:
   double checked_weight(const Mesh& mesh, Input_halfedge_index h) const
@@ -263,9 +251,10 @@ private:
  * \cgalModels{IntrinsicMetric}
  */
 template <class Metric>
-class Weighted_metric : private Metric
+class Weighted_metric : private Metric, public internal::Metric_of_lengths<Weighted_metric<Metric>>
 {
   using Base = Metric;
+  using Lengths = internal::Metric_of_lengths<Weighted_metric>;
 
   struct Base_place
   {
@@ -300,9 +289,6 @@ public:
   /// The weight at vertex `v`.
   double vertex_weight(Vertex_index v) const { return (*m_weights)[static_cast<std::size_t>(v.idx())]; }
 
-  /// The weighted length of halfedge `h`. \throws Invalid_coordinate_error, Degenerate_face_error
-  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::usable_length(*this, mesh, h); }
-
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(mesh, h); }
 
@@ -328,28 +314,11 @@ public:
   /// The point of vertex `v`. Only over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
-  /// \throws Degenerate_face_error if the lengths violate the triangle inequality; equality is allowed
-  template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
-  {
-    return internal::face_from_lengths(*this, mesh, h, traits);
-  }
-
-  /// The same face in exact numbers; the lengths are taken as the doubles they are.
-  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    return internal::exact_face_from_lengths(internal::face_lengths(*this, mesh, h));
-  }
-
-  /// False: lengths do not say what lies in one plane.
-  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, internal::Flat_edges&, Sign&) const
-  {
-    return false;
-  }
-
-  /// Returns whether the other metric rounds numbers of the mesh to doubles. Then nothing is certified.
-  bool is_rounded(const Mesh& mesh) const { return Base::is_rounded(mesh); }
+  using Base::is_rounded; ///< whether the other metric rounds numbers of the mesh; then nothing is certified
+  using Lengths::exact_face;
+  using Lengths::face_geometry;
+  using Lengths::length;
+  using Lengths::sine_in_plane;
 
 private:
   // The same from both ends, since sums do not depend on the order.

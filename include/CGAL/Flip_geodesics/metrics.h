@@ -206,12 +206,12 @@ public:
     else
       return m_is_rounded([&] {
         const auto vertices = internal::descriptors<Vertex_index>(mesh.number_of_vertices());
-        return std::any_of(vertices.begin(), vertices.end(), [&](Vertex_index v) { return is_rounded(mesh, v); });
+        return std::any_of(vertices.begin(), vertices.end(), [&](Vertex_index v) { return is_point_rounded(mesh, v); });
       });
   }
 
 private:
-  bool is_rounded(const Mesh& mesh, Vertex_index v) const
+  bool is_point_rounded(const Mesh& mesh, Vertex_index v) const
   {
     decltype(auto) p = point(mesh, v);
     return internal::is_rounded_number(p.x()) || internal::is_rounded_number(p.y()) ||
@@ -236,6 +236,56 @@ private:
   internal::Known_rounding m_is_rounded;
 };
 
+namespace internal {
+
+/* What metrics of lengths have in common: faces are made of the three lengths, and nothing is known of points. */
+template <class Metric>
+class Metric_of_lengths
+{
+public:
+  template <class Mesh>
+  double length(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    const double length = metric().weight(mesh, h);
+    if(!is_usable_length(length))
+      throw_unusable_length(length, mesh.tail(h), mesh.tail(twin_index(h)));
+    return length;
+  }
+
+  template <class Mesh, class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  {
+    const auto [a, b, c] = face_lengths(mesh, h);
+    check_triangle_inequality(mesh, h, a, b, c);
+    return traits.construct_face_from_lengths_object()(a, b, c);
+  }
+
+  template <class Mesh>
+  Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    return exact_face_from_lengths(face_lengths(mesh, h));
+  }
+
+  template <class Mesh>
+  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, Flat_edges&, Sign&) const
+  {
+    return false; // lengths do not determine which faces lie in one plane
+  }
+
+protected:
+  template <class Mesh>
+  std::array<double, 3> face_lengths(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+    return {length(mesh, h), length(mesh, hn), length(mesh, hp)};
+  }
+
+private:
+  const Metric& metric() const { return static_cast<const Metric&>(*this); }
+};
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
@@ -245,7 +295,7 @@ private:
  * \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the mesh's edges as keys and numbers as values
  */
 template <class TriangleMesh, class EdgeLengthMap>
-class Edge_length_metric
+class Edge_length_metric : public internal::Metric_of_lengths<Edge_length_metric<TriangleMesh, EdgeLengthMap>>
 {
   static_assert(internal::is_property_map<EdgeLengthMap>());
 
@@ -261,9 +311,6 @@ public:
     , m_lengths(lengths)
   {
   }
-
-  /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
-  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::usable_length(*this, mesh, h); }
 
   /// Nothing: lengths alone do not say where a vertex is.
   struct Place
@@ -284,28 +331,6 @@ public:
 
   /// Zero.
   double distance_lower_bound(Place, Place) const { return 0; }
-
-  /*!
-   * The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
-   * \throws Degenerate_face_error if the lengths violate the triangle inequality; equality is allowed
-   */
-  template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
-  {
-    return internal::face_from_lengths(*this, mesh, h, traits);
-  }
-
-  /// The same face in exact numbers; the lengths are taken as the doubles they round to.
-  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    return internal::exact_face_from_lengths(internal::face_lengths(*this, mesh, h));
-  }
-
-  /// False: lengths do not say what lies in one plane.
-  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, internal::Flat_edges&, Sign&) const
-  {
-    return false;
-  }
 
   /// Returns whether a length is not a double, so that it is rounded. Then nothing is certified, since decisions refer
   /// to the rounded lengths. Linear in the mesh when it is first called, if not every value of the map is a double.

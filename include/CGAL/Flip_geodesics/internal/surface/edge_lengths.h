@@ -72,35 +72,6 @@ void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, d
                               {static_cast<std::size_t>(u), static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
 }
 
-/* The length of a halfedge that a metric tells, if faces can be made of it. \throws Invalid_coordinate_error,
- * Degenerate_face_error */
-template <class Metric, class Input_mesh>
-double usable_length(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
-{
-  const double length = metric.weight(mesh, h);
-  if(!is_usable_length(length))
-    throw_unusable_length(length, mesh.tail(h), mesh.tail(twin_index(h)));
-  return length;
-}
-
-/* Those of the halfedges h, next(h), previous(h) of a face. */
-template <class Metric, class Input_mesh>
-std::array<double, 3> face_lengths(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
-{
-  const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-  return {metric.length(mesh, h), metric.length(mesh, hn), metric.length(mesh, hp)};
-}
-
-/* The vectors of a face that only its lengths tell, which may violate the triangle inequality. */
-template <class Metric, class Input_mesh, class Traits>
-typename Traits::Face_geometry face_from_lengths(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h,
-                                                 const Traits& traits)
-{
-  const auto [a, b, c] = face_lengths(metric, mesh, h);
-  check_triangle_inequality(mesh, h, a, b, c);
-  return traits.construct_face_from_lengths_object()(a, b, c);
-}
-
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
