@@ -154,12 +154,11 @@ private:
   void make(const Triangulation& triangulation, ConcurrencyTag, Visitor& visitor, const Choose& choose)
   {
     internal::Interruption interruption(visitor);
-    try {
-      make<ConcurrencyTag>(triangulation, choose, interruption);
-    } catch(const internal::Interrupted&) {
+    m_is_complete = internal::result_unless_interrupted(
+        [&] { return make<ConcurrencyTag>(triangulation, choose, interruption), true; });
+    if(!m_is_complete) {
       m_rows = internal::Landmark_rows();
       m_edges.clear();
-      m_is_complete = false;
     }
   }
 

@@ -148,11 +148,8 @@ public:
     : m_triangulation(&triangulation)
   {
     internal::Interruption interruption(visitor);
-    try {
-      make(base_points, &interruption);
-    } catch(const internal::Interrupted&) {
+    if(!internal::result_unless_interrupted([&] { return make(base_points, &interruption), true; }))
       forget_all();
-    }
   }
 
   /// Returns whether this is a basis; it is not if a visitor stopped the construction. Then only the numbers of loops

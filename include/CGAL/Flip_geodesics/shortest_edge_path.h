@@ -96,15 +96,15 @@ private:
   void make(Search& search, internal::Interruption* interruption)
   {
     m_number_of_vertices = static_cast<std::size_t>(search.triangulation().input().number_of_vertices());
-    try {
+    m_is_complete = internal::result_unless_interrupted([&] {
       const internal::Landmark_choice choice(search, interruption);
       m_rows = internal::Landmark_rows(m_number_of_vertices, number_of_landmarks, choice.largest_distance());
       choice.far_vertices(search, number_of_landmarks,
                           [&](std::size_t i, Vertex_index v, double distance) { m_rows.set(v, i, distance); });
-    } catch(const internal::Interrupted&) {
+      return true;
+    });
+    if(!m_is_complete)
       m_rows = internal::Landmark_rows(); // all bounds are zero
-      m_is_complete = false;
-    }
   }
 
   std::size_t m_number_of_vertices = 0;

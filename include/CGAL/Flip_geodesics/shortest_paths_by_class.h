@@ -316,13 +316,10 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(cons
     return result;
   };
   const auto compute = [&](Triangulation& triangulation) {
-    try {
-      return compute_paths(triangulation);
-    } catch(const internal::Interrupted&) {
-      Computed result;
+    Computed result;
+    if(!internal::result_unless_interrupted([&] { return result = compute_paths(triangulation), true; }))
       result.report.status = Class_search_status::STOPPED_BY_VISITOR;
-      return result;
-    }
+    return result;
   };
   return internal::write_computed<Paths_by_class_result<TriangleMesh, OutputIterator>>(
       internal::compute_on_surface(internal::Mesh_surfaces(mesh, options), compute), out);

@@ -102,14 +102,13 @@ OutputIterator write_curves(const NamedParameters& np, OutputIterator out, const
 {
   auto visitor = make_visitor(np);
   Interruption interruption(visitor.get());
-  std::vector<Curve> result;
-  try {
+  std::vector<Curve> curves = result_unless_interrupted([&] {
+    std::vector<Curve> result;
     throw_if_interrupted_before_part(&interruption);
     trace(result, interruption);
-  } catch(const Interrupted&) {
-    return out;
-  }
-  return std::move(result.begin(), result.end(), out);
+    return result;
+  });
+  return std::move(curves.begin(), curves.end(), out);
 }
 
 /* Bounds of the field over all of a piece, by its values at the corners. They hold for all corners as well, also where

@@ -89,11 +89,22 @@ inline bool is_interrupted_before_part(Interruption* interruption)
   return interruption != nullptr && interruption->begin_part();
 }
 
-/* What a computation throws to end itself if its parts are of no use unless all are complete. The public function that
- * takes the visitor catches it. */
+/* What a computation throws to end itself if its parts are of no use unless all are complete. The functions between its
+ * innermost loops and the public one return trees, searches and bases, which a status would have to accompany. */
 struct Interrupted
 {
 };
+
+/* Returns what `compute()` returns, or a value-initialised result if it is interrupted. */
+template <class Compute>
+auto result_unless_interrupted(const Compute& compute) -> decltype(compute())
+{
+  try {
+    return compute();
+  } catch(const Interrupted&) {
+    return {};
+  }
+}
 
 /* Counts a step of such a computation. \throws Interrupted */
 inline void throw_if_interrupted(Interruption* interruption)
@@ -152,11 +163,7 @@ auto result_unless_stopped(const NamedParameters& np, const Compute& compute)
   } else {
     auto visitor = make_visitor(np);
     Interruption interruption(visitor.get());
-    try {
-      return compute(&interruption);
-    } catch(const Interrupted&) {
-      return decltype(compute(&interruption))();
-    }
+    return result_unless_interrupted([&] { return compute(&interruption); });
   }
 }
 

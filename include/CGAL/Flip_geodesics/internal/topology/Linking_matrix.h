@@ -322,10 +322,6 @@ private:
     std::array<double, 2> low = {0, 0}, high = {0, 0}; // what it covers in the projection
   };
 
-  struct Not_generic
-  {
-  };
-
   const auto& input() const { return m_triangulation.input(); }
   Vertex_index head(Input_halfedge_index h) const { return input().tail(twin_index(h)); }
   Input_halfedge_index generator(std::size_t i) const { return m_cotree.generators()[m_first + i].halfedge; }
@@ -387,21 +383,17 @@ private:
     for(std::size_t k = 0; k < 3; ++k)
       direction[k] = (1 << 15) + static_cast<std::int64_t>(scrambled(3 * seed + k) % (1 << 20));
     m_rows.assign(m_size, Row(m_size, 0));
-    try {
-      for(std::size_t i = 0; i < m_size; ++i)
-        m_rows[i][i] = is_pushed_outwards(generator(i), direction) ? 0 : 1;
-      count_crossings(direction);
-    } catch(const Not_generic&) {
-      return false;
-    }
-    return true;
+    m_is_generic = true;
+    for(std::size_t i = 0; i < m_size && m_is_generic; ++i)
+      m_rows[i][i] = is_pushed_outwards(generator(i), direction) ? 0 : 1;
+    count_crossings(direction);
+    return m_is_generic;
   }
 
-  Sign side(const Weighted_place& a, const Weighted_place& b, const Weighted_place& c, const Direction& direction) const
+  Sign side(const Weighted_place& a, const Weighted_place& b, const Weighted_place& c, const Direction& direction)
   {
     const Sign result = m_places.side(a, b, c, direction);
-    if(result == ZERO)
-      throw Not_generic();
+    m_is_generic = m_is_generic && result != ZERO;
     return result;
   }
 
@@ -412,12 +404,12 @@ private:
   //       ____o   ridge: inwards,     ____            is moved from between them to the other side. On a ridge that is
   //          /    as into the wedge       \           outwards, so towards the viewer is inwards. In a valley it is the
   //         /                          ____o valley   other way round.
-  bool is_pushed_outwards(Input_halfedge_index h, const Direction& direction) const
+  bool is_pushed_outwards(Input_halfedge_index h, const Direction& direction)
   {
     const auto left = corners(h), right = corners(twin_index(h));
     const Sign of_left = side(left[0], left[1], left[2], direction);
     const Sign of_right = side(right[0], right[1], right[2], direction);
-    if(of_left == of_right)
+    if(of_left == of_right || !m_is_generic)
       return of_left == POSITIVE;
     const Sign fold = m_places.orientation({right[0], right[1], right[0], right[2], right[0], left[2]});
     if(fold == ZERO)
@@ -461,7 +453,7 @@ private:
       cover(edge, direction);
       auto piece = std::lower_bound(m_pieces.begin(), m_pieces.end(), edge.low[0] - widest,
                                     [](const Piece& p, double x) { return p.low[0] < x; });
-      for(; piece != m_pieces.end() && piece->low[0] <= edge.high[0]; ++piece)
+      for(; m_is_generic && piece != m_pieces.end() && piece->low[0] <= edge.high[0]; ++piece)
         if(piece->high[0] >= edge.low[0] && piece->low[1] <= edge.high[1] && piece->high[1] >= edge.low[1] &&
            piece->edge != edge.edge)
           count(edge, *piece, direction);
@@ -474,7 +466,7 @@ private:
     const Weighted_place &p = edge.from, &q = edge.to, &s = piece.from, &t = piece.to;
     const bool is_from_left = m_places.side(p, q, s, direction) != NEGATIVE;
     const bool is_to_left = m_places.side(p, q, t, direction) != NEGATIVE;
-    if(is_from_left == is_to_left || side(s, t, p, direction) == side(s, t, q, direction))
+    if(is_from_left == is_to_left || side(s, t, p, direction) == side(s, t, q, direction) || !m_is_generic)
       return;
     const Sign crossing = is_to_left ? POSITIVE : NEGATIVE;
     const Sign height = m_places.orientation({p, s, p, q, s, t});
@@ -521,6 +513,7 @@ private:
   std::size_t m_first, m_size;
   std::vector<Piece> m_edges, m_pieces; // of the loops, and of the dual loops
   std::vector<Row> m_rows;
+  bool m_is_generic = true; // no places of the projection are in line
 };
 
 } // namespace internal
