@@ -6,7 +6,6 @@
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/distances/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
@@ -192,7 +191,8 @@ public:
 
   /*!
    * Adds a curve as a source; returns its number. It runs straight from each of its locations to the next, so that a
-   * curve of edges is given by its vertices; one location is a point.
+   * curve of edges is given by its vertices; one location is a point. `Curve_extractor::surface_locations()` returns
+   * those of a curve of a network.
    *
    * \param locations a range of `Surface_location`s, of which two in a row lie in one face or on its border
    * \param offset is added to all distances from this source
@@ -225,17 +225,6 @@ public:
         add_segment(faces[i - 1], at[i - 1], at[i], offset);
     }
     return m_number_of_sources++;
-  }
-
-  /// Adds a curve of a network over the triangulation as a source; returns its number. \pre, \throws as for a range of
-  /// locations; Invalid_curve_error also for a curve that has contracted
-  template <class Network>
-  std::size_t add_curve(const Network& network, Curve_index curve, double offset = 0)
-  {
-    std::vector<Surface_location> locations;
-    for(const Surface_point& p : Curve_extractor<Network>(network).surface_points(curve))
-      locations.push_back(internal::surface_location(m_triangulation, p));
-    return add_curve(locations, offset);
   }
 
   /// How many sources have been added.

@@ -82,10 +82,7 @@ public:
   Surface_direction operator()(const Network& network, Curve_index curve, const Surface_direction& direction,
                                Input_halfedge_index halfedge = null_index) const
   {
-    std::vector<Surface_location> locations;
-    for(const Surface_point& p : Curve_extractor<Network>(network).surface_points(curve))
-      locations.push_back(internal::surface_location(m_triangulation, p));
-    return (*this)(locations, direction, halfedge);
+    return (*this)(Curve_extractor<Network>(network).surface_locations(curve), direction, halfedge);
   }
 
 private:

@@ -105,6 +105,15 @@ public:
     return result;
   }
 
+  /// Returns the locations of a curve's surface points, by which it can be a source of a distance field.
+  std::vector<Surface_location> surface_locations(Curve_index curve)
+  {
+    std::vector<Surface_location> result;
+    for(const Surface_point& p : surface_points(curve))
+      result.push_back(internal::surface_location(m_triangulation, p));
+    return result;
+  }
+
   /// Writes the points of a curve in space, one per surface point. Only with `Embedded_metric`.
   template <class OutputIterator>
   OutputIterator points(Curve_index curve, OutputIterator out)

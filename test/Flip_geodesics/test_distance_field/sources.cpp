@@ -4,6 +4,8 @@
 
 #include "test_distance_field/asked_surface.h"
 
+#include <CGAL/Flip_geodesics/extract.h>
+
 using namespace Flip_geodesics_test;
 
 BOOST_AUTO_TEST_CASE(sources_with_offsets_give_the_least_of_single_ones)
@@ -133,7 +135,7 @@ BOOST_AUTO_TEST_CASE(distances_from_a_line_in_the_plane_are_exact)
   setting.network.add_curve(
       FG::halfedges_through(setting.triangulation, std::vector<Vertex_index>{36_v, 37_v, 38_v}, false), false);
   Field field(setting.triangulation, mesh);
-  field.add_curve(setting.network, FG::Curve_index(0));
+  field.add_curve(FG::Curve_extractor<Setting::Network>(setting.network).surface_locations(FG::Curve_index(0)));
   field.compute();
   const auto& input = setting.triangulation.input();
   const auto at = [&](Vertex_index v) { return setting.triangulation.metric().point(input, v); };
