@@ -30,20 +30,9 @@ using Triangulation_edge_search = Label_setting_search<Search_labels<Halfedge_in
  * visits. Derived classes hide the members that differ.
  */
 template <class Triangulation>
-class Triangulation_edge_policy : public Search_policy
+class Triangulation_edge_policy : public Edge_policy
 {
 public:
-  struct Origin
-  {
-    Vertex_index vertex;
-    double distance;
-  };
-
-  struct Step
-  {
-    double distance;
-  };
-
   Triangulation_edge_policy(const Triangulation& triangulation, Vertex_index target)
     : m_triangulation(triangulation)
     , m_target(target)
@@ -51,12 +40,6 @@ public:
   }
 
   bool settle(Vertex_index v) const { return v != m_target; }
-
-  template <class Label>
-  Origin origin(Vertex_index v, const Label& label) const
-  {
-    return {v, label.distance};
-  }
 
   /* Counterclockwise to the border if there is one, then clockwise, and then in the other umbrellas. */
   template <class Function>

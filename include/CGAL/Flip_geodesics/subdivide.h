@@ -526,6 +526,12 @@ auto same_vertices(const Overlay<Triangulation>& overlay)
   return Per_overlay_vertex<Overlay_vertex>(all.begin(), all.end());
 }
 
+/* A subdivision with an output mesh of a type, or of the input's if that is `void`. */
+template <class OutputMesh, class Triangulation>
+using Subdivision_as =
+    Surface_subdivision<Triangulation, std::conditional_t<std::is_void<OutputMesh>::value,
+                                                          typename Triangulation::Triangle_mesh, OutputMesh>>;
+
 /* The input with the curves as edges, and cut open along them if that is wanted. */
 template <class OutputMesh, class Network>
 auto subdivide_along_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh,
@@ -550,7 +556,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
     original = overlay.split_vertices();
   } else
     original = same_vertices(overlay);
-  return Internals<Surface_subdivision<Triangulation, OutputMesh>>::make(overlay, layout, original, mesh, is_on_curve);
+  return Internals<Subdivision_as<OutputMesh, Triangulation>>::make(overlay, layout, original, mesh, is_on_curve);
 }
 
 } // namespace internal
@@ -570,23 +576,15 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  *
  * Complexity: linear in the faces of the mesh and the crossings of the two triangulations.
  */
-template <class OutputMesh, class Triangulation>
-Surface_subdivision<Triangulation, OutputMesh> common_subdivision(const Triangulation& triangulation,
-                                                                  const typename Triangulation::Triangle_mesh& mesh)
+template <class OutputMesh = void, class Triangulation>
+internal::Subdivision_as<OutputMesh, Triangulation> common_subdivision(
+    const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh)
 {
   internal::Overlay<Triangulation> overlay(triangulation);
   internal::Overlay_layout<Triangulation> layout(overlay);
   internal::Polygon_triangulator<Triangulation>(overlay, layout)();
-  return internal::Internals<Surface_subdivision<Triangulation, OutputMesh>>::make(
+  return internal::Internals<internal::Subdivision_as<OutputMesh, Triangulation>>::make(
       overlay, layout, internal::same_vertices(overlay), mesh, [](Halfedge_index) { return false; });
-}
-
-/// \ingroup PkgFlipGeodesicsSubdivision
-/// The same, with an output mesh of the input's type.
-template <class Triangulation>
-auto common_subdivision(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh)
-{
-  return common_subdivision<typename Triangulation::Triangle_mesh>(triangulation, mesh);
 }
 
 /*!
@@ -602,19 +600,11 @@ auto common_subdivision(const Triangulation& triangulation, const typename Trian
  * \return as `common_subdivision()`
  * \throws as `common_subdivision()`
  */
-template <class OutputMesh, class Network>
-Surface_subdivision<typename Network::Triangulation, OutputMesh> insert_curves(
+template <class OutputMesh = void, class Network>
+internal::Subdivision_as<OutputMesh, typename Network::Triangulation> insert_curves(
     const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
 {
   return internal::subdivide_along_curves<OutputMesh>(network, mesh, false);
-}
-
-/// \ingroup PkgFlipGeodesicsSubdivision
-/// The same, with an output mesh of the input's type.
-template <class Network>
-auto insert_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
-{
-  return insert_curves<typename Network::Triangulation::Triangle_mesh>(network, mesh);
 }
 
 /*!
@@ -630,19 +620,11 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  * \return as `common_subdivision()`
  * \throws as `common_subdivision()`
  */
-template <class OutputMesh, class Network>
-Surface_subdivision<typename Network::Triangulation, OutputMesh> cut_along_curves(
+template <class OutputMesh = void, class Network>
+internal::Subdivision_as<OutputMesh, typename Network::Triangulation> cut_along_curves(
     const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
 {
   return internal::subdivide_along_curves<OutputMesh>(network, mesh, true);
-}
-
-/// \ingroup PkgFlipGeodesicsSubdivision
-/// The same, with an output mesh of the input's type.
-template <class Network>
-auto cut_along_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
-{
-  return cut_along_curves<typename Network::Triangulation::Triangle_mesh>(network, mesh);
 }
 
 namespace internal {

@@ -325,15 +325,9 @@ private:
   const Triangulation& m_triangulation;
 };
 
-/*
- * The policy of a search over the whole input mesh, along its edges. Derived classes hide the members that differ.
- *
- * \tparam Weight `weight(h)` is the length of a halfedge, which is refused unless it is zero or usable
- */
-template <class Input_mesh, class Weight>
-class Input_edge_policy : public Search_policy
+/* What policies of searches along edges have in common: a label has a distance and nothing else. */
+struct Edge_policy : Search_policy
 {
-public:
   struct Origin
   {
     Vertex_index vertex;
@@ -345,6 +339,22 @@ public:
     double distance;
   };
 
+  template <class Label>
+  Origin origin(Vertex_index v, const Label& label) const
+  {
+    return {v, label.distance};
+  }
+};
+
+/*
+ * The policy of a search over the whole input mesh, along its edges. Derived classes hide the members that differ.
+ *
+ * \tparam Weight `weight(h)` is the length of a halfedge, which is refused unless it is zero or usable
+ */
+template <class Input_mesh, class Weight>
+class Input_edge_policy : public Edge_policy
+{
+public:
   /* \param interruption null if the search cannot be interrupted */
   Input_edge_policy(const Input_mesh& input, const Weight& weight, Interruption* interruption)
     : m_input(input)
@@ -358,12 +368,6 @@ public:
   {
     throw_if_interrupted(m_interruption);
     return true;
-  }
-
-  template <class Label>
-  Origin origin(Vertex_index v, const Label& label) const
-  {
-    return {v, label.distance};
   }
 
   /* Clockwise, and along the border to the next umbrella. */

@@ -80,9 +80,6 @@ public:
     return result;
   }
 
-  /* How often a choice was taken back. */
-  std::size_t retries() const { return m_retries; }
-
 private:
   enum class Value : char { NO, YES, UNKNOWN };
 
@@ -430,7 +427,6 @@ private:
       return false;
     Choice& last = m_made.back();
     undo(last.trail_size);
-    ++m_retries;
     if(m_work > m_most_work) {
       const Index pair = *m_members[variable(m_choices[last.choice])].begin();
       const Halfedge_index h = m_pairs.network().halfedge(m_pairs.segments_of_pair(pair).first);
@@ -462,7 +458,7 @@ private:
   Buckets m_choices_of, m_stacks_of; // by problem
   std::vector<Index> m_queue;        // the choices of a problem
   std::vector<Choice> m_made;
-  std::size_t m_retries = 0, m_work = 0;
+  std::size_t m_work = 0;
 };
 
 } // namespace internal

@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_DOUBLE_DOUBLE_H
 
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
-#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <CGAL/enum.h>
 
