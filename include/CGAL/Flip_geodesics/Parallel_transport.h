@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
 
 #include <cmath>
@@ -74,15 +73,6 @@ public:
     const auto frame = corridor.frame(corridor.legs().size());
     const Input_halfedge_index reference = halfedge == null_index ? frame.reference(last) : halfedge;
     return {reference, frame.angle(corridor.transported(position), reference)};
-  }
-
-  /// The same along a curve of a network over the triangulation, from its start to its end. \throws
-  /// Invalid_curve_error also for a curve that has contracted
-  template <class Network>
-  Surface_direction operator()(const Network& network, Curve_index curve, const Surface_direction& direction,
-                               Input_halfedge_index halfedge = null_index) const
-  {
-    return (*this)(Curve_extractor<Network>(network).surface_locations(curve), direction, halfedge);
   }
 
 private:

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_STOP_PREDICATES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -340,6 +341,20 @@ public:
 private:
   std::optional<std::size_t> m_windows;
 };
+
+namespace internal {
+
+/* The stop predicate that is given, or one that never stops. */
+template <class NamedParameters>
+decltype(auto) stop_predicate_of(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, Stop_parameter>)
+    return parameters::get_parameter_reference(np, stop_parameter);
+  else
+    return Never_stop_predicate();
+}
+
+} // namespace internal
 
 } // namespace Flip_geodesics
 } // namespace CGAL

@@ -577,8 +577,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * Complexity: linear in the faces of the mesh and the crossings of the two triangulations.
  */
 template <class OutputMesh = void, class Triangulation>
-internal::Subdivision_as<OutputMesh, Triangulation> common_subdivision(
-    const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh)
+auto common_subdivision(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh)
 {
   internal::Overlay<Triangulation> overlay(triangulation);
   internal::Overlay_layout<Triangulation> layout(overlay);
@@ -601,8 +600,7 @@ internal::Subdivision_as<OutputMesh, Triangulation> common_subdivision(
  * \throws as `common_subdivision()`
  */
 template <class OutputMesh = void, class Network>
-internal::Subdivision_as<OutputMesh, typename Network::Triangulation> insert_curves(
-    const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
+auto insert_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
 {
   return internal::subdivide_along_curves<OutputMesh>(network, mesh, false);
 }
@@ -621,8 +619,7 @@ internal::Subdivision_as<OutputMesh, typename Network::Triangulation> insert_cur
  * \throws as `common_subdivision()`
  */
 template <class OutputMesh = void, class Network>
-internal::Subdivision_as<OutputMesh, typename Network::Triangulation> cut_along_curves(
-    const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
+auto cut_along_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
 {
   return internal::subdivide_along_curves<OutputMesh>(network, mesh, true);
 }

@@ -47,16 +47,6 @@ auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
   return typename Types::Triangulation(mesh, make_metric(mesh, np), traits, zero_length_edges);
 }
 
-/* The stop predicate that is given, or one that never stops. */
-template <class NamedParameters>
-decltype(auto) stop_predicate_of(const NamedParameters& np)
-{
-  if constexpr(is_given<NamedParameters, Stop_parameter>)
-    return parameters::get_parameter_reference(np, stop_parameter);
-  else
-    return Never_stop_predicate();
-}
-
 /* Triangulations of a mesh as it is, and of what is left of it when edges of length zero are contracted. Each is made
  * when it is first used. */
 template <class TriangleMesh, class NamedParameters>
