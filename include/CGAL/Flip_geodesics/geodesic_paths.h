@@ -86,7 +86,8 @@ public:
       const auto search_over = [this](Triangulation& triangulation) -> Search& {
         return this->search_over(triangulation);
       };
-      const auto stop = restarted(stop_predicate_of(m_np));
+      const auto& given = stop_predicate_of(m_np);
+      const auto& stop = restarted(given);
       auto path = compute_on_surface(
           m_memory->surfaces,
           Path_computation<Form, TriangleMesh, NamedParameters, decltype(stop)&, decltype(search_over)>{
