@@ -98,13 +98,20 @@ private:
 struct Element_kind
 {
   // clang-format off
-  struct Vertex { static constexpr const char* letter = "v"; };               ///< of `Vertex_index`
-  struct Halfedge { static constexpr const char* letter = "h"; };             ///< of `Halfedge_index`
-  struct Face { static constexpr const char* letter = "f"; };                 ///< of `Face_index`
-  struct Input_halfedge { static constexpr const char* letter = "input h"; }; ///< of `Input_halfedge_index`
-  struct Segment { static constexpr const char* letter = "s"; };              ///< of `Segment_index`
-  struct Curve { static constexpr const char* letter = "c"; };                ///< of `Curve_index`
-  struct Vertex_copy { static constexpr const char* letter = "copy "; };      ///< of `Vertex_copy_index`
+  /// The kind of `Vertex_index`.
+  struct Vertex { static constexpr const char* letter = "v"; /**< what is printed */ };
+  /// The kind of `Halfedge_index`.
+  struct Halfedge { static constexpr const char* letter = "h"; /**< what is printed */ };
+  /// The kind of `Face_index`.
+  struct Face { static constexpr const char* letter = "f"; /**< what is printed */ };
+  /// The kind of `Input_halfedge_index`.
+  struct Input_halfedge { static constexpr const char* letter = "input h"; /**< what is printed */ };
+  /// The kind of `Segment_index`.
+  struct Segment { static constexpr const char* letter = "s"; /**< what is printed */ };
+  /// The kind of `Curve_index`.
+  struct Curve { static constexpr const char* letter = "c"; /**< what is printed */ };
+  /// The kind of `Vertex_copy_index`.
+  struct Vertex_copy { static constexpr const char* letter = "copy "; /**< what is printed */ };
   // clang-format on
 };
 
