@@ -326,7 +326,7 @@ void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
                                 std::to_string(i) + " of its flip log cannot be repeated",
                             {i});
   };
-  const auto is_repeated = [&](const Log_entry& entry) {
+  const auto is_repeated = [&](const Log_entry& entry) { // no, if an insertion that was logged is refused
     try {
       return repeat(triangulation, entry);
     } catch(const Invalid_location_error&) {

@@ -30,7 +30,11 @@ inline Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t g
   return gap < word.crossed.size() ? word.crossed[gap] : word.last_face();
 }
 
-/* The word of an edge does not lead to the end that it is to have. */
+/*
+ * The word of an edge does not lead to the end that it is to have. Refinement and the reader of networks catch this,
+ * since they undo the flips and go on without the point. It is found in the innermost loops of flips, insertions and
+ * predicates, whose results are words, positions and signs; other callers of these cannot undo anything.
+ */
 [[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
 {
   throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face.idx()) +
