@@ -33,7 +33,8 @@ struct Written
   std::vector<long> triangle_curves;       ///< the curve of each triangle, -1 for a surface
   std::map<long, std::vector<long>> lines; ///< by the number of the curve
   std::vector<long> loose_points;
-  bool has_loose_points = true; ///< does the format tell them?
+  bool has_loose_points = true;                      ///< does the format tell them?
+  std::map<std::string, std::vector<double>> values; ///< at the points, by name; vectors one after the other
 };
 
 namespace internal {
@@ -149,6 +150,21 @@ inline Written read_obj(const std::string& text)
   return file;
 }
 
+namespace internal {
+
+// The properties of vertices beside their coordinates.
+inline std::vector<std::string> ply_value_names(const std::string& header)
+{
+  std::vector<std::string> names;
+  std::istringstream lines(header.substr(header.find("property double z\n"), header.find("element face")));
+  std::string line;
+  for(std::getline(lines, line); std::getline(lines, line) && line.rfind("property double ", 0) == 0;)
+    names.push_back(line.substr(16));
+  return names;
+}
+
+} // namespace internal
+
 inline Written read_ply(const std::string& text)
 {
   Written file;
@@ -159,9 +175,13 @@ inline Written read_ply(const std::string& text)
   const bool is_binary = header.rfind("ply\nformat binary_little_endian 1.0\n", 0) == 0;
   BOOST_CHECK(is_binary || header.rfind("ply\nformat ascii 1.0\n", 0) == 0);
   const bool has_tubes = header.find("vertex_indices\nproperty int curve\n") != std::string::npos;
+  const std::vector<std::string> names = internal::ply_value_names(header);
   internal::Numbers numbers(text, body, is_binary);
-  for(long i = internal::after(header, "element vertex "); i > 0; --i)
+  for(long i = internal::after(header, "element vertex "); i > 0; --i) {
     file.points.push_back(numbers.point());
+    for(const std::string& name : names)
+      file.values[name].push_back(numbers.next<double>());
+  }
   for(long i = internal::after(header, "element face "); i > 0; --i) {
     BOOST_CHECK_EQUAL(int(numbers.next<std::uint8_t>()), 3);
     file.triangles.emplace_back();
@@ -220,6 +240,18 @@ private:
   std::string m_data;
 };
 
+inline std::vector<std::string> vtp_value_names(const std::string& text)
+{
+  std::vector<std::string> names;
+  const std::size_t end = text.find("</PointData>");
+  if(end != std::string::npos)
+    for(std::size_t at = text.find("<PointData"); (at = text.find(" Name=\"", at)) < end;) {
+      at += 7;
+      names.push_back(text.substr(at, text.find('"', at) - at));
+    }
+  return names;
+}
+
 inline std::vector<std::vector<long>> vtp_cells(const std::string& text, const std::string& kind)
 {
   const long count = after(text, "NumberOf" + kind + "=\"");
@@ -248,6 +280,11 @@ inline Written read_vtp(const std::string& text)
   for(std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
     file.points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
   BOOST_CHECK_EQUAL(static_cast<long>(file.points.size()), internal::after(text, "NumberOfPoints=\""));
+  for(const std::string& name : internal::vtp_value_names(text)) {
+    file.values[name] = internal::Vtp_array(text, "PointData", name + '"').numbers<double>();
+    const long components = internal::after(text, "Name=\"" + name + "\" NumberOfComponents=\"");
+    BOOST_CHECK_EQUAL(file.values[name].size(), file.points.size() * static_cast<std::size_t>(components));
+  }
   const auto curves = internal::Vtp_array(text, "CellData", "curve").numbers<std::int64_t>();
   std::size_t cell = 0;
   for(const auto& point : internal::vtp_cells(text, "Verts")) {

@@ -8,11 +8,13 @@
 #include <CGAL/Flip_geodesics/internal/io/figure_of_parts.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -31,17 +33,17 @@ public:
       throw File_write_error("PLY has numbers for " + std::to_string(most) + " points, and there are " +
                              std::to_string(figure.number_of_points()));
     check_writable(figure);
+    check_values(figure, m_is_binary);
+    for(const Value_kind& kind : figure.value_kinds())
+      if(kind.name == "x" || kind.name == "y" || kind.name == "z")
+        throw Invalid_parameter_error("values have the name \"" + kind.name + "\" of a coordinate");
   }
 
   void write(std::ostream& out) const
   {
     write_header(out);
     const Number_writer number(out, m_is_binary);
-    m_figure.for_each_point([&](const Figure_point& p) {
-      number(p[0], " ");
-      number(p[1], " ");
-      number(p[2], "\n");
-    });
+    write_vertices(number);
     m_figure.for_each_shape(Shape::Kind::TRIANGLES,
                             [&](const Shape& shape, std::size_t first) { write_faces(number, shape, first); });
     m_figure.for_each_shape(Shape::Kind::LINE,
@@ -54,14 +56,47 @@ private:
     return shape.kind == Shape::Kind::TRIANGLES && shape.curve != Shape::no_curve;
   }
 
+  // Vectors have a property for each coordinate.
+  static std::vector<std::string> property_names(const Value_kind& kind)
+  {
+    constexpr std::array<const char*, 3> axes = {"_x", "_y", "_z"};
+    std::vector<std::string> result;
+    for(std::size_t k = 0; k < kind.components; ++k)
+      result.push_back(kind.name + (kind.components == axes.size() ? axes[k] : '_' + std::to_string(k)));
+    return kind.components == 1 ? std::vector<std::string>{kind.name} : result;
+  }
+
+  // The values of all kinds are kept while they are written, since a line has those of one vertex.
+  void write_vertices(const Number_writer& number) const
+  {
+    const std::vector<Value_kind>& kinds = m_figure.value_kinds();
+    std::vector<std::vector<double>> values(kinds.size());
+    for(std::size_t i = 0; i < kinds.size(); ++i)
+      m_figure.for_each_value(i, [&](double x) { values[i].push_back(x); });
+    std::size_t vertex = 0;
+    m_figure.for_each_point([&](const Figure_point& p) {
+      number(p[0], " ");
+      number(p[1], " ");
+      number(p[2], kinds.empty() ? "\n" : " ");
+      for(std::size_t i = 0; i < kinds.size(); ++i)
+        for(std::size_t k = 0; k < kinds[i].components; ++k)
+          number(values[i][kinds[i].components * vertex + k],
+                 i + 1 < kinds.size() || k + 1 < kinds[i].components ? " " : "\n");
+      ++vertex;
+    });
+  }
+
   void write_header(std::ostream& out) const
   {
     std::size_t edges = 0;
     m_figure.for_each_shape(Shape::Kind::LINE,
                             [&](const Shape& shape, std::size_t) { edges += shape.number_of_points - 1; });
     out << "ply\nformat " << (m_is_binary ? "binary_little_endian" : "ascii") << " 1.0\nelement vertex "
-        << m_figure.number_of_points() << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-        << m_figure.number_of_triangles() << "\nproperty list uchar int vertex_indices\n"
+        << m_figure.number_of_points() << "\nproperty double x\nproperty double y\nproperty double z\n";
+    for(const Value_kind& kind : m_figure.value_kinds())
+      for(const std::string& name : property_names(kind))
+        out << "property double " << name << '\n';
+    out << "element face " << m_figure.number_of_triangles() << "\nproperty list uchar int vertex_indices\n"
         << (m_has_tubes ? "property int curve\n" : "") << "element edge " << edges
         << "\nproperty int vertex1\nproperty int vertex2\nproperty int curve\nend_header\n";
   }
@@ -101,10 +136,14 @@ namespace IO {
  * Writes surfaces, curves and points in the PLY format: elements `vertex`, `face` and `edge`, where edges have the
  * number of their curve as property `curve`. If there are tubes, so have faces, and those of a surface have -1.
  *
+ * Values at vertices are properties of the vertices with their names; a vector has three, whose names end in `_x`, `_y`
+ * and `_z`, and an array one for each position. MeshLab colours a surface by the property `quality`.
+ *
  * \param parts as for `write_VTP()`
  *
  * \throws File_write_error also if there are more than 2147483647 points, and as `write_VTP()`
- * \throws Invalid_coordinate_error, Invalid_mesh_error as `write_VTP()`
+ * \throws Invalid_coordinate_error, Invalid_mesh_error, Invalid_parameter_error as `write_VTP()`; the last also for
+ *         values with the name of a coordinate
  */
 template <class... Parts>
 void write_PLY(std::ostream& out, const Parts&... parts)

@@ -26,12 +26,15 @@ public:
     , m_is_binary(format.is_binary)
   {
     check_writable(figure);
+    check_values(figure, m_is_binary);
     for(Shape::Kind kind : {Shape::Kind::POINTS, Shape::Kind::LINE, Shape::Kind::TRIANGLES})
       figure.for_each_shape(kind, [&](const Shape& shape, std::size_t) {
         m_cells[index(kind)] += number_of_cells(shape);
         m_corners[index(kind)] += number_of_corners(shape);
       });
     add_points();
+    if(!figure.value_kinds().empty())
+      add_values();
     add_curve_numbers();
     if(m_cells[index(Shape::Kind::POINTS)] > 0)
       add_cells("Verts", Shape::Kind::POINTS);
@@ -64,14 +67,14 @@ public:
 private:
   struct Array
   {
-    const char* attributes;
+    std::string attributes;
     std::uint64_t size; // in bytes
     std::function<void(const Number_writer&)> write;
   };
 
   struct Group
   {
-    const char *name, *attributes;
+    std::string name, attributes;
     std::vector<Array> arrays;
   };
 
@@ -109,6 +112,19 @@ private:
                                           number(p[2], "\n");
                                         });
                                       }});
+  }
+
+  // What is written of points has the first of these as its colour.
+  void add_values()
+  {
+    const std::vector<Value_kind>& kinds = m_figure.value_kinds();
+    m_groups.push_back({"PointData", " Scalars=\"" + kinds.front().name + '"', {}});
+    for(std::size_t i = 0; i < kinds.size(); ++i)
+      m_groups.back().arrays.push_back(
+          {"type=\"Float64\" Name=\"" + kinds[i].name + "\" NumberOfComponents=\"" +
+               std::to_string(kinds[i].components) + '"',
+           bytes_of_number * kinds[i].components * m_figure.number_of_points(),
+           [this, i](const Number_writer& number) { m_figure.for_each_value(i, [&](double x) { number(x, "\n"); }); }});
   }
 
   // Cells are counted in this order of their kinds; what is no curve has the number -1.
@@ -200,7 +216,8 @@ namespace IO {
  * \ingroup PkgFlipGeodesicsIO
  *
  * Writes surfaces, curves and points in VTK's format for them, which ParaView reads. Cells have an array `curve`: the
- * number of the curve that they belong to, and -1 for surfaces and points.
+ * number of the curve that they belong to, and -1 for surfaces and points. Points have an array for each
+ * `Vertex_values`.
  *
  * Nothing is written if what is to be written is refused. Linear in it; it is not copied, but tubes are kept until they
  * are written, and a mesh that is no `Surface_mesh` is numbered.
@@ -213,6 +230,7 @@ namespace IO {
  *        - a range of polylines, which are ranges of points. Curves are counted from 0 over all ranges in the call;
  *          those without points are left out, but counted. A curve of one point is written as a point;
  *        - `Tubes`, if curves are to be tubes;
+ *        - `Vertex_values`, values at the mesh's vertices;
  *        - and at the end, named parameters: `vertex_point_map` of the mesh, a model of `ReadablePropertyMap` with its
  *          vertices as keys and points as values (default: the mesh's vertex point property, which it need not have if
  *          a map is given); `use_binary_mode`, a `bool`, whether numbers are written as bytes, the lowest first, or as
@@ -223,6 +241,9 @@ namespace IO {
  * \throws Invalid_coordinate_error if a coordinate is no finite number; `elements()` is the vertex or the point, and
  *         before it the curve if it is of one
  * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` keeps elements that have been removed
+ * \throws Invalid_parameter_error if values at vertices have the same name as others, or a name that has other
+ *         characters than letters, digits and underscores; File_write_error if such values are not finite in text, as
+ *         those at points beside the mesh never are
  */
 template <class... Parts>
 void write_VTP(std::ostream& out, const Parts&... parts)

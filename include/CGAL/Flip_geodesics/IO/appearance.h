@@ -79,6 +79,32 @@ struct Texture
   std::string picture; ///< the name of a file
 };
 
+/*!
+ * \ingroup PkgFlipGeodesicsIO
+ *
+ * Among what `write_VTP()` and `write_PLY()` write: values at the vertices of the mesh, such as distances, the numbers
+ * of nearest sources, or directions, by which viewers colour it. The points of curves, and loose points, have no value,
+ * which is not a number. The other writers take no notice.
+ *
+ * \tparam VertexMap a model of `ReadablePropertyMap` with the mesh's vertices as keys, and numbers, points or vectors
+ *         with `x()`, `y()` and `z()`, or a `std::array` of numbers as values
+ */
+template <class VertexMap>
+struct Vertex_values
+{
+  /// Constructs it from the name and the values.
+  /// \param name letters, digits and underscores, as the files have it; each name once
+  /// \param map the values at vertices
+  Vertex_values(std::string name, VertexMap map)
+    : name(std::move(name))
+    , map(std::move(map))
+  {
+  }
+
+  std::string name; ///< as the files have it
+  VertexMap map;    ///< the values at vertices
+};
+
 } // namespace IO
 } // namespace Flip_geodesics
 } // namespace CGAL

@@ -53,6 +53,7 @@ struct Shape
   std::function<void(const Sink<Figure_point>&)> for_each_point;
   std::function<void(const Sink<Figure_triangle>&)> for_each_triangle; // of TRIANGLES only
   std::function<void(const Sink<Texture_corners>&)> for_each_texture;  // where the corners lie in a picture, if they do
+  std::vector<std::function<void(const Sink<double>&)>> values;        // at its points, by kind; null if it has none
 
   std::string name() const
   {
@@ -60,6 +61,13 @@ struct Shape
       return "curve_" + std::to_string(curve);
     return kind == Kind::TRIANGLES ? "surface" : "points";
   }
+};
+
+/* One kind of values at points: each has as many numbers. */
+struct Value_kind
+{
+  std::string name;
+  std::size_t components;
 };
 
 /* All pieces of what a file shows, and the order of all their points. */
@@ -104,12 +112,27 @@ public:
     }
   }
 
+  const std::vector<Value_kind>& value_kinds() const { return m_value_kinds; }
+  void add_value_kind(const Value_kind& kind) { m_value_kinds.push_back(kind); }
+
+  /* The numbers of all points; NaN where a piece has no values of this kind. */
+  void for_each_value(std::size_t kind, const Sink<double>& sink) const
+  {
+    for(const Shape& shape : m_shapes)
+      if(kind < shape.values.size() && shape.values[kind])
+        shape.values[kind](sink);
+      else
+        for(std::size_t i = 0; i < m_value_kinds[kind].components * shape.number_of_points; ++i)
+          sink(std::numeric_limits<double>::quiet_NaN());
+  }
+
   /* The name of the file with the picture on surfaces; empty if there is none. */
   const std::string& picture() const { return m_picture; }
   void set_picture(const std::string& name) { m_picture = name; }
 
 private:
   std::vector<Shape> m_shapes;
+  std::vector<Value_kind> m_value_kinds;
   std::string m_picture;
   std::size_t m_number_of_points = 0;
 };
@@ -149,6 +172,35 @@ inline void check_writable(const Figure& figure)
   if(figure.shapes().empty())
     throw File_write_error("there is nothing to write: no vertex, no curve with a point, and no point");
   std::for_each(figure.shapes().begin(), figure.shapes().end(), check_finite);
+}
+
+inline bool is_character_of_name(char c)
+{
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/* Names that all formats can hold, of which no two are equal, and numbers that are finite in text, whose readers stop
+ * at others. */
+inline void check_values(const Figure& figure, bool is_binary)
+{
+  const std::vector<Value_kind>& kinds = figure.value_kinds();
+  for(std::size_t i = 0; i < kinds.size(); ++i) {
+    const std::string& name = kinds[i].name;
+    if(name.empty() || !std::all_of(name.begin(), name.end(), is_character_of_name))
+      throw Invalid_parameter_error("the name \"" + name +
+                                    "\" of values has other characters than letters, digits and "
+                                    "underscores, or none");
+    if(std::any_of(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(i),
+                   [&](const Value_kind& kind) { return kind.name == name; }))
+      throw Invalid_parameter_error("two kinds of values have the name \"" + name + '"');
+    if(!is_binary)
+      figure.for_each_value(i, [&](double x) {
+        if(!std::isfinite(x))
+          throw File_write_error("values with the name \"" + name +
+                                 "\" are not all finite, as those at points beside "
+                                 "the mesh never are, and text cannot hold them; use binary mode");
+      });
+  }
 }
 
 /*

@@ -15,6 +15,10 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -43,6 +47,16 @@ struct Is_texture : std::false_type
 
 template <class CornerMap>
 struct Is_texture<IO::Texture<CornerMap>> : std::true_type
+{
+};
+
+template <class T>
+struct Is_vertex_values : std::false_type
+{
+};
+
+template <class VertexMap>
+struct Is_vertex_values<IO::Vertex_values<VertexMap>> : std::true_type
 {
 };
 
@@ -161,6 +175,55 @@ void add_texture(Shape& shape, const FaceGraph& mesh, const IO::Texture<CornerMa
   };
 }
 
+/* How many numbers a value has, and what they are: those of an array, of a vector, or one. */
+template <class Value, class = void>
+struct Numbers_of_value
+{
+  static constexpr std::size_t size = 1;
+  static void write(const Value& value, const Sink<double>& sink) { sink(CGAL::to_double(value)); }
+};
+
+template <class Number, std::size_t N>
+struct Numbers_of_value<std::array<Number, N>>
+{
+  static constexpr std::size_t size = N;
+  static void write(const std::array<Number, N>& value, const Sink<double>& sink)
+  {
+    for(const Number& x : value)
+      sink(CGAL::to_double(x));
+  }
+};
+
+template <class Value>
+struct Numbers_of_value<Value, std::enable_if_t<Has_coordinates<Value>::value>> : Numbers_of_value<Figure_point>
+{
+  static void write(const Value& value, const Sink<double>& sink)
+  {
+    Numbers_of_value<Figure_point>::write(figure_point(value), sink);
+  }
+};
+
+template <class VertexMap>
+using Numbers_of_map = Numbers_of_value<typename boost::property_traits<VertexMap>::value_type>;
+
+/* Adds values of one kind to a surface, none if they are those of another mesh. Other parts add nothing. */
+template <class FaceGraph, class Part>
+void add_values([[maybe_unused]] Shape& shape, [[maybe_unused]] const FaceGraph& mesh, const Part&)
+{
+}
+
+template <class FaceGraph, class VertexMap>
+void add_values(Shape& shape, const FaceGraph& mesh, const IO::Vertex_values<VertexMap>& values)
+{
+  shape.values.emplace_back();
+  if constexpr(std::is_same<typename boost::property_traits<VertexMap>::key_type,
+                            typename boost::graph_traits<FaceGraph>::vertex_descriptor>::value)
+    shape.values.back() = [&mesh, map = values.map](const Sink<double>& sink) {
+      for(const auto& v : vertices(mesh))
+        Numbers_of_map<VertexMap>::write(get(map, v), sink);
+    };
+}
+
 /* A line that has no length stays what it is. */
 inline Shape tube_shape(const Shape& line, const IO::Tubes& tubes)
 {
@@ -190,8 +253,8 @@ inline Shape tube_shape(const Shape& line, const IO::Tubes& tubes)
 class Figure_builder
 {
 public:
-  template <class Part, class NamedParameters, class Texture>
-  void add(const Part& part, const NamedParameters& np, const Texture& texture)
+  template <class Part, class NamedParameters, class Texture, class... Parts>
+  void add(const Part& part, const NamedParameters& np, const Texture& texture, const Parts&... parts)
   {
     if constexpr(Is_range_of_points<Part>::value)
       m_figure.add(shape_of_points(Shape::Kind::POINTS, [&part]() -> decltype(auto) { return (part); }));
@@ -203,17 +266,22 @@ public:
         add_texture(shape, part, texture);
         m_figure.set_picture(texture.picture);
       }
+      (add_values(shape, part, parts), ...);
       m_figure.add(std::move(shape));
     } else
-      static_assert(std::is_same<Part, IO::Tubes>::value || Is_texture<Part>::value || Is_named_parameters<Part>::value,
+      static_assert(std::is_same<Part, IO::Tubes>::value || Is_texture<Part>::value || Is_vertex_values<Part>::value ||
+                        Is_named_parameters<Part>::value,
                     "what is written is a face graph, a range of points or a range of polylines");
   }
 
+  /* Notes what holds for all parts. */
   template <class Part>
-  void find_tubes(const Part& part)
+  void look_at(const Part& part)
   {
     if constexpr(std::is_same<Part, IO::Tubes>::value)
       m_tubes = &part;
+    if constexpr(Is_vertex_values<Part>::value)
+      m_figure.add_value_kind({part.name, Numbers_of_map<decltype(part.map)>::size});
   }
 
   Figure& figure() { return m_figure; }
@@ -271,9 +339,9 @@ template <class NamedParameters, class... Parts>
 Figure figure_of_parts(const NamedParameters& np, const Parts&... parts)
 {
   Figure_builder builder;
-  (builder.find_tubes(parts), ...);
+  (builder.look_at(parts), ...);
   const auto& texture = texture_of(parts...);
-  (builder.add(parts, np, texture), ...);
+  (builder.add(parts, np, texture, parts...), ...);
   return std::move(builder.figure());
 }
 
