@@ -10,7 +10,7 @@
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well, and call the first two members;
  * `refine()` takes a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Logarithmic_map`,
- * `make_shortest()` and `shortest_paths_by_class()` call only the first one. `geodesic_distances()` and
+ * `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only the first one. `geodesic_distances()` and
  * `logarithmic_map()` do so too, unless they grow a tree. Each of these functions has a status for a computation that
  * is stopped; nothing is confirmed then, no output is written, and objects remain usable.
  *

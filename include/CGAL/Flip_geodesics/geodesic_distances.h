@@ -5,15 +5,18 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -22,9 +25,12 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -203,14 +209,11 @@ std::size_t number_of_finite(const Triangulation& triangulation, const Distances
   }));
 }
 
-/* Computes a field from vertices, and returns what is known of the distances. */
+/* Computes a field that has its sources, and returns what is known of the distances. */
 template <class Triangulation, class Visitor>
-Distances_report compute_from_vertices(Geodesic_distance_field<Triangulation>& field,
-                                       const Triangulation& triangulation, const std::vector<Vertex_index>& sources,
-                                       const Window_limit& limit, Visitor& visitor)
+Distances_report compute_from_sources(Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
+                                      const Window_limit& limit, Visitor& visitor)
 {
-  for(Vertex_index source : sources)
-    field.add_source(source);
   Distance_field_limits limits;
   limits.windows = limit;
   const Distance_field_report computed = field.compute(limits, visitor);
@@ -258,20 +261,37 @@ void search_distances(const Triangulation& triangulation, const typename Triangu
     result.report.status = Shortening_status::STOPPED_BY_VISITOR;
 }
 
-/* Computes the distances from vertices by a field, and by a search if rounding errors can have changed those. */
+/* A source of distances: a vertex, or else the locations of a curve, of which one is a point. */
+struct Distance_source
+{
+  bool is_vertex;
+  Vertex_index vertex;
+  std::vector<Surface_location> locations;
+};
+
+/* Computes the distances from sources by a field, and by a search if rounding errors can have changed those; the search
+ * starts at vertices only. */
 template <class Triangulation, class Visitor>
 Computed_values<double> field_distances(Geodesic_distance_field<Triangulation>& field,
                                         const Triangulation& triangulation,
                                         const typename Triangulation::Triangle_mesh& mesh,
-                                        const std::vector<Vertex_index>& sources, const Window_limit& limit,
+                                        const std::vector<Distance_source>& sources, const Window_limit& limit,
                                         Visitor& visitor)
 {
+  std::vector<Vertex_index> vertices;
+  for(const Distance_source& source : sources)
+    if(source.is_vertex) {
+      vertices.push_back(source.vertex);
+      field.add_source(source.vertex);
+    } else
+      field.add_curve(source.locations);
   Computed_values<double> result;
-  result.report = compute_from_vertices(field, triangulation, sources, limit, visitor);
+  result.report = compute_from_sources(field, triangulation, limit, visitor);
   take_distances(field, triangulation, mesh, result);
   const bool is_complete = field.reach() == std::numeric_limits<double>::infinity();
-  if(is_complete && !result.report.is_confirmed() && !is_stopped_by_visitor(result.report))
-    search_distances(triangulation, mesh, sources, most_windows(triangulation, limit), visitor, result);
+  if(is_complete && !result.report.is_confirmed() && !is_stopped_by_visitor(result.report) &&
+     vertices.size() == sources.size())
+    search_distances(triangulation, mesh, vertices, most_windows(triangulation, limit), visitor, result);
   return result;
 }
 
@@ -307,7 +327,8 @@ Computed_values<Polar_coordinates> field_coordinates(Geodesic_distance_field<Tri
                                                      Vertex_index source, const Window_limit& limit, Visitor& visitor)
 {
   Computed_values<Polar_coordinates> result;
-  result.report = compute_from_vertices(field, triangulation, {source}, limit, visitor);
+  field.add_source(source);
+  result.report = compute_from_sources(field, triangulation, limit, visitor);
   if(!result.report.is_confirmed())
     return result;
   const std::optional<Vertex_logarithmic_map> map = logarithmic_map_of_field(field, triangulation, source);
@@ -318,20 +339,80 @@ Computed_values<Polar_coordinates> field_coordinates(Geodesic_distance_field<Tri
   return result;
 }
 
-/* Is it one vertex of the mesh, or several? */
-template <class TriangleMesh, class Sources>
-std::vector<Mesh_vertex<TriangleMesh>> source_vertices(const TriangleMesh&, const Sources& sources)
+template <class T>
+struct Is_variant : std::false_type
 {
-  using Vertex = Mesh_vertex<TriangleMesh>;
-  constexpr bool is_one = std::is_convertible<Sources, Vertex>::value;
-  static_assert(is_one || is_range_of<Sources, Vertex>,
-                "no vertex of the mesh where it belongs, nor a range of such; the order is mesh, source, property map");
-  std::vector<Vertex> result;
+};
+
+template <class... Alternatives>
+struct Is_variant<std::variant<Alternatives...>> : std::true_type
+{
+};
+
+/* A vertex, a place of another kind, a range of places, or a variant of such, as a source on the surface. */
+template <class Triangulation, class TriangleMesh, class Source>
+Distance_source distance_source(const Triangulation& triangulation, const TriangleMesh& mesh, const Source& source)
+{
+  if constexpr(Is_variant<Source>::value)
+    return std::visit([&](const auto& s) { return distance_source(triangulation, mesh, s); }, source);
+  else if constexpr(is_mesh_vertex<TriangleMesh, Source>)
+    return {true, triangulation.index(Mesh_vertex<TriangleMesh>(source)), {}};
+  else if constexpr(is_place<Triangulation, TriangleMesh, Source>)
+    return {false, {}, {located_place(triangulation, mesh, source)}};
+  else {
+    static_assert(is_range<Source>, "no vertex of the mesh where it belongs, nor another source, nor a range of such; "
+                                    "the order is mesh, source, property map");
+    if constexpr(is_range<Source>)
+      return {false, {}, located(triangulation, mesh, source)};
+    else
+      return {};
+  }
+}
+
+/* The sources on a surface: of one that is given by itself, or of a range of such. */
+template <class Triangulation, class TriangleMesh, class Sources>
+std::vector<Distance_source> distance_sources(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                              const Sources& sources)
+{
+  constexpr bool is_one =
+      is_mesh_vertex<TriangleMesh, Sources> || is_place<Triangulation, TriangleMesh, Sources> || !is_range<Sources>;
+  std::vector<Distance_source> result;
   if constexpr(is_one)
-    result.push_back(Vertex(sources));
-  else if constexpr(is_range_of<Sources, Vertex>)
-    for(const Vertex v : sources)
-      result.push_back(v);
+    result.push_back(distance_source(triangulation, mesh, sources));
+  else
+    for(const auto& source : sources)
+      result.push_back(distance_source(triangulation, mesh, source));
+  return result;
+}
+
+/* What gives the sources on the surface of a triangulation. */
+template <class TriangleMesh, class NamedParameters>
+using Locate_sources = std::function<std::vector<Distance_source>(
+    const typename Curve_types<TriangleMesh, NamedParameters>::Triangulation&)>;
+
+/* The sources that `locate(triangulation)` finds on the mesh itself, once, into `given`; also on what is left of it. */
+template <class Triangulation, class Locate>
+std::vector<Distance_source> sources_on_surface(const Triangulation& triangulation, const Locate& locate,
+                                                std::vector<Distance_source>& given)
+{
+  if(!triangulation.input().is_contracted())
+    return given = locate(triangulation);
+  std::vector<Distance_source> result = given;
+  for(Distance_source& source : result)
+    for(Surface_location& at : source.locations)
+      at = canonical_location(triangulation.input(), location_on_surface(triangulation, at));
+  return result;
+}
+
+/* The numbers of the nearest sources at the vertices of a mesh, in the order of `vertices(mesh)`. */
+template <class Triangulation>
+std::vector<std::size_t> nearest_sources(const Geodesic_distance_field<Triangulation>& field,
+                                         const Triangulation& triangulation,
+                                         const typename Triangulation::Triangle_mesh& mesh)
+{
+  std::vector<std::size_t> result;
+  put_nearest_sources(field, triangulation, mesh,
+                        Value_collector<typename Triangulation::Mesh_vertex, std::size_t>{&result});
   return result;
 }
 
@@ -344,25 +425,26 @@ Computed_values<Value> confirmed_of_mesh(const Triangulation& triangulation, Com
   return std::move(result);
 }
 
-/* The computations of `geodesic_distances()`, in which a single source has a tree to fall back on, and of
- * `logarithmic_map()`; like `compute_path()` not inline. */
+/* The computations of `geodesic_distances()`, in which a single vertex has a tree to fall back on, and of
+ * `logarithmic_map()`; like `compute_path()` not inline. `nearest` receives the nearest sources unless it is null. */
 template <class TriangleMesh, class NamedParameters>
 Computed_values<double> compute_distances(const TriangleMesh& mesh,
-                                          const std::vector<Mesh_vertex<TriangleMesh>>& sources, bool is_single,
-                                          const NamedParameters& np)
+                                          const Locate_sources<TriangleMesh, NamedParameters>& locate, bool is_single,
+                                          std::vector<std::size_t>* nearest, const NamedParameters& np)
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   auto visitor = make_visitor(np);
   const auto limit = search_limit_of<Window_limit>(np);
+  std::vector<Distance_source> given;
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
-    std::vector<Vertex_index> indices;
-    for(const auto& v : sources)
-      indices.push_back(triangulation.index(v));
+    const std::vector<Distance_source> sources = sources_on_surface(triangulation, locate, given);
     Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
-    auto result = field_distances(field, triangulation, mesh, indices, limit, visitor.get());
+    auto result = field_distances(field, triangulation, mesh, sources, limit, visitor.get());
+    if(nearest != nullptr)
+      *nearest = nearest_sources(field, triangulation, mesh);
     if(is_single && !result.report.is_confirmed() && !is_stopped_by_visitor(result.report))
-      result = make_shortest_tree<double>(triangulation, field, indices.front(), most_windows(triangulation, limit),
-                                          visitor.get(),
+      result = make_shortest_tree<double>(triangulation, field, sources.front().vertex,
+                                          most_windows(triangulation, limit), visitor.get(),
                                           [&](const auto& tree, const auto& map) { put_distances(tree, mesh, map); });
     return confirmed_of_mesh(triangulation, std::move(result));
   });
@@ -392,40 +474,65 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
 /*!
  * \ingroup PkgFlipGeodesicsDistances
  *
- * Computes the distances on the surface of all vertices from one, or from the nearest of several, by a
- * `Geodesic_distance_field`. If that meets a face so flat that rays can be lost in it, or rounding errors can have changed
- * a distance by more than 1e-10 of it, the distances are computed by a search with bounds that are rounded outward.
- * Where its bounds are too far apart as well, and where the field is given up, a tree of geodesics is grown if there is
- * one source (`Geodesic_tree::grow()`). Those that are not shortest are replaced as far as shorter ones are found
- * (`make_shortest()`).
+ * Computes the distances on the surface of all vertices from one source, or from the nearest of several, by a
+ * `Geodesic_distance_field`. Sources are vertices, points anywhere on the surface and curves, of one kind or of
+ * several.
+ *
+ * If the field meets a face so flat that rays can be lost in it, or rounding errors can have changed a distance by more
+ * than 1e-10 of it, the distances from vertices are computed by a search with bounds that are rounded outward. Where
+ * its bounds are too far apart as well, and where the field is given up, a tree of geodesics is grown if the only
+ * source is a vertex that is given by itself (`Geodesic_tree::grow()`). Those that are not shortest are replaced as far
+ * as shorter ones are found (`make_shortest()`).
  *
  * \param mesh a triangle mesh
- * \param sources a vertex of the mesh, or a range of such; if there are none, all distances are infinite
+ * \param sources one source that is not a curve, or a range of sources, whose numbers are their positions in it; if it
+ *        is empty, all distances are infinite. A source is one of the following, or a `std::variant` of several of
+ *        these:
+ *        - a vertex of the mesh;
+ *        - a point: a `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, or a point in space, of
+ *          which `surface_location()` finds the nearest point of the mesh;
+ *        - a curve: a range of vertices or of points, of which two in a row lie in one face or on its border
  * \param distances a model of `WritablePropertyMap` with the mesh's vertices as keys and `double`s as values; receives
- *        infinity for vertices of components without a source, and for those that nothing but faces without area joins
- *        to one, if edges of length zero had to be contracted; these are not confirmed. If the search is given up, the distances from one source
- *        are those of the geodesics of the tree; from several, they are infinite where they are not known
- * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the search is given up; `vertex_point_map`,
- *        `metric`, `geom_traits`, `visitor`, as for `geodesic_path()`. The visitor's `go_further()` is called at regular intervals, and its `on_flip()` if a tree is grown. If the former
- *        returns `false`, then nothing is written into `distances`, and the report has the status
- *        `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed
+ *        infinity for vertices of components without a source, and for those that only faces without area join
+ *        to one, if edges of length zero had to be contracted; these are not confirmed. If the search is given up, the
+ *        distances from one source are those of the geodesics of the tree; from several, they are infinite where they
+ *        are not known
+ * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the search is given up;
+ *        `nearest_source_map`, a model of `WritablePropertyMap` with the mesh's vertices as keys and whole numbers as
+ *        values, which receives the numbers of the nearest sources, and 0 where the field has no distance;
+ *        `vertex_point_map`, `metric`, `geom_traits`, `visitor`, as for `geodesic_path()`. The visitor's `go_further()`
+ *        is called at regular intervals, and its `on_flip()` if a tree is grown. If the former returns `false`, then
+ *        nothing is written into `distances`, and the report has the status `Shortening_status::STOPPED_BY_VISITOR` and
+ *        is not confirmed
  * \return how many distances of vertices that are no sources are those of shortest paths, and whether it is sure that
  *         all are
  * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ * \throws Invalid_location_error if a point is none of the mesh, and Invalid_curve_error for a curve as
+ *         `Geodesic_distance_field::add_curve()`
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`. The
- * search takes \f$O(w \log w)\f$ for \f$w\f$ windows, with the same limit as the field, and twice as many in
- * double-double numbers where errors of doubles are too large.
+ * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`. A
+ * point in space takes linear time. The search takes \f$O(w \log w)\f$ for \f$w\f$ windows, with the same limit as the
+ * field, and twice as many in double-double numbers where errors of doubles are too large.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
 Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sources, VertexDistanceMap distances,
                                     const NamedParameters&... np)
 {
-  const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
-  const auto computed = internal::compute_distances(mesh, internal::source_vertices(mesh, sources),
-                                                    internal::is_mesh_vertex<TriangleMesh, Sources>, options);
+  const auto& options =
+      internal::surface_options<internal_np::visitor_t, internal::Limit_parameter, internal::Nearest_source_parameter>(
+          np...);
+  constexpr bool has_map = internal::is_given<internal::Joined<NamedParameters...>, internal::Nearest_source_parameter>;
+  std::vector<std::size_t> nearest;
+  const auto locate = [&](const auto& triangulation) {
+    return internal::distance_sources(triangulation, mesh, sources);
+  };
+  const auto computed = internal::compute_distances<TriangleMesh, internal::Joined<NamedParameters...>>(
+      mesh, locate, internal::is_mesh_vertex<TriangleMesh, Sources>, has_map ? &nearest : nullptr, options);
   internal::write_values(mesh, computed, distances);
+  if constexpr(has_map)
+    internal::write_values(mesh, internal::Computed_values<std::size_t>{std::move(nearest), computed.report},
+                           parameters::get_parameter(options, internal::nearest_source_parameter));
   return computed.report;
 }
 
@@ -466,8 +573,9 @@ namespace internal {
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh)                                                                            \
   CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<double> compute_distances(                                    \
-      const Mesh&, const std::vector<Mesh_vertex<Mesh>>&, bool, const parameters::Default_named_parameters&);          \
-  CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<Polar_coordinates> compute_logarithmic_map(                   \
+      const Mesh&, const Locate_sources<Mesh, parameters::Default_named_parameters>&, bool, std::vector<std::size_t>*, \
+      const parameters::Default_named_parameters&);                                                                    \
+  CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<Polar_coordinates> compute_logarithmic_map(                 \
       const Mesh&, Mesh_vertex<Mesh>, const parameters::Default_named_parameters&);
 CGAL_FLIP_GEODESICS_FOR_COMPILED_MESHES(CGAL_FLIP_GEODESICS_INSTANCES)
 #undef CGAL_FLIP_GEODESICS_INSTANCES

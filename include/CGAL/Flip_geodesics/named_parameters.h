@@ -25,6 +25,7 @@ enum Stop_parameter { stop_parameter };
 enum Limit_parameter { limit_parameter };
 enum Landmarks_parameter { landmarks_parameter };
 enum At_vertices_parameter { at_vertices_parameter };
+enum Nearest_source_parameter { nearest_source_parameter };
 
 template <class NamedParameters, class Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
@@ -205,6 +206,19 @@ auto landmarks(const Landmarks& landmarks)
 {
   using Reference = std::reference_wrapper<const Landmarks>;
   return Named_function_parameters<Reference, Flip_geodesics::internal::Landmarks_parameter>(std::cref(landmarks));
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsParameters
+ * A property map that receives the number of the nearest source for each vertex.
+ * \param map a model of `WritablePropertyMap` with the mesh's vertices as keys and whole numbers as values; it is
+ *        copied
+ */
+template <class VertexSourceMap>
+auto nearest_source_map(const VertexSourceMap& map)
+{
+  static_assert(Flip_geodesics::internal::is_property_map<VertexSourceMap>());
+  return Named_function_parameters<VertexSourceMap, Flip_geodesics::internal::Nearest_source_parameter>(map);
 }
 
 } // namespace parameters
