@@ -145,8 +145,8 @@ private:
       result.report.vertices += static_cast<std::size_t>(
           std::count_if(result.values[i].begin() + static_cast<std::ptrdiff_t>(i) + 1, result.values[i].end(),
                         [](double distance) { return std::isfinite(distance); }));
-    result.report.is_confirmed() =
-        !interruption.has_occurred() && std::all_of(reports.begin(), reports.end(), is_confirmed);
+    result.report.verdict = verdict_of_distances(!interruption.has_occurred() &&
+                                                 std::all_of(reports.begin(), reports.end(), is_confirmed));
     if(interruption.has_occurred())
       result.report.status = Shortening_status::STOPPED_BY_VISITOR;
   }
