@@ -104,7 +104,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 23
   FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, FG::Window_limit(1));
 #elif MISTAKE == 24
-  FG::geodesic_distances(mesh, of_mesh, distances);
+  std::map<Mesh::Vertex_index, float> of_several; // of another type than above: an instance has its error once
+  FG::geodesic_distances(mesh, of_mesh, of_several);
 #elif MISTAKE == 25
   const FG::Geodesic_distance_field<Triangulation> of_temporary{Triangulation(mesh), mesh};
 #elif MISTAKE == 26
