@@ -39,7 +39,7 @@ endforeach()
 
 # Copied, so that no relative path leads back to the package's sources.
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/CMakeLists.txt" "${CMAKE_CURRENT_LIST_DIR}/main.cpp"
-     "${CMAKE_CURRENT_LIST_DIR}/one_topic.cpp"
+     "${CMAKE_CURRENT_LIST_DIR}/one_topic.cpp" "${CMAKE_CURRENT_LIST_DIR}/part.cpp"
      DESTINATION "${work_dir}/source")
 set(options -G "${generator}" -D "CMAKE_MAKE_PROGRAM=${make_program}" -D "CMAKE_CXX_COMPILER=${compiler}"
             -D "CMAKE_CXX_COMPILER_LAUNCHER=${launcher}" -D "CMAKE_CXX_FLAGS=${flags}" -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS_RELEASE=${build_flags} -DNDEBUG"
@@ -77,8 +77,8 @@ endforeach()
 set(options ${options} -D "PACKAGE_SOURCE=${source_dir}" -D FLIP_GEODESICS_BUILD_TESTS=OFF
             -D FLIP_GEODESICS_BUILD_EXAMPLES=OFF)
 run("configure as a part" "${CMAKE_COMMAND}" -S "${work_dir}/source" -B "${work_dir}/part" ${options})
-run("build as a part" "${CMAKE_COMMAND}" --build "${work_dir}/part" --target main)
-run("run as a part" "${work_dir}/part/main")
+run("build as a part" "${CMAKE_COMMAND}" --build "${work_dir}/part" --target part)
+run("run as a part" "${work_dir}/part/part")
 
 find_program(pkg_config pkg-config)
 if(pkg_config)
