@@ -231,7 +231,7 @@ template <class Build>
 void run(const char* title, int complexes, unsigned seed, const Build& build)
 {
   Tally tally;
-  for_random_delta_complexes(complexes * scale / stride, seed,
+  for_random_delta_complexes(complexes * scale / stride_of_many, seed,
                              [&](Triangulation& triangulation, Random_numbers& random) {
                                const auto start = triangulation.log_position();
                                for(int i = 0; i < 4; ++i) {

@@ -25,6 +25,17 @@ constexpr int stride = 5;
 constexpr int stride = 1;
 #endif
 
+/// Whether cases that take seconds to run or to compile are among the others of their kind. With shared instances, in
+/// the builds that a change is tested with each time, they are not.
+#ifdef FLIP_GEODESICS_TEST_ALL_CASES
+constexpr bool has_all_cases = true;
+#else
+constexpr bool has_all_cases = false;
+#endif
+
+/// One in so many cases is looked at where there are hundreds of a kind.
+constexpr int stride_of_many = has_all_cases ? stride : 5;
+
 } // namespace Flip_geodesics_test
 
 #endif // FLIP_GEODESICS_TEST_TEST_SCALE_H

@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
   for(bool is_open : {false, true}) {
     std::size_t refused = 0;
     for(bool has_curve : {false, true})
-      for(int k = 0; k < 24; k += stride) {
+      for(int k = 0; k < 24; k += stride_of_many) {
         Lies lies;
         const int periods[] = {2, 3, 5, 8, 13, 30};
         Liar liar(periods[k / 4], k % 4);

@@ -3,6 +3,7 @@
 // The boundaries of regions with the same nearest source.
 
 #include "test_isolines/closed_field.h"
+#include "test_scale.h"
 
 using namespace Flip_geodesics_test;
 
@@ -49,10 +50,11 @@ BOOST_AUTO_TEST_CASE(points_of_boundaries_grow_like_the_root_of_the_tolerance)
     check_diagram(mesh, field, curves, tolerance);
     return static_cast<double>(curves[0].points.size());
   };
-  const double coarse = points(1e-2), middle = points(1e-3), fine = points(1e-4);
+  const double coarse = points(1e-2), middle = points(1e-3);
   BOOST_TEST(coarse > 4);
   BOOST_TEST(middle < 2 * std::sqrt(10.) * coarse);
-  BOOST_TEST(fine < 1.5 * std::sqrt(10.) * middle);
+  if(has_all_cases)
+    BOOST_TEST(points(1e-4) < 1.5 * std::sqrt(10.) * middle);
 }
 
 // V - E + F of the mesh, from the diagram: regions of one source are disks.
@@ -135,7 +137,7 @@ BOOST_AUTO_TEST_CASE(ties_and_regions_inside_faces)
   BOOST_TEST(check_diagram(triangle, behind, boundaries(triangle, behind, 0.01), 0.01).closed == 1u);
 
   Random_numbers random(2);
-  for(int i = 0; i < 6; ++i) {
+  for(int i = 0; i < (has_all_cases ? 6 : 2); ++i) {
     const double x = random.uniform(3, 9), y = random.uniform(3, 9);
     const Closed_field spot(
         triangle,
