@@ -3,11 +3,12 @@
 #
 # Builds and runs the tests, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
-#   bash test/run.sh           every test, every header alone and every example with clang++, in which tests share
-#                              instances of templates; smoke tests and two examples with g++; smoke tests under
-#                              sanitizers: some twenty minutes with two processors
-#   bash test/run.sh --full    in addition every test and every example with g++, optimized with clang++, and under
-#                              sanitizers with checked iterators; OpenMesh and MPI installed as well: hours
+#   bash test/run.sh           every test, each public header alone and every example with clang++, in which tests
+#                              share instances of templates; a call of each public function with g++ and under
+#                              sanitizers; the program of README.md with g++: some fifteen minutes with two processors
+#   bash test/run.sh --full    in addition every test with all of its cases, each header alone and every example with
+#                              g++, optimized with clang++, and under sanitizers with checked iterators; OpenMesh and
+#                              MPI installed as well: hours
 #   bash test/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #
 # A run that was interrupted continues where it stopped. Environment: BUILD_DIR (default: build/run-tests in the
@@ -15,12 +16,11 @@
 
 set -euo pipefail
 
-# Run with g++ and under sanitizers each time; the last calls each public function. Few, since each takes half a minute
-# to compile.
-smoke_tests=(test_checker test_entry_points)
+# Run with g++ and under sanitizers each time: calls each public function. Alone, since it takes a minute to compile.
+smoke_tests=(test_entry_points)
 
-# The first programs of a user, with g++.
-examples_with_gcc=(geodesic_path_example readme_example)
+# The first program of a user, with g++.
+examples_with_gcc=(readme_example)
 
 # libclang-rt-dev has the sanitizers of clang++, and lld links in a quarter of the time.
 packages=(g++ clang libclang-rt-dev lld cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev
@@ -110,10 +110,15 @@ list() { local IFS=';'; echo "$*"; }
 sources=("$root"/test/Flip_geodesics/test_*.cpp)
 number_of_tests=$((${#sources[@]} + 3)) # on top of the sources: headers, consumer, complete
 tests=(-D FLIP_GEODESICS_TESTS=all)
+public_headers=(-D FLIP_GEODESICS_TEST_HEADERS=PUBLIC)
+all_headers=(-D FLIP_GEODESICS_TEST_HEADERS=ON)
 number_of_smoke_tests=$((${#smoke_tests[@]} + 1)) # on top of them: complete
 smoke=(-D "FLIP_GEODESICS_TESTS=$(list "${smoke_tests[@]}")")
 all_examples=(-D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D FLIP_GEODESICS_EXAMPLES=all)
 with_gcc=(-D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D "FLIP_GEODESICS_EXAMPLES=$(list "${examples_with_gcc[@]}")")
+# What is compiled with g++ each time is not compiled with clang++ as well; README.md is no source here.
+examples=(flip_geodesics $(basename -s .cpp "$root"/examples/Flip_geodesics/*.cpp))
+with_clang=(-D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D "FLIP_GEODESICS_EXAMPLES=$(list "${examples[@]}")")
 # Nothing is precompiled for so few, and nothing optimized: that is for --full.
 smoke_with_gcc=("${smoke[@]}" "${with_gcc[@]}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
                 -D FLIP_GEODESICS_PRECOMPILE_HEADERS=OFF -D CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O0)
@@ -127,10 +132,10 @@ if ! clang++ -fsanitize=address,undefined -x c++ -o "$build_dir/sanitized" - <<<
   sanitizers+=(-D CMAKE_CXX_COMPILER=g++ -D FLIP_GEODESICS_WARNINGS_AS_ERRORS=OFF)
 fi
 
-run_stage test "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
+run_stage test "$number_of_tests" "${tests[@]}" "${public_headers[@]}" "${with_clang[@]}"
 if [ $full -eq 1 ]; then
-  run_stage gcc "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
-  run_stage clang "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
+  run_stage gcc "$number_of_tests" "${tests[@]}" "${all_headers[@]}" "${all_examples[@]}"
+  run_stage clang "$number_of_tests" "${tests[@]}" "${all_headers[@]}" "${all_examples[@]}"
   run_stage asan-ubsan "${sanitizers[@]}"
   run_stage thread-sanitizer 2 -D FLIP_GEODESICS_TESTS=test_threads "${no_examples[@]}" # with the test complete
   run_stage checked $((number_of_tests - 1)) "${tests[@]}" "${all_examples[@]}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
