@@ -41,7 +41,7 @@ public:
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// What a lower bound needs to know of a vertex, such as the coordinates of its point; default constructible, and
-  /// copied freely. An empty class says that there is no bound but zero. A `std::array<double, 3>` is taken for the
+  /// copied freely. An empty class says that the only bound is zero. A `std::array<double, 3>` is taken for the
   /// coordinates of a point: from these, `add_straightened_path()` lays faces out to find its path.
   typedef unspecified_type Place;
 

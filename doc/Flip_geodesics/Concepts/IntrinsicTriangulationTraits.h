@@ -68,7 +68,8 @@ public:
 
   /// `Face_geometry operator()(double a, double b, double c) const`: the face whose halfedges have these lengths, in
   /// the order of the face. Called once per input face that is touched, by `Edge_length_metric`. \pre the lengths are
-  /// positive and satisfy the triangle inequality; equality is allowed
+  /// positive and satisfy the triangle inequality; equality is allowed. The models of this package take rational lengths
+  /// in another form as well; other models get the doubles that these round to
   typedef unspecified_type Construct_face_from_lengths;
 
   /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: the face whose

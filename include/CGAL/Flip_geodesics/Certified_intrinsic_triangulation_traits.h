@@ -24,7 +24,8 @@ namespace Flip_geodesics {
  * \ingroup PkgFlipGeodesicsTraits
  *
  * The model of `IntrinsicTriangulationTraits` that decides exactly: each decision is the sign of a real number that the
- * input defines. Coordinates and edge lengths are taken as the doubles that they are.
+ * input defines. Coordinates and edge lengths are taken as they are if they are doubles or their number type is exact and
+ * rational, such as that of `Exact_predicates_exact_constructions_kernel`; otherwise as the doubles that they round to.
  *
  * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. A sign that lies
  * within the bound is left to the triangulation, which unfolds the input faces. It does so in double with an a-priori
@@ -113,6 +114,12 @@ public:
     {
       return with_error(typename Plain::Construct_face_3()(p, q, r), internal::face_layout_error);
     }
+
+    /// The face with these sides.
+    Face_geometry operator()(const internal::Rounded_sides& sides) const
+    {
+      return with_error(typename Plain::Construct_face_3()(sides), internal::face_layout_error);
+    }
   };
 
   /// As `Intrinsic_triangulation_traits::Construct_face_from_lengths`, with the error of a layout.
@@ -123,6 +130,12 @@ public:
     Face_geometry operator()(double a, double b, double c) const
     {
       return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), internal::face_layout_error);
+    }
+
+    /// The same from rational lengths.
+    Face_geometry operator()(const internal::Rational_lengths& lengths) const
+    {
+      return with_error(typename Plain::Construct_face_from_lengths()(lengths), internal::face_layout_error);
     }
   };
 

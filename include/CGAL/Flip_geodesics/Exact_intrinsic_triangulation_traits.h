@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -59,8 +60,8 @@ namespace Flip_geodesics {
  * \tparam NT a field number type: a model of `RealEmbeddable` and `FieldWithSqrt`, or of `Field` with the functor
  *         `Is_square`, `Sqrt_extension`, `Interval_nt<>`, a rational or floating point number of
  *         Boost.Multiprecision, or `double`; doubles convert to it without loss
- * \tparam K a kernel with `Point_3` and `FT`; coordinates are taken as they are if `FT` is `NT`, otherwise as the
- * doubles they round to
+ * \tparam K a kernel with `Point_3` and `FT`; coordinates are taken as they are if `FT` is `NT` or has rational values,
+ *         otherwise as the doubles they round to
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -143,7 +144,12 @@ public:
     template <class Coordinate>
     static std::enable_if_t<!std::is_same<Coordinate, NT>::value, NT> number(const Coordinate& x)
     {
-      return NT(CGAL::to_double(x));
+      if constexpr(internal::is_rational_number<Coordinate> && !std::is_floating_point<NT>::value) {
+        const internal::Rational exact = internal::to_rational(x);
+        return internal::converted<NT>(exact.numerator) / internal::converted<NT>(exact.denominator);
+      } else {
+        return NT(CGAL::to_double(x));
+      }
     }
 
     static Vector_3 difference(const Point_3& p, const Point_3& q)
@@ -154,7 +160,7 @@ public:
     const Area_unit* m_unit;
   };
 
-  /// Lengths are taken as the doubles they are. \throws Inexact_root_error
+  /// \throws Inexact_root_error
   class Construct_face_from_lengths
   {
   public:
@@ -165,14 +171,23 @@ public:
     }
 
     /// The face whose halfedges have these lengths.
-    Face_geometry operator()(double length_a, double length_b, double length_c) const
+    Face_geometry operator()(double a, double b, double c) const { return face(NT(a), NT(b), NT(c)); }
+
+    /// The same from rational lengths.
+    Face_geometry operator()(const internal::Rational_lengths& lengths) const
     {
-      const NT a(length_a), b(length_b), c(length_c);
+      const NT unit = internal::converted<NT>(lengths.denominator);
+      const auto length = [&](std::size_t i) { return NT(internal::converted<NT>(lengths.numerators[i]) / unit); };
+      return face(length(0), length(1), length(2));
+    }
+
+  private:
+    Face_geometry face(const NT& a, const NT& b, const NT& c) const
+    {
       const NT square = NT((a + b + c) * (a + b - c)) * NT((b + c - a) * (c + a - b)); // of 4 area [Heron]
       return Geometry::face_from_squares(NT(a * a), NT(b * b), NT(c * c), m_unit->root(square));
     }
 
-  private:
     const Area_unit* m_unit;
   };
 

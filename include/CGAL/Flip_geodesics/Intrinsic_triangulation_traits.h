@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -86,7 +86,13 @@ public:
     /// The face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
-      const std::array<Vector_3, 3> e = {difference(p, q), difference(q, r), difference(r, p)};
+      return operator()(internal::rounded_sides(p, q, r));
+    }
+
+    /// The face with these sides.
+    Face_geometry operator()(const internal::Rounded_sides& sides) const
+    {
+      const std::array<Vector_3, 3>& e = sides.vectors;
       const double base = std::sqrt(dot(e[0], e[0]));
       const double height = doubled_area(e) / base;
       return {{{base, 0}, {dot(e[0], e[1]) / base, height}, {dot(e[0], e[2]) / base, -height}}};
@@ -94,13 +100,6 @@ public:
 
   private:
     using Vector_3 = std::array<double, 3>;
-
-    static Vector_3 difference(const Point_3& p, const Point_3& q)
-    {
-      return {internal::imported_number(q.x()) - internal::imported_number(p.x()),
-              internal::imported_number(q.y()) - internal::imported_number(p.y()),
-              internal::imported_number(q.z()) - internal::imported_number(p.z())};
-    }
 
     static double dot(const Vector_3& u, const Vector_3& v)
     {
@@ -135,6 +134,13 @@ public:
       Face_geometry face = on_longest(length[first], length[(first + 1) % 3], length[(first + 2) % 3]);
       std::rotate(face.begin(), face.begin() + (3 - first) % 3, face.end());
       return turned_to_first(face, a);
+    }
+
+    /// The same from rational lengths, of which each coordinate is computed exactly before it is rounded.
+    Face_geometry operator()(const internal::Rational_lengths& lengths) const
+    {
+      const double base = lengths.length(0).high, height = lengths.doubled_area().high / base;
+      return {{{base, 0}, {lengths.dot(0).high / base, height}, {lengths.dot(2).high / base, -height}}};
     }
 
   private:

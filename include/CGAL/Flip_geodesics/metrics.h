@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -113,8 +115,12 @@ public:
   using Point_3 = typename boost::property_traits<VertexPointMap>::value_type; ///< of the vertices
   using Kernel = typename Kernel_traits<Point_3>::Kernel;                      ///< of the points
 
+private:
+  static constexpr bool is_rational = internal::has_rational_coordinates<Point_3>;
+
+public:
   /// Takes the lengths from points.
-  /// \param points of the mesh's vertices, read whenever a length is asked for
+  /// \param points of the mesh's vertices, which must not change while the metric is used
   explicit Embedded_metric(VertexPointMap points)
     : m_points(points)
   {
@@ -128,57 +134,81 @@ public:
   {
     const double length = weight(mesh, h);
     if(!internal::is_usable_length(length)) {
-      const Vertex_index v = mesh.tail(h), w = mesh.tail(internal::twin_index(h));
-      const Place p = place(mesh, v), q = place(mesh, w); // far or close, their distance is no longer its square's root
-      internal::throw_unusable_length(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]), v, w);
+      const std::array<double, 3> v = vector(mesh, h);
+      const double by_hypot = std::hypot(v[0], v[1], v[2]); // far or close, the distance is no longer its square's root
+      internal::throw_unusable_length(by_hypot == 0 ? length : by_hypot, mesh.tail(h),
+                                      mesh.tail(internal::twin_index(h)));
     }
     return length;
   }
 
-  /// The coordinates of a point, as the doubles they round to.
-  using Place = std::array<double, 3>;
+  /// The coordinates of a point: doubles, or rational numbers as sums of two doubles.
+  using Place = std::conditional_t<is_rational, internal::Precise_place, std::array<double, 3>>;
 
-  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  /// The length of halfedge `h` whatever it is, for a search that only passes by. Zero only if the points are equal.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
-    return distance_lower_bound(place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
+    return weight(mesh, h, place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
   }
 
   /// The same, where the places of the two ends are at hand.
-  double weight(const Mesh&, Input_halfedge_index, const Place& tail, const Place& head) const
+  double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
-    return distance_lower_bound(tail, head);
+    const double length = std::sqrt(squared_norm(vector(mesh, h, tail, head)));
+    if constexpr(is_rational)
+      if(length == 0 && !is_zero(mesh, h))
+        return (std::numeric_limits<double>::min)();
+    return length;
   }
 
   /// Where vertex `v` is.
   Place place(const Mesh& mesh, Vertex_index v) const
   {
-    decltype(auto) p = point(mesh, v);
-    return {internal::imported_number(p.x()), internal::imported_number(p.y()), internal::imported_number(p.z())};
+    if constexpr(is_rational) {
+      return m_places(v, mesh.number_of_vertices(), [&] { return internal::precise_place(point(mesh, v)); });
+    } else {
+      decltype(auto) p = point(mesh, v);
+      return {internal::imported_number(p.x()), internal::imported_number(p.y()), internal::imported_number(p.z())};
+    }
   }
 
   /// A lower bound of the distance on the surface: the distance through space.
-  double distance_lower_bound(const Place& p, const Place& q) const { return std::sqrt(squared_distance(p, q)); }
+  double distance_lower_bound(const Place& p, const Place& q) const
+  {
+    if constexpr(is_rational)
+      return std::sqrt(squared_norm(internal::least_vector(p, q)));
+    else
+      return std::sqrt(squared_norm(difference(p, q)));
+  }
 
   /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face. \throws as `length()`
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
+    using Construct = typename Traits::Construct_face_3;
     const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+    if constexpr(is_rational && std::is_invocable<const Construct&, const internal::Rounded_sides&>::value) {
+      const internal::Rounded_sides sides = {{vector(mesh, h), vector(mesh, hn), vector(mesh, hp)}};
+      check_length(mesh, h, sides.vectors[0]);
+      check_length(mesh, hn, sides.vectors[1]);
+      check_length(mesh, hp, sides.vectors[2]);
+      return traits.construct_face_3_object()(sides);
+    }
     for(Input_halfedge_index side : {h, hn, hp})
-      check_length(mesh, side);
+      check_length(mesh, side, vector(mesh, side));
     return traits.construct_face_3_object()(point(mesh, mesh.tail(h)), point(mesh, mesh.tail(hn)),
                                             point(mesh, mesh.tail(hp)));
   }
 
-  /// The same face in exact numbers; the coordinates are taken as the doubles they round to.
+  /// The same face in exact numbers; coordinates are taken as they are, or as the doubles they round to, see
+  /// `is_rounded()`.
   internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
-    std::array<double, 9> coordinates;
-    for(std::size_t i = 0; i < 9; i += 3, h = mesh.next(h)) {
-      const Place p = place(mesh, mesh.tail(h));
-      std::copy(p.begin(), p.end(), coordinates.begin() + i);
-    }
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+    const std::array<Exact_place, 3> places = {exact_place(mesh, mesh.tail(h)), exact_place(mesh, mesh.tail(hn)),
+                                               exact_place(mesh, mesh.tail(hp))};
+    std::array<internal::Integer, 9> coordinates;
+    internal::to_integers(places.data(), places.size(), coordinates.data());
     return internal::exact_face_from_points(coordinates);
   }
 
@@ -191,17 +221,16 @@ public:
   bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
                      internal::Flat_edges& flat_edges, Sign& sine) const
   {
-    const auto place_of = [&](Vertex_index v) { return place(mesh, v); };
+    const auto place_of = [&](Vertex_index v) { return exact_place(mesh, v); };
     return internal::Planar_sine<Mesh, decltype(place_of)>(mesh, place_of, flat_edges)(a, b, steps, sine);
   }
 
-  /// Returns whether a coordinate of the mesh is not a double, so that it is rounded. Then nothing is certified, since
-  /// decisions refer to the rounded coordinates. Linear in the mesh when it is first called, if not every number of the
-  /// kernel is a double.
+  /// Returns whether a coordinate of the mesh is rounded: it is not a double, and its type does not give the exact value
+  /// as a fraction. Then nothing is certified, since decisions refer to the rounded coordinates. Linear in the mesh when
+  /// it is first called, if the number type of the kernel allows such coordinates.
   bool is_rounded(const Mesh& mesh) const
   {
-    using Coordinate = std::decay_t<decltype(std::declval<const Point_3&>().x())>;
-    if constexpr(internal::is_within_double<Coordinate>)
+    if constexpr(is_rational || internal::is_within_double<internal::Coordinate<Point_3>>)
       return static_cast<void>(mesh), false;
     else
       return m_is_rounded([&] {
@@ -218,22 +247,62 @@ private:
            internal::is_rounded_number(p.z());
   }
 
-  // Throws what length() throws, but takes no root.
-  void check_length(const Mesh& mesh, Input_halfedge_index h) const
+  using Exact_place = std::conditional_t<is_rational, internal::Rational_place, Place>;
+
+  Exact_place exact_place(const Mesh& mesh, Vertex_index v) const
   {
-    const double square = squared_distance(place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
+    if constexpr(is_rational)
+      return internal::rational_place(point(mesh, v));
+    else
+      return place(mesh, v);
+  }
+
+  bool is_zero(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    return point(mesh, mesh.tail(h)) == point(mesh, mesh.tail(internal::twin_index(h)));
+  }
+
+  // Throws what length() throws, but takes no root.
+  void check_length(const Mesh& mesh, Input_halfedge_index h, const std::array<double, 3>& vector) const
+  {
+    const double square = squared_norm(vector);
     if(!(square > internal::least_safe_square && square < internal::greatest_safe_square))
       length(mesh, h);
   }
 
-  static double squared_distance(const Place& p, const Place& q)
+  // A halfedge in space; each coordinate is rounded once.
+  std::array<double, 3> vector(const Mesh& mesh, Input_halfedge_index h) const
   {
-    const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
-    return internal::unfused(x * x) + internal::unfused(y * y) + internal::unfused(z * z);
+    return vector(mesh, h, place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
   }
+
+  std::array<double, 3> vector(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
+  {
+    if constexpr(is_rational)
+      return internal::rounded_vector(tail, head, [&](const auto& use) {
+        return use(point(mesh, mesh.tail(h)), point(mesh, mesh.tail(internal::twin_index(h))));
+      });
+    else
+      return static_cast<void>(mesh), static_cast<void>(h), difference(tail, head);
+  }
+
+  static std::array<double, 3> difference(const std::array<double, 3>& p, const std::array<double, 3>& q)
+  {
+    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  }
+
+  static double squared_norm(const std::array<double, 3>& v)
+  {
+    return internal::unfused(v[0] * v[0]) + internal::unfused(v[1] * v[1]) + internal::unfused(v[2] * v[2]);
+  }
+
+  struct No_places
+  {
+  };
 
   VertexPointMap m_points;
   internal::Known_rounding m_is_rounded;
+  std::conditional_t<is_rational, internal::Precise_places, No_places> m_places;
 };
 
 namespace internal {
@@ -299,6 +368,9 @@ class Edge_length_metric : public internal::Metric_of_lengths<Edge_length_metric
 {
   static_assert(internal::is_property_map<EdgeLengthMap>());
 
+  using Length = typename boost::property_traits<EdgeLengthMap>::value_type;
+  static constexpr bool is_rational = internal::is_rational_number<Length>;
+
 public:
   using Mesh = Numbered_mesh<TriangleMesh>; ///< the mesh, numbered
   using Kernel = Simple_cartesian<double>;  ///< in which finished curves are measured
@@ -332,11 +404,40 @@ public:
   /// Zero.
   double distance_lower_bound(Place, Place) const { return 0; }
 
-  /// Returns whether a length is not a double, so that it is rounded. Then nothing is certified, since decisions refer
-  /// to the rounded lengths. Linear in the mesh when it is first called, if not every value of the map is a double.
+  /*!
+   * The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
+   * \throws Degenerate_face_error if the lengths violate the triangle inequality; equality is allowed
+   */
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  {
+    using Construct = typename Traits::Construct_face_from_lengths;
+    if constexpr(is_rational && std::is_invocable<const Construct&, const internal::Rational_lengths&>::value) {
+      const internal::Rational_lengths lengths = rational_lengths(mesh, h);
+      const auto& [a, b, c] = lengths.numerators;
+      this->face_lengths(mesh, h); // throws if they cannot be used
+      internal::check_triangle_inequality(mesh, h, a, b, c);
+      return traits.construct_face_from_lengths_object()(lengths);
+    } else {
+      return internal::Metric_of_lengths<Edge_length_metric>::face_geometry(mesh, h, traits);
+    }
+  }
+
+  /// The same face in exact numbers; lengths are taken as they are, or as the doubles they round to, see `is_rounded()`.
+  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    if constexpr(is_rational)
+      return internal::exact_face_from_lengths(rational_lengths(mesh, h).numerators);
+    else
+      return internal::exact_face_from_lengths(this->face_lengths(mesh, h));
+  }
+
+  /// Returns whether a length is rounded: it is not a double, and its type does not give the exact value as a fraction.
+  /// Then nothing is certified, since decisions refer to the rounded lengths. Linear in the mesh when it is first called,
+  /// if the type allows such lengths.
   bool is_rounded(const Mesh&) const
   {
-    if constexpr(internal::is_within_double<typename boost::property_traits<EdgeLengthMap>::value_type>)
+    if constexpr(is_rational || internal::is_within_double<Length>)
       return false;
     else
       return m_is_rounded([&] {
@@ -347,6 +448,16 @@ public:
   }
 
 private:
+  internal::Rational_lengths rational_lengths(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    const auto side = [&](Input_halfedge_index s) {
+      return internal::to_rational(get(m_lengths, edge(mesh.halfedge(s), *m_mesh)));
+    };
+    const Input_halfedge_index hn = mesh.next(h);
+    const internal::Rational_place lengths = internal::rational_place(side(h), side(hn), side(mesh.next(hn)));
+    return {lengths.numerators, lengths.denominator};
+  }
+
   const TriangleMesh* m_mesh;
   EdgeLengthMap m_lengths;
   internal::Known_rounding m_is_rounded;

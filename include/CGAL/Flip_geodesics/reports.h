@@ -29,7 +29,8 @@ enum class Verdict {
                 ///< sequence is not such a strip; or it touches a vertex with a total angle below \f$2\pi\f$
   BENT_JOINT,   ///< the claim is false: a side of a joint that is not blocked has an angle below \f$\pi\f$
   UNDECIDED,    ///< it is not known whether the claim holds: the decisions of the traits are rounded and `certify()`
-                ///< was not called, a search was not completed, or coordinates or lengths of the mesh are not doubles
+                ///< was not called, a search was not completed, or coordinates or lengths of the mesh
+                ///< were rounded, see `Embedded_metric::is_rounded()`
   WITHIN_ROUNDING,  ///< the claim holds for every path that is shorter by more than
                     ///< `Shortest_path_report::rounding_tolerance()` of the length, and the path is a `PROVEN` geodesic
   WITHIN_TOLERANCE, ///< the claim holds up to `Shortest_path_report::tolerance()` of the length

@@ -8,6 +8,9 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/number_utils.h>
@@ -217,7 +220,7 @@ inline Nearest_weights nearest_weights(Triangle_places corners)
 template <class Point>
 Place_in_space half_of(const Point& p)
 {
-  return {{CGAL::to_double(p.x()) / 2, CGAL::to_double(p.y()) / 2, CGAL::to_double(p.z()) / 2}};
+  return {{imported_number(p.x()) / 2, imported_number(p.y()) / 2, imported_number(p.z()) / 2}};
 }
 
 /* The corner of a face of the mesh at the tail of a halfedge, as seen from a place. */

@@ -179,10 +179,10 @@ inline void take_out_power_of_two(std::array<std::array<Integer, 3>, 3>& vectors
         n = n < 0 ? Integer(-(Integer(-n) >> power)) : Integer(n >> power);
 }
 
-inline Exact_face exact_face_from_points(const std::array<double, 9>& coordinates)
+/* The face of three points, given by their coordinates one after the other. */
+inline Exact_face exact_face_from_points(const std::array<Integer, 9>& c)
 {
   using Vector = std::array<Integer, 3>;
-  const std::array<Integer, 9> c = to_integers(coordinates);
   std::array<Vector, 3> e;
   for(int i = 0; i < 3; ++i)
     for(int k = 0; k < 3; ++k)
@@ -195,13 +195,17 @@ inline Exact_face exact_face_from_points(const std::array<double, 9>& coordinate
 }
 
 /* Twice the lengths, so that half sums stay whole: |hp|^2 = |h + hn|^2 and |hn|^2 = |h + hp|^2. */
-inline Exact_face exact_face_from_lengths(const std::array<double, 3>& lengths)
+inline Exact_face exact_face_from_lengths(const std::array<Integer, 3>& l)
 {
-  const std::array<Integer, 3> l = to_integers(lengths);
   const Integer a = 2 * l[0] * l[0], b = 2 * l[1] * l[1], c = 2 * l[2] * l[2];
   Exact_face face = {a, (c - a - b) / 2, (b - a - c) / 2, 0};
   face.doubled_area_squared = a * b - face.dot_next * face.dot_next;
   return face;
+}
+
+inline Exact_face exact_face_from_lengths(const std::array<double, 3>& lengths)
+{
+  return exact_face_from_lengths(to_integers(lengths));
 }
 
 /*

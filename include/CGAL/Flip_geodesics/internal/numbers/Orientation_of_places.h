@@ -58,6 +58,14 @@ public:
     return are_doubles(precise_vectors) ? sign_of_sum(vectors) : sign_of_integer(places);
   }
 
+  /* The same of integers. */
+  static Sign of_integers(const std::array<std::array<Integer, N>, N + 1>& places)
+  {
+    const auto vectors =
+        differences<Integer>(places, [](const Integer& a, const Integer& b) { return Integer(a - b); });
+    return sign_of(determinant(vectors).sign());
+  }
+
 private:
   static Sign sign_of(double x) { return x > 0 ? POSITIVE : (x < 0 ? NEGATIVE : ZERO); }
 
@@ -168,11 +176,38 @@ private:
     std::array<std::array<Integer, N>, N + 1> points;
     for(std::size_t i = 0; i < integers.size(); ++i)
       points[i / N][i % N] = integers[i];
-    const auto vectors =
-        differences<Integer>(points, [](const Integer& a, const Integer& b) { return Integer(a - b); });
-    return sign_of(determinant(vectors).sign());
+    return of_integers(points);
   }
 };
+
+/* The orientation of four places in space, or of three as seen along an axis. */
+using Place_in_double = std::array<double, 3>;
+
+inline Sign orientation(const Place_in_double& p, const Place_in_double& q, const Place_in_double& r,
+                        const Place_in_double& s)
+{
+  return Orientation_of_places<3>()({p, q, r, s});
+}
+
+inline Sign orientation_along(std::size_t axis, const Place_in_double& p, const Place_in_double& q,
+                              const Place_in_double& r)
+{
+  const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
+  return Orientation_of_places<2>()({{{p[x], p[y]}, {q[x], q[y]}, {r[x], r[y]}}});
+}
+
+/* The coordinates of places, one after the other, as integers. */
+inline void to_integers(const Place_in_double* places, std::size_t size, Integer* result)
+{
+  static_assert(sizeof(Place_in_double) == 3 * sizeof(double));
+  to_integers(places->data(), 3 * size, result);
+}
+
+/* The vector from one place to another in double-double numbers, exactly. */
+inline std::array<Double_double, 3> precise_difference(const Place_in_double& p, const Place_in_double& q)
+{
+  return {exact_sum(q[0], -p[0]), exact_sum(q[1], -p[1]), exact_sum(q[2], -p[2])};
+}
 
 /*
  * The vector from one place in space to another, exactly: each coordinate a double and its rounding error. The signs of

@@ -23,6 +23,9 @@ inline constexpr double unit_roundoff = 0x1p-53;
 /* The relative error of n operations in a row, to first order. */
 constexpr double rounding_errors(double n) { return n * unit_roundoff; }
 
+/* A relative error that is negligible beside one rounding error: with it, a rounded number errs by a millionth more. */
+inline constexpr double negligible_rounding = 0x1p-20 * unit_roundoff;
+
 /* The largest double below 1. */
 inline constexpr double largest_below_one = 1 - unit_roundoff;
 

@@ -5,6 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <array>
@@ -44,10 +46,18 @@ inline bool is_longer_than_sum(double a, double b, double c)
       edge + " has the length " + number.str() + ", which is not a number between 1e-70 and 1e70", elements);
 }
 
-inline bool satisfy_triangle_inequality(double a, double b, double c)
+inline bool is_longer_than_sum(const Integer& a, const Integer& b, const Integer& c) { return a > b + c; }
+
+template <class Number>
+bool satisfy_triangle_inequality(const Number& a, const Number& b, const Number& c)
 {
   return !is_longer_than_sum(a, b, c) && !is_longer_than_sum(b, c, a) && !is_longer_than_sum(c, a, b);
 }
+
+/* Has a metric the places of vertices in space, from which it lays out faces? */
+template <class Metric>
+inline constexpr bool has_places_in_space = std::is_same<typename Metric::Place, std::array<double, 3>>::value ||
+                                            std::is_same<typename Metric::Place, std::array<Double_double, 3>>::value;
 
 /* Returns whether a metric makes the vectors of a face, without throwing an exception. */
 template <class Metric, class Input_mesh>
@@ -55,14 +65,14 @@ bool is_usable_face(const Metric& metric, const Input_mesh& mesh, Input_halfedge
 {
   const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
   const double a = metric.weight(mesh, h), b = metric.weight(mesh, hn), c = metric.weight(mesh, hp);
-  constexpr bool has_places = std::is_same<typename Metric::Place, std::array<double, 3>>::value;
   return is_usable_length(a) && is_usable_length(b) && is_usable_length(c) &&
-         (has_places || satisfy_triangle_inequality(a, b, c));
+         (has_places_in_space<Metric> || satisfy_triangle_inequality(a, b, c));
 }
 
 /* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */
-template <class Input_mesh>
-void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, double a, double b, double c)
+template <class Input_mesh, class Number>
+void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, const Number& a, const Number& b,
+                               const Number& c)
 {
   if(satisfy_triangle_inequality(a, b, c))
     return;

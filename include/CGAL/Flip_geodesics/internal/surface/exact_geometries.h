@@ -126,6 +126,8 @@ template <class NT>
 NT converted(const Integer& n)
 {
   constexpr int digits = 24;
+  if(n < 0)
+    return NT(-converted<NT>(Integer(-n)));
   if(n < (1 << digits))
     return NT(static_cast<double>(n));
   const NT upper = converted<NT>(Integer(n >> digits));

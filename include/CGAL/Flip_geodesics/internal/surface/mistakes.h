@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_MISTAKES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -11,7 +12,6 @@
 #include <CGAL/number_utils.h>
 
 #include <iterator>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -45,6 +45,18 @@ constexpr bool are_triangulation_traits()
                 "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
   return true;
 }
+
+/* Is a type a kernel? */
+template <class T, class = void>
+struct Is_kernel : std::false_type
+{
+};
+
+template <class T>
+struct Is_kernel<T, std::void_t<typename T::FT, typename T::Point_3, typename T::Vector_3>>
+  : std::bool_constant<!Is_triangulation_traits<T>::value>
+{
+};
 
 /* Does a triangulation tell the words of its edges on an input? */
 template <class Triangulation, class = void>
@@ -135,37 +147,22 @@ constexpr bool is_visitor<
                                                           Halfedge_index())),
                 decltype(std::declval<Visitor&>().after_flip_out(std::declval<Network&>(), Curve_index()))>> = true;
 
-} // namespace internal
-} // namespace Flip_geodesics
-
-template <typename ET>
-class Lazy_exact_nt;
-
-namespace Flip_geodesics {
-namespace internal {
-
-/* Is every number of a type a double? */
-template <class NT>
-inline constexpr bool is_within_double = std::is_arithmetic<NT>::value&& std::numeric_limits<NT>::radix == 2 &&
-                                         std::numeric_limits<NT>::digits <= std::numeric_limits<double>::digits;
-
 /* The double that a number rounds to. */
 template <class NT>
 double imported_number(const NT& x)
 {
-  return CGAL::to_double(x);
+  if constexpr(is_rational_number<NT>)
+    return rounded_number(x);
+  else
+    return CGAL::to_double(x);
 }
 
-/*
- * The same of a lazy number, whose value is made exact first unless it is known to be a double: otherwise the double
- * would depend on whether somebody else has asked for the exact value before.
- */
+/* The same of a lazy number, of which `CGAL::to_double()` would return five digits for certain, and others depending on
+ * whether its exact value is known. */
 template <class ET>
 double imported_number(const Lazy_exact_nt<ET>& x)
 {
-  if(!x.approx().is_point())
-    x.exact();
-  return CGAL::to_double(x);
+  return x.approx().is_point() ? x.approx().inf() : imported_number(x.exact());
 }
 
 /* Is a number changed when it is imported as a double? If that is uncertain, as for intervals, it counts as changed. */

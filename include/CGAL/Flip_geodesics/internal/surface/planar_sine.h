@@ -7,8 +7,10 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Rational_places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
+#include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -17,6 +19,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,19 +35,19 @@ namespace internal {
  * two places along that direction, a rational number; and sideways by the distances from ruling to ruling, a sum of
  * roots.
  */
+template <class Place>
 struct Unrolled_line
 {
-  using Place = std::array<double, 3>;
-
   std::vector<Place> places; // its start, one on each ruling that it crosses, and its end
   Sign side = ZERO;          // POSITIVE if it leads to the right of the rulings' direction
   Sign height = ZERO;        // POSITIVE if it leads along that direction
 };
 
 /* The sign of the sine of the angle clockwise from one line to another, over walls with rulings of some direction. */
+template <class Place>
 class Unrolled_sine
 {
-  using Place = Unrolled_line::Place;
+  using Unrolled_line = internal::Unrolled_line<Place>;
 
 public:
   /* From one place to another along the rulings' direction. */
@@ -76,13 +82,8 @@ private:
 
   using Precise_vector = std::array<Double_double, 3>;
 
-  // Differences are exact, and a product of two vectors errs by less than 30 double_double_error of their lengths.
+  // Differences err by 2^-106 at most, and a product of two vectors by less than 30 double_double_error of their lengths.
   static constexpr double unit = 64 * double_double_error;
-
-  static Precise_vector precise_difference(const Place& p, const Place& q)
-  {
-    return {exact_sum(q[0], -p[0]), exact_sum(q[1], -p[1]), exact_sum(q[2], -p[2])};
-  }
 
   static Double_double dot(const Precise_vector& u, const Precise_vector& v)
   {
@@ -135,15 +136,11 @@ private:
 
   Uncertain<Sign> exact(const Unrolled_line& a, const Unrolled_line& b) const
   {
-    std::vector<double> coordinates;
-    const auto append = [&](const Place& p) { coordinates.insert(coordinates.end(), p.begin(), p.end()); };
-    append(m_from);
-    append(m_to);
+    std::vector<Place> places = {m_from, m_to};
     for(const Unrolled_line* line : {&a, &b})
-      for(const Place& p : line->places)
-        append(p);
-    std::vector<Integer> integers(coordinates.size());
-    to_integers(coordinates.data(), coordinates.size(), integers.data());
+      places.insert(places.end(), line->places.begin(), line->places.end());
+    std::vector<Integer> integers(3 * places.size());
+    to_integers(places.data(), places.size(), integers.data());
     const Vector u = shortened(difference(&integers[0], &integers[3]));
     const Integer *of_a = &integers[6], *of_b = of_a + 3 * a.places.size();
     Root_sum sum;
@@ -189,13 +186,15 @@ private:
  * which bend along parallel edges only, so that they are unrolled into a plane. These are the common cases of exact ties:
  * the flat parts of technical models, and their walls.
  *
- * PlaceOf maps an input vertex to three double coordinates. Words with an end elsewhere are left to others, since
- * the coordinates of such a point are no doubles.
+ * PlaceOf maps an input vertex to three double coordinates or to a `Rational_place`. Words with an end elsewhere are left
+ * to others, since the coordinates of such a point are neither.
  */
 template <class Mesh, class PlaceOf>
 class Planar_sine
 {
-  using Place = std::array<double, 3>;
+  using Place = decltype(std::declval<const PlaceOf&>()(Vertex_index()));
+  using Exact_vector =
+      std::conditional_t<std::is_same<Place, Rational_place>::value, Rational_vector, internal::Exact_vector>;
   using Halfedges = std::vector<Input_halfedge_index>;
 
 public:
@@ -255,16 +254,17 @@ private:
 
   bool sine_over_walls(const Line& a, const Line& b, Input_halfedge_index bend, Sign& sine) const
   {
-    Unrolled_line line_a, line_b;
+    Unrolled_line<Place> line_a, line_b;
     if(!unroll(a, bend, line_a) || !unroll(b, bend, line_b))
       return false;
-    const Uncertain<Sign> result = Unrolled_sine(place_of_tail(bend), place_of_tail(twin_index(bend)))(line_a, line_b);
+    const Uncertain<Sign> result =
+        Unrolled_sine<Place>(place_of_tail(bend), place_of_tail(twin_index(bend)))(line_a, line_b);
     sine = result.is_certain() ? result.make_certain() : ZERO;
     return result.is_certain();
   }
 
   // Returns false if the numbers are too small or too large, or the line turns back.
-  bool unroll(const Line& line, Input_halfedge_index bend, Unrolled_line& result) const
+  bool unroll(const Line& line, Input_halfedge_index bend, Unrolled_line<Place>& result) const
   {
     result.places.push_back(place_of_tail(reference(line.word)));
     for(Input_halfedge_index h : line.bends)
@@ -381,7 +381,7 @@ private:
   {
     const Place p = m_place_of(m_mesh.tail(h)), q = m_place_of(m_mesh.tail(twin_index(h)));
     const Place r = m_place_of(apex(h)), s = m_place_of(apex(twin_index(h)));
-    return Orientation_of_places<3>()({p, q, r, s}) == ZERO && is_unfolded(p, q, r, s);
+    return orientation(p, q, r, s) == ZERO && is_unfolded(p, q, r, s);
   }
 
   // Are r and s, which lie in one plane with p and q, on different sides of the line through these two?
@@ -399,12 +399,6 @@ private:
   Sign side_of_face(std::size_t axis, Input_halfedge_index h) const
   {
     return orientation_along(axis, corner(h, 0), corner(h, 1), corner(h, 2));
-  }
-
-  static Sign orientation_along(std::size_t axis, const Place& p, const Place& q, const Place& r)
-  {
-    const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
-    return Orientation_of_places<2>()({{{p[x], p[y]}, {q[x], q[y]}, {r[x], r[y]}}});
   }
 
   const Mesh& m_mesh;

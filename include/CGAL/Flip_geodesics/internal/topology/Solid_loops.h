@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
 #include <CGAL/Flip_geodesics/internal/topology/Linking_matrix.h>
@@ -363,8 +364,8 @@ private:
   Places_in_space::Coordinates place(Vertex_index v) const
   {
     decltype(auto) p = m_triangulation.metric().point(input(), v);
-    const Places_in_space::Coordinates result = {CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                                                 CGAL::to_double(p.z())};
+    const Places_in_space::Coordinates result = {imported_number(p.x()), imported_number(p.y()),
+                                                 imported_number(p.z())};
     for(double x : result)
       if(!(std::abs(x) < greatest_length))
         throw Invalid_coordinate_error("a coordinate of vertex " + std::to_string(v.idx()) +

@@ -82,7 +82,7 @@ public:
   Plane_vector corner(Input_halfedge_index h) const
   {
     check_triangle(m_triangulation.input(), h);
-    constexpr bool has_places = std::is_same<typename Triangulation::Metric::Place, std::array<double, 3>>::value;
+    constexpr bool has_places = has_places_in_space<typename Triangulation::Metric>;
     if((!has_places || m_refused == Refused_faces::UNUSABLE) &&
        !is_usable_face(m_triangulation.metric(), m_triangulation.input(), h))
     {
@@ -90,7 +90,7 @@ public:
       return 0;
     }
     if constexpr(has_places) {
-      return corner(place(tail(h)), place(head(h)), place(apex(h)));
+      return corner(tail(h), head(h), apex(h));
     } else {
       const auto face = known_input_face_geometry(m_triangulation, h);
       return {-face[2].x / face[0].x, -face[2].y / face[0].x};
@@ -128,13 +128,27 @@ private:
     angle.passes_near_pi = angle.passes_near_pi || (std::abs(sine) <= margin && is_obtuse);
   }
 
+  using Vector_3 = std::array<double, 3>;
+
   auto place(Vertex_index v) const { return m_triangulation.metric().place(m_triangulation.input(), v); }
 
-  static Plane_vector corner(const std::array<double, 3>& p, const std::array<double, 3>& q,
-                             const std::array<double, 3>& r)
+  Plane_vector corner(Vertex_index p, Vertex_index q, Vertex_index r) const
   {
-    const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
-    const double u = r[0] - p[0], v = r[1] - p[1], w = r[2] - p[2];
+    if constexpr(std::is_same<typename Triangulation::Metric::Place, Vector_3>::value) {
+      const Vector_3 at_p = place(p), at_q = place(q), at_r = place(r);
+      return corner({at_q[0] - at_p[0], at_q[1] - at_p[1], at_q[2] - at_p[2]},
+                    {at_r[0] - at_p[0], at_r[1] - at_p[1], at_r[2] - at_p[2]});
+    } else {
+      const auto& metric = m_triangulation.metric();
+      const auto& input = m_triangulation.input();
+      return corner(rounded_vector(metric, input, p, q), rounded_vector(metric, input, p, r));
+    }
+  }
+
+  static Plane_vector corner(const Vector_3& to_q, const Vector_3& to_r)
+  {
+    const auto [x, y, z] = to_q;
+    const auto [u, v, w] = to_r;
     const double a = unfused(y * w) - unfused(z * v), b = unfused(z * u) - unfused(x * w),
                  c = unfused(x * v) - unfused(y * u);
     const double scale = 1 / (unfused(x * x) + unfused(y * y) + unfused(z * z));

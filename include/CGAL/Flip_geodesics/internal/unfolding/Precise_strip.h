@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <CGAL/Uncertain.h>
@@ -41,10 +41,11 @@ struct Precise_halfedge
 /*
  * Lays faces out in numbers of about 106 bits, as `IntrinsicMetric::face_geometry()` asks its traits to.
  *
- * The bound of the errors, in units of u^2 = 2^-106. From points: differences are exact; a dot product of e and f errs
- * by 50 of |e| |f|, three products of 16 and two sums; a cross product by 57, as a vector, its length by another 41
- * relative to itself; lengths by 41; the product of two by 98, its reciprocal and the last product by 32 more. In all
- * |(50, 98)| + 98 + 32 < 256 = 2^8, as the cross product of the two shortest sides is no less accurate for the others.
+ * The bound of the errors, in units of u^2 = 2^-106. From points: differences of doubles are exact, those of rational
+ * numbers err by 1 in each coordinate; a dot product of e and f errs by 52 of |e| |f|, three products of 16, two sums and
+ * the differences; a cross product by 60, as a vector, its length by another 41 relative to itself; lengths by 42; the
+ * product of two by 100, its reciprocal and the last product by 32 more. In all |(52, 101)| + 100 + 32 < 256 = 2^8, as
+ * the cross product of the two shortest sides is no less accurate for the others.
  * From lengths: (c - a)(c + a) - b^2 for a >= b errs by 112 of a b, as |c - a| <= b; the factors of Heron's formula are
  * sums of three doubles, right up to 2, their product up to 56, its root up to 44. That makes less.
  *
@@ -62,7 +63,7 @@ public:
     template <class Point_3>
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
-      const std::array<Vector_3, 3> e = {difference(p, q), difference(q, r), difference(r, p)};
+      const std::array<Vector_3, 3> e = {precise_vector(p, q), precise_vector(q, r), precise_vector(r, p)};
       std::array<Double_double, 3> lengths, dots;
       for(int i = 0; i < 3; ++i) {
         lengths[i] = sqrt(dot(e[i], e[i]));
@@ -75,14 +76,6 @@ public:
 
   private:
     using Vector_3 = std::array<Double_double, 3>;
-
-    template <class Point_3>
-    static Vector_3 difference(const Point_3& p, const Point_3& q)
-    {
-      return {exact_sum(imported_number(q.x()), -imported_number(p.x())),
-              exact_sum(imported_number(q.y()), -imported_number(p.y())),
-              exact_sum(imported_number(q.z()), -imported_number(p.z()))};
-    }
 
     static Double_double dot(const Vector_3& u, const Vector_3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
@@ -98,6 +91,11 @@ public:
     Face_geometry operator()(double a, double b, double c) const
     {
       return assembled({{{a, 0}, {b, 0}, {c, 0}}}, {{dot(a, b, c), dot(b, c, a), dot(c, a, b)}}, doubled_area(a, b, c));
+    }
+
+    Face_geometry operator()(const Rational_lengths& l) const
+    {
+      return assembled({{l.length(0), l.length(1), l.length(2)}}, {{l.dot(0), l.dot(1), l.dot(2)}}, l.doubled_area());
     }
 
   private:

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_RATIONAL_NUMBER_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_RATIONAL_NUMBER_H
+
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/multiprecision/number.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+template <typename ET>
+class Lazy_exact_nt;
+
+namespace Flip_geodesics {
+namespace internal {
+
+/* Is every number of a type a double? */
+template <class NT>
+inline constexpr bool is_within_double = std::is_arithmetic<NT>::value&& std::numeric_limits<NT>::radix == 2 &&
+                                         std::numeric_limits<NT>::digits <= std::numeric_limits<double>::digits;
+
+/* How the exact value of a number is read. */
+enum class Rational_kind {
+  NONE,     // it is a double, or has no value that is known to be rational
+  LAZY,     // by the number type that evaluates it
+  INTEGER,  // it is one
+  FRACTION, // by CGAL's traits
+  BOOST     // by the functions of Boost.Multiprecision
+};
+
+template <class NT>
+struct Is_lazy_number : std::false_type
+{
+};
+
+template <class ET>
+struct Is_lazy_number<Lazy_exact_nt<ET>> : std::true_type
+{
+};
+
+template <class NT>
+constexpr bool is_exact_integer()
+{
+  using Structure = Algebraic_structure_traits<NT>;
+  using Category = typename Structure::Algebraic_category;
+  return Structure::Is_exact::value && std::is_convertible<Category, Euclidean_ring_tag>::value &&
+         !std::is_convertible<Category, Field_tag>::value;
+}
+
+template <class NT>
+constexpr Rational_kind rational_kind()
+{
+  if constexpr(std::is_arithmetic<NT>::value)
+    return std::is_integral<NT>::value && !is_within_double<NT> ? Rational_kind::INTEGER : Rational_kind::NONE;
+  else if constexpr(boost::multiprecision::is_number<NT>::value)
+    return boost::multiprecision::number_category<NT>::value == boost::multiprecision::number_kind_rational
+               ? Rational_kind::BOOST
+               : (boost::multiprecision::number_category<NT>::value == boost::multiprecision::number_kind_integer
+                      ? Rational_kind::INTEGER
+                      : Rational_kind::NONE);
+  else if constexpr(Is_lazy_number<NT>::value)
+    return rational_kind<typename NT::ET>() != Rational_kind::NONE ? Rational_kind::LAZY : Rational_kind::NONE;
+  else if constexpr(Fraction_traits<NT>::Is_fraction::value)
+    return is_exact_integer<typename Fraction_traits<NT>::Numerator_type>() ? Rational_kind::FRACTION
+                                                                            : Rational_kind::NONE;
+  else
+    return is_exact_integer<NT>() ? Rational_kind::INTEGER : Rational_kind::NONE;
+}
+
+/* Is every number of a type rational, and is its exact value read? It need not be a double. */
+template <class NT>
+inline constexpr bool is_rational_number = rational_kind<NT>() != Rational_kind::NONE;
+
+/* An integer of another number type. */
+template <class NT>
+Integer to_integer(const NT& n)
+{
+  constexpr int digits = std::numeric_limits<double>::digits - 1;
+  if constexpr(std::is_integral<NT>::value || boost::multiprecision::is_number<NT>::value) {
+    return Integer(n);
+  } else if(n < NT(0)) {
+    return -to_integer(NT(-n));
+  } else {
+    const NT unit(static_cast<double>(std::uint64_t(1) << digits));
+    if(n < unit)
+      return Integer(CGAL::to_double(n));
+    NT quotient, rest;
+    CGAL::div_mod(n, unit, quotient, rest);
+    return (to_integer(quotient) << digits) + Integer(CGAL::to_double(rest));
+  }
+}
+
+/* A fraction of integers; the denominator is positive. */
+struct Rational
+{
+  Integer numerator, denominator;
+};
+
+/* The exact value of a number. */
+template <class NT>
+Rational to_rational(const NT& x)
+{
+  constexpr Rational_kind kind = rational_kind<NT>();
+  static_assert(kind != Rational_kind::NONE);
+  if constexpr(kind == Rational_kind::LAZY) {
+    return to_rational(x.exact());
+  } else if constexpr(kind == Rational_kind::INTEGER) {
+    return {to_integer(x), 1};
+  } else if constexpr(kind == Rational_kind::BOOST) {
+    return {Integer(numerator(x)), Integer(denominator(x))};
+  } else {
+    typename Fraction_traits<NT>::Numerator_type above;
+    typename Fraction_traits<NT>::Denominator_type below;
+    typename Fraction_traits<NT>::Decompose()(x, above, below);
+    const Integer denominator = to_integer(below);
+    return denominator < 0 ? Rational{-to_integer(above), -denominator} : Rational{to_integer(above), denominator};
+  }
+}
+
+/*
+ * A fraction in double-double numbers. The first 119 digits are taken as three doubles, of which the sum of the last two
+ * is rounded once: so the result errs by little more than 2^-106 of itself, unless it leaves the range of doubles. Its
+ * second half is zero only if the first one is the exact value. \pre d > 0
+ */
+inline Double_double precise_quotient(const Integer& n, const Integer& d)
+{
+  if(n == 0)
+    return {};
+  constexpr int digits = 120, of_last = 20, of_middle = 50;
+  const int shift = digits + static_cast<int>(highest_bit(d)) - static_cast<int>(highest_bit(n));
+  Integer dividend = absolute(n), divisor = d, quotient, rest;
+  (shift > 0 ? dividend : divisor) <<= std::abs(shift);
+  boost::multiprecision::divide_qr(dividend, divisor, quotient, rest);
+  const auto part = [&](int lowest, std::uint64_t mask) {
+    return std::ldexp(static_cast<double>(static_cast<std::uint64_t>(Integer((quotient >> lowest) & mask))), lowest);
+  };
+  const auto mask = [](int size) { return (std::uint64_t(1) << size) - 1; };
+  const Double_double leading =
+      ordered_sum(part(of_last + of_middle, ~std::uint64_t(0)), part(of_last, mask(of_middle)));
+  Double_double result = ordered_sum(leading.high, leading.low + part(0, mask(of_last)));
+  if(result.low == 0 && rest != 0)
+    result.low = 0.5;
+  const double sign = n < 0 ? -1 : 1;
+  return {std::ldexp(sign * result.high, -shift), std::ldexp(sign * result.low, -shift)};
+}
+
+/* A number in double-double numbers. */
+template <class NT>
+Double_double precise_number(const NT& x)
+{
+  const Rational exact = to_rational(x);
+  return precise_quotient(exact.numerator, exact.denominator);
+}
+
+/* The nearest double, which is zero only if the number is. */
+template <class NT>
+double rounded_number(const NT& x)
+{
+  const double result = precise_number(x).high;
+  return result == 0 && !(x == NT(0)) ? (std::numeric_limits<double>::min)() : result;
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_RATIONAL_NUMBER_H

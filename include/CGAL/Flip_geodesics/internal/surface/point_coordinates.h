@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_POINT_COORDINATES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_POINT_COORDINATES_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Rational_places.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <type_traits>
+#include <utility>
+
+// How the coordinates of points are read: as doubles, or exactly if the kernel's number type has rational values.
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+template <class Point>
+using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
+
+/* Are the coordinates of points rational numbers that are read exactly, and that doubles need not hold? */
+template <class Point>
+inline constexpr bool has_rational_coordinates = is_rational_number<Coordinate<Point>>;
+
+/* Has a point an exact and an approximate value, as those of kernels of lazy numbers have? */
+template <class Point, class = void>
+struct Is_lazy_point : std::false_type
+{
+};
+
+template <class Point>
+struct Is_lazy_point<Point, std::void_t<decltype(std::declval<const Point&>().approx().x().is_point()),
+                                        decltype(std::declval<const Point&>().exact().x())>> : std::true_type
+{
+};
+
+/* The exact coordinates of a point. */
+template <class Point>
+Rational_place rational_place(const Point& p)
+{
+  if constexpr(Is_lazy_point<Point>::value)
+    return rational_place(p.exact());
+  else
+    return rational_place(to_rational(p.x()), to_rational(p.y()), to_rational(p.z()));
+}
+
+/* The coordinates of a point in double-double numbers. If the second half of one is zero, it is a double. */
+using Precise_place = std::array<Double_double, 3>;
+
+template <class Point>
+Precise_place precise_place(const Point& p)
+{
+  if constexpr(Is_lazy_point<Point>::value) {
+    const auto& a = p.approx();
+    if(a.x().is_point() && a.y().is_point() && a.z().is_point())
+      return {{{a.x().inf(), 0}, {a.y().inf(), 0}, {a.z().inf(), 0}}};
+    return precise_place(p.exact());
+  } else {
+    return {precise_number(p.x()), precise_number(p.y()), precise_number(p.z())};
+  }
+}
+
+/* A bound of the error of the difference of two coordinates of precise places. */
+inline double difference_error(const Double_double& p, const Double_double& q)
+{
+  return p.low == 0 && q.low == 0 ? 0 : double_double_error * (std::abs(p.high) + std::abs(q.high));
+}
+
+/* A coordinate of the vector from p to q, rounded once, from the exact values. */
+template <class Point>
+double rounded_difference(const Point& p, const Point& q, std::size_t i)
+{
+  if constexpr(Is_lazy_point<Point>::value) {
+    return rounded_difference(p.exact(), q.exact(), i);
+  } else {
+    const auto coordinate = [i](const Point& r) { return i == 0 ? r.x() : (i == 1 ? r.y() : r.z()); };
+    const Coordinate<Point> from = coordinate(p), to = coordinate(q);
+    if(from == to)
+      return 0;
+    const Rational a = to_rational(from), b = to_rational(to);
+    return precise_quotient(b.numerator * a.denominator - a.numerator * b.denominator, a.denominator * b.denominator)
+        .high;
+  }
+}
+
+/*
+ * The vector from one point to another, each coordinate rounded once, as the difference of two doubles is. If precise
+ * places differ too little, the points decide: `points(use)` calls `use()` with them.
+ */
+template <class Points>
+std::array<double, 3> rounded_vector(const Precise_place& p, const Precise_place& q, const Points& points)
+{
+  std::array<double, 3> result;
+  for(std::size_t i = 0; i < 3; ++i) {
+    result[i] = (q[i] - p[i]).high;
+    if(!(difference_error(p[i], q[i]) <= negligible_rounding * std::abs(result[i])))
+      result[i] = points([i](const auto& from, const auto& to) { return rounded_difference(from, to, i); });
+  }
+  return result;
+}
+
+/* The same of two vertices, by the places and the points that a metric has of them. */
+template <class Metric, class Mesh>
+std::array<double, 3> rounded_vector(const Metric& metric, const Mesh& mesh, Vertex_index v, Vertex_index w)
+{
+  return rounded_vector(metric.place(mesh, v), metric.place(mesh, w),
+                        [&](const auto& use) { return use(metric.point(mesh, v), metric.point(mesh, w)); });
+}
+
+/* The sides of a triangle in space as vectors, each coordinate rounded once. */
+struct Rounded_sides
+{
+  std::array<std::array<double, 3>, 3> vectors;
+};
+
+/* Those from p to q, to r, and back. */
+template <class Point>
+Rounded_sides rounded_sides(const Point& p, const Point& q, const Point& r)
+{
+  const auto side = [](const Point& a, const Point& b) {
+    if constexpr(has_rational_coordinates<Point>)
+      return std::array<double, 3>{rounded_difference(a, b, 0), rounded_difference(a, b, 1),
+                                   rounded_difference(a, b, 2)};
+    else
+      return std::array<double, 3>{imported_number(b.x()) - imported_number(a.x()),
+                                   imported_number(b.y()) - imported_number(a.y()),
+                                   imported_number(b.z()) - imported_number(a.z())};
+  };
+  return {{side(p, q), side(q, r), side(r, p)}};
+}
+
+/* The vector from one point to another in double-double numbers, each coordinate with an error of little more than
+ * 2^-106 of itself; of doubles it is exact. */
+template <class Point>
+std::array<Double_double, 3> precise_vector(const Point& p, const Point& q)
+{
+  if constexpr(has_rational_coordinates<Point>) {
+    const Precise_place from = precise_place(p), to = precise_place(q);
+    std::array<Double_double, 3> result;
+    for(std::size_t i = 0; i < 3; ++i) {
+      if(from[i].low != 0 || to[i].low != 0)
+        return precise_difference(rational_place(p), rational_place(q));
+      result[i] = exact_sum(to[i].high, -from[i].high);
+    }
+    return result;
+  } else {
+    return {exact_sum(imported_number(q.x()), -imported_number(p.x())),
+            exact_sum(imported_number(q.y()), -imported_number(p.y())),
+            exact_sum(imported_number(q.z()), -imported_number(p.z()))};
+  }
+}
+
+/* The lower bound of a distance between precise places: no difference is taken for larger than it is. */
+inline std::array<double, 3> least_vector(const Precise_place& p, const Precise_place& q)
+{
+  std::array<double, 3> result;
+  for(std::size_t i = 0; i < 3; ++i)
+    result[i] = (std::max)(std::abs((q[i] - p[i]).high) - difference_error(p[i], q[i]), 0.0);
+  return result;
+}
+
+/*
+ * The precise places of vertices, computed when they are first needed: evaluating an exact number takes far longer than
+ * reading a double. A copy starts empty. Several threads may ask at once.
+ */
+class Precise_places
+{
+  struct Entry
+  {
+    Precise_place place;
+    char is_known;
+  };
+
+  struct Entries
+  {
+    Lazy_array<Entry> array;
+    Index size = 0; // zero until there is an array
+    Short_lock lock;
+  };
+
+public:
+  Precise_places()
+    : m_entries(std::make_unique<Entries>())
+  {
+  }
+  Precise_places(const Precise_places&)
+    : Precise_places()
+  {
+  }
+  Precise_places(Precise_places&& other) noexcept = default;
+  Precise_places& operator=(const Precise_places&) { return *this = Precise_places(); }
+  Precise_places& operator=(Precise_places&& other) noexcept = default;
+
+  /* That of vertex v, one of `size`, which `compute()` returns if it is not known. */
+  template <class Compute>
+  Precise_place operator()(Vertex_index v, Index size, const Compute& compute) const
+  {
+    if(load_acquire(m_entries->size) == 0)
+      allocate(size);
+    if(v.idx() >= load_relaxed(m_entries->size))
+      return compute();
+    Entry& entry = m_entries->array[static_cast<std::size_t>(v.idx())];
+    if(load_acquire(entry.is_known) == 0)
+      keep(entry, compute());
+    return entry.place;
+  }
+
+private:
+  void allocate(Index size) const
+  {
+    const std::lock_guard<Short_lock> guard(m_entries->lock);
+    if(m_entries->size != 0)
+      return;
+    m_entries->array = Lazy_array<Entry>(static_cast<std::size_t>(size));
+    store_release(m_entries->size, size);
+  }
+
+  // Another thread may have been faster, with the same place.
+  void keep(Entry& entry, const Precise_place& place) const
+  {
+    const std::lock_guard<Short_lock> guard(m_entries->lock);
+    if(entry.is_known != 0)
+      return;
+    entry.place = place;
+    store_release(entry.is_known, char(1));
+  }
+
+  std::unique_ptr<Entries> m_entries;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_POINT_COORDINATES_H
