@@ -89,11 +89,11 @@ struct Geodesics_result
  *        early; the report tells. With one, or with a visitor, the edge path itself is pulled tight, so that they see
  *        every step; `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
  *        points as values, by default `get(CGAL::vertex_point, mesh)`; or `metric`, a model of `IntrinsicMetric`,
- *        by default that of the points; `geom_traits`, a model of `IntrinsicTriangulationTraits`, by default
- *        `Certified_intrinsic_triangulation_traits` of the metric's kernel, whatever kernel that is, or, for a metric of
- *        one's own without `exact_face()`, `Intrinsic_triangulation_traits`; `visitor`, a model of `FlipOutVisitor`,
- *        which is copied unless it is given by `std::ref()`, by default none. The search for the edge path calls
- *        `go_further()` as well, once for about a thousand vertices. If it returns `false` there, then nothing is
+ *        by default that of the points; `geom_traits`, a model of `IntrinsicTriangulationTraits`, or the kernel of the
+ *        points for the default: `Certified_intrinsic_triangulation_traits` of the metric's kernel, whatever kernel that
+ *        is, or, for a metric of one's own without `exact_face()`, `Intrinsic_triangulation_traits`; `visitor`, a model
+ *        of `FlipOutVisitor`, which is copied unless it is given by `std::ref()`, by default none. The search for the edge
+ *        path calls `go_further()` as well, once for about a thousand vertices. If it returns `false` there, then nothing is
  *        written, and the report has the status `Shortening_status::STOPPED_BY_VISITOR`
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Degenerate_face_error, Invalid_coordinate_error,

@@ -126,6 +126,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::shorten(network, stop);
 #elif MISTAKE == 33
   FG::flip_to_delaunay(triangulation, 1000);
+#elif MISTAKE == 34
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::geom_traits(lengths));
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::stop_predicate(stop));
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(visitor),

@@ -316,3 +316,22 @@ BOOST_AUTO_TEST_CASE(coordinates_of_many_digits)
   BOOST_TEST((path.verdict() == Certificate_verdict::PROVEN));
   BOOST_TEST(path.length() == 6 * std::sqrt(2.), boost::test_tools::tolerance(1e-14));
 }
+
+// A kernel as geom_traits() means the default.
+BOOST_AUTO_TEST_CASE(a_kernel_as_traits)
+{
+  const auto mesh = mesh_of<Lazy_kernel>(lattice_grid(4), in_odd_cells<Lazy_kernel>);
+  using Mesh = std::decay_t<decltype(mesh)>;
+  using Vertex = Mesh::Vertex_index;
+  namespace params = CGAL::parameters;
+  std::vector<Lazy_kernel::Point_3> points;
+  const auto out = std::back_inserter(points);
+  const auto np = params::geom_traits(Lazy_kernel());
+  BOOST_TEST((FG::geodesic_path(mesh, Vertex(4), Vertex(20), out, np).verdict() == Certificate_verdict::PROVEN));
+  BOOST_TEST((FG::shortest_path(mesh, Vertex(4), Vertex(20), out, np).report.verdict ==
+              FG::Shortest_path_verdict::PROVEN_SHORTEST));
+  const std::vector<Vertex> diagonal = {Vertex(4), Vertex(3)};
+  BOOST_TEST((FG::certify_curve(mesh, diagonal, false, np).verdict == Certificate_verdict::PROVEN));
+  std::map<Vertex, double> distances;
+  BOOST_TEST(FG::geodesic_distances(mesh, Vertex(0), boost::make_assoc_property_map(distances), np).is_confirmed);
+}

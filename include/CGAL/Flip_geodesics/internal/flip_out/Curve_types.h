@@ -31,8 +31,10 @@ struct Curve_types
 {
   using Vertex = typename Vertex_of<TriangleMesh>::type;
   using Metric = Metric_by_name<TriangleMesh, NamedParameters>;
-  using Traits = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
-                                                              Default_traits<Metric>>::type;
+  using Traits =
+      typename Traits_given<typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                                         Default_traits<Metric>>::type,
+                            Metric, Default_traits<Metric>>::type;
   using Triangulation = Intrinsic_triangulation<TriangleMesh, Traits, Metric>;
   using Network = Edge_path_network<Triangulation>;
 };
@@ -42,9 +44,12 @@ auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
                         Zero_length_edges zero_length_edges = Zero_length_edges::REFUSE)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
-  const auto traits =
+  const auto given =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
-  return typename Types::Triangulation(mesh, make_metric(mesh, np), traits, zero_length_edges);
+  if constexpr(std::is_same<std::remove_const_t<decltype(given)>, typename Types::Traits>::value)
+    return typename Types::Triangulation(mesh, make_metric(mesh, np), given, zero_length_edges);
+  else // a kernel
+    return typename Types::Triangulation(mesh, make_metric(mesh, np), typename Types::Traits(), zero_length_edges);
 }
 
 /* Triangulations of a mesh as it is, and of what is left of it when edges of length zero are contracted. Each is made

@@ -58,6 +58,27 @@ struct Is_kernel<T, std::void_t<typename T::FT, typename T::Point_3, typename T:
 {
 };
 
+/* Has a metric points of another type than a kernel? Without points it goes with any kernel. */
+template <class Kernel, class Metric, class = void>
+constexpr bool has_other_points = false;
+template <class Kernel, class Metric>
+constexpr bool has_other_points<Kernel, Metric, std::void_t<typename Metric::Point_3, typename Kernel::Point_3>> =
+    !std::is_void<typename Metric::Point_3>::value &&
+    !std::is_same<typename Metric::Point_3, typename Kernel::Point_3>::value;
+
+/* The traits that the named parameter geom_traits stands for: of a kernel, those that are the default. */
+template <class Given, class Metric, class Default>
+struct Traits_given
+{
+  static constexpr bool is_kernel = Is_kernel<Given>::value;
+
+  static_assert(is_kernel || Is_triangulation_traits<Given>::value,
+                "geom_traits() takes a kernel or a model of IntrinsicTriangulationTraits");
+  static_assert(!is_kernel || !has_other_points<Given, Metric>,
+                "the kernel given as geom_traits() is not that of the mesh's points");
+  using type = std::conditional_t<Is_triangulation_traits<Given>::value, Given, Default>;
+};
+
 /* Does a triangulation tell the words of its edges on an input? */
 template <class Triangulation, class = void>
 struct Has_words : std::false_type

@@ -148,14 +148,20 @@ auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
 template <class TriangleMesh, class NamedParameters>
 using Surface_by_name = Metric_surface<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>;
 
+/* What a kernel stands for here: the default limit. */
+struct No_sign_work_limit
+{
+  using Has_drift = Tag_true;
+};
+
 template <class TriangleMesh, class NamedParameters>
 Surface_by_name<TriangleMesh, NamedParameters> make_surface(const TriangleMesh& mesh, const NamedParameters& np)
 {
   std::uint64_t work_limit = default_sign_work;
   if constexpr(is_given<NamedParameters, internal_np::geom_traits_t>) {
     const auto traits = parameters::get_parameter(np, internal_np::geom_traits);
-    using Traits = std::decay_t<decltype(traits)>;
-    static_assert(are_triangulation_traits<Traits>());
+    using Given = std::decay_t<decltype(traits)>;
+    using Traits = typename Traits_given<Given, Metric_by_name<TriangleMesh, NamedParameters>, No_sign_work_limit>::type;
     if constexpr(!Traits::Has_drift::value)
       work_limit = traits.sign_work_limit();
   }
