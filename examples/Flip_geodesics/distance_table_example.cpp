@@ -40,7 +40,8 @@ try {
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh");
   const auto halfedge = mesh.halfedge(Mesh::Face_index(mesh.number_of_faces() / 4));
-  const std::vector<Source> sources = {Vertex(0), Face_location(mesh.number_of_faces() / 2, {{0.2, 0.3, 0.5}}),
+  const std::vector<Source> sources = {Vertex(0),
+                                       Face_location(Mesh::Face_index(mesh.number_of_faces() / 2), {{0.2, 0.3, 0.5}}),
                                        std::vector<Vertex>{mesh.source(halfedge), mesh.target(halfedge)}};
   auto distances = mesh.add_property_map<Vertex, double>("v:distance").first;
   auto nearest = mesh.add_property_map<Vertex, int>("v:nearest_source").first;
