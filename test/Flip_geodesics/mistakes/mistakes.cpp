@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Mistakes that are made with the interface, by their number; without any, MISTAKE=0, all of it compiles.
+// Mistakes that are made with the interface, by their number; without any, MISTAKE=0, all of it compiles. They are compiled
+// together, and an instance has its error once: no two mistakes may have the same instances.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
@@ -60,7 +61,7 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #if MISTAKE == 1
   FG::Intrinsic_triangulation<Mesh, Kernel> wrong(mesh);
 #elif MISTAKE == 2
-  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), stop);
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), FG::Never_stop_predicate());
 #elif MISTAKE == 3
   FG::geodesic_loop(mesh, std::vector<Mesh::Halfedge_index>(), out);
 #elif MISTAKE == 4
@@ -68,7 +69,7 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 5
   FG::halfedges_through(triangulation, of_mesh, false);
 #elif MISTAKE == 6
-  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, 1000);
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, 1000L);
 #elif MISTAKE == 7
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], std::back_inserter(wrong_points));
 #elif MISTAKE == 8
@@ -78,7 +79,7 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 10
   FG::IO::write_VTP("mesh.vtp", of_mesh);
 #elif MISTAKE == 11
-  FG::geodesic_path(mesh, of_mesh[0], out, of_mesh[1]);
+  FG::geodesic_path(mesh, of_mesh[0], out, FG::Surface_location());
 #elif MISTAKE == 12
   FG::geodesic_path(of_mesh[0], of_mesh[1], mesh, out);
 #elif MISTAKE == 13
@@ -104,7 +105,7 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 23
   FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, FG::Window_limit(1));
 #elif MISTAKE == 24
-  std::map<Mesh::Vertex_index, float> of_several; // of another type than above: an instance has its error once
+  std::map<Mesh::Vertex_index, float> of_several;
   FG::geodesic_distances(mesh, of_mesh, of_several);
 #elif MISTAKE == 25
   const FG::Geodesic_distance_field<Triangulation> of_temporary{Triangulation(mesh), mesh};
