@@ -8,8 +8,8 @@
  * \ingroup PkgFlipGeodesicsRef
  * Includes the headers of the package but these, which are to be included by themselves:
  * `Exact_intrinsic_triangulation_traits.h`, those that need Eigen (`Operators.h`, `Operators.h`,
- * `Operators.h`, `Direction_field.h`, `Conformal_flattening.h`), and `polygon_soup_to_triangle_mesh.h`, which
- * includes packages of CGAL under the GPL.
+ * `Operators.h`, `Direction_field.h`, `Conformal_flattening.h`), and `insert_curves.h` and
+ * `polygon_soup_to_triangle_mesh.h`, which include packages of CGAL under the GPL.
  */
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>

@@ -428,10 +428,16 @@ inline constexpr double hessian_regularization = 1e-12;
 /* Steps of a line search below these parts of the full step are not tried any more. */
 inline constexpr double least_line_search_step = 1e-10, least_mean_step = 0x1p-40;
 
+/* Vertices that curves add to a mesh are this part of the largest coordinate away from each other and from edges. Each
+ * coordinate of (1 - t) a + t b has an error of at most three halves of an ulp, so a vertex is misplaced by less than
+ * 1.5 sqrt(3) 2^-52 of the largest one; 2^-48 is three times what two vertices and an edge may come closer. */
+inline constexpr double insertion_rounding = 0x1p-48;
+
 // ---- Defaults and thresholds of the interface
 
 inline constexpr double default_snap = 1e-12;                // of weights to edges and vertices
 inline constexpr double nearest_point_snap = 1e-9;           // of weights, found by projection, to edges and vertices
+inline constexpr double off_surface_tolerance = 1e-6;        // of the mesh's bounding box, for a point of a curve
 inline constexpr double default_mollification = 1e-5;        // of the mean edge length
 inline constexpr double default_angle_sum_tolerance = 1e-10; // radians, of a flattening
 inline constexpr double default_mean_tolerance = 1e-11;      // of the root of the variance

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INSERT_CURVES_H
+#define CGAL_FLIP_GEODESICS_INSERT_CURVES_H
+
+/*!
+ * \file insert_curves.h
+ * \ingroup PkgFlipGeodesicsSubdivision
+ * Inserts curves into a mesh in place. `Flip_geodesics.h` does not include this header: it includes CGAL's package 2D
+ * Triangulations, whose license is the GPL. A program that includes it is bound by that license, which other programs
+ * that use this package are not.
+ */
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Curve_insertion.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Curve_reader.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsSubdivision
+ *
+ * The base class of visitors of `insert_curves()`, whose members do nothing. A visitor derives from it and replaces those
+ * that it needs. The names, parameters and the order of the calls are those of
+ * `CGAL::Polygon_mesh_processing::Corefinement::Default_visitor`.
+ *
+ * \tparam TriangleMesh the mesh that curves are inserted into
+ */
+template <class TriangleMesh>
+struct Default_curve_insertion_visitor
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;         ///< of the mesh
+
+  /// Called before the edge of a halfedge is split, once for each new vertex on it.
+  void before_edge_split(halfedge_descriptor, TriangleMesh&) {}
+  /// Called with the new halfedge, whose target is the new vertex, when it is linked and the vertex has its point.
+  void edge_split(halfedge_descriptor, TriangleMesh&) {}
+  /// Called after the edge has been split.
+  void after_edge_split() {}
+  /// Called before a face is divided. The face stays, as one of its parts.
+  void before_subface_creations(face_descriptor, TriangleMesh&) {}
+  /// Called before a further part of this face is created.
+  void before_subface_created(TriangleMesh&) {}
+  /// Called with the new part, when its sides are linked.
+  void after_subface_created(face_descriptor, TriangleMesh&) {}
+  /// Called when all parts of this face exist.
+  void after_subface_creations(TriangleMesh&) {}
+};
+
+/// \ingroup PkgFlipGeodesicsSubdivision
+/// What `insert_curves()` has changed.
+struct Curve_insertion_report
+{
+  std::size_t new_vertices = 0;  ///< vertices that were added
+  std::size_t divided_faces = 0; ///< faces that were divided
+  std::size_t new_faces = 0;     ///< parts of these that are new faces; each divided face stays as one of its parts
+  std::size_t regions = 0;       ///< regions in the face patch map; 0 if none is given
+};
+
+namespace internal {
+
+/* Networks have an `insert_curves()` of their own. */
+template <class T, class = void>
+constexpr bool has_triangulation = false;
+template <class T>
+constexpr bool has_triangulation<T, std::void_t<typename T::Triangulation>> = true;
+
+template <class T, class = void>
+constexpr bool is_mutable_mesh = false;
+template <class T>
+constexpr bool
+    is_mutable_mesh<T, std::void_t<decltype(add_edge(std::declval<T&>())), decltype(faces(std::declval<const T&>()))>> =
+        !std::is_const<T>::value;
+
+/* The map of marked edges that is given, or one that is forgotten. */
+template <class TriangleMesh, class NamedParameters>
+auto marked_edges(TriangleMesh& mesh, const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
+    static_assert(is_property_map<Given<NamedParameters, internal_np::edge_is_constrained_t>>());
+    return parameters::get_parameter(np, internal_np::edge_is_constrained);
+  } else {
+    return get(CGAL::dynamic_edge_property_t<bool>(), mesh);
+  }
+}
+
+/* The visitor that is given, or one that does nothing. */
+template <class TriangleMesh, class NamedParameters>
+auto insertion_visitor(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
+    return make_visitor(np);
+  else
+    return Visitor_holder<Default_curve_insertion_visitor<TriangleMesh>>{};
+}
+
+/* How close to zero barycentric coordinates count as zero. */
+template <class NamedParameters>
+double snapping_tolerance_of(const NamedParameters& np)
+{
+  constexpr double largest = 1.0 / 3; // beyond that, all three coordinates of a point could be zero
+  const double result = CGAL::to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), default_snap));
+  if(!(result >= 0 && result < largest))
+    throw Invalid_parameter_error("the snapping tolerance is " + std::to_string(result) + ", not between 0 and 1/3");
+  return result;
+}
+
+/* Numbers the components of faces that marked edges separate, in the order of their first faces. */
+template <class TriangleMesh, class IsMarkedMap, class FacePatchMap>
+std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FacePatchMap patches)
+{
+  using Graph = boost::graph_traits<TriangleMesh>;
+  using Face = typename Graph::face_descriptor;
+  using Id = typename boost::property_traits<FacePatchMap>::value_type;
+  auto is_known = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+  for(const Face f : faces(mesh))
+    put(is_known, f, false);
+  std::size_t result = 0;
+  std::vector<Face> open;
+  const auto add = [&](Face f) {
+    if(f == Graph::null_face() || get(is_known, f))
+      return;
+    put(is_known, f, true);
+    put(patches, f, static_cast<Id>(result));
+    open.push_back(f);
+  };
+  for(const Face first : faces(mesh)) {
+    if(get(is_known, first))
+      continue;
+    for(add(first); !open.empty();) {
+      const Face f = open.back();
+      open.pop_back();
+      for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+        if(!get(is_marked, edge(h, mesh)))
+          add(face(opposite(h, mesh), mesh));
+    }
+    ++result;
+  }
+  return result;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsSubdivision
+ *
+ * Inserts curves into a mesh as chains of edges, in place: the faces that they cross are divided, all others stay, and
+ * nothing is shortened. The edges of the curves are marked, and faces can be labeled by the regions that marked edges
+ * bound.
+ *
+ * A curve is what functions of this package write, or a polyline as drawn by a user. It may be open or closed, in which
+ * case its last point repeats the first; it may cross itself and others, run along edges, pass vertices, and overlap
+ * with others. Where two curves cross inside a face there is one new vertex. This is decided exactly, by a constrained
+ * Delaunay triangulation in the plane of each face.
+ *
+ * Vertices, edges and faces of the mesh stay, with their points and properties, unless a curve divides them. A divided
+ * face stays as one of its parts, as does a split edge; the other parts are new. New vertices on an edge lie on the segment between its ends, at a parameter that is rounded to `double`, and new
+ * vertices in a face are affine combinations of its corners. With a kernel with exact constructions they lie
+ * exactly there, and no face of the result that is part of a face with an area is degenerate.
+ *
+ * Rounded coordinates do not separate vertices that are too close to each other. Therefore a point is moved to an edge
+ * or to a vertex if its barycentric coordinates are at most the snapping tolerance, points are merged that are closer
+ * to each other than this part of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ of the largest coordinate,
+ * and a segment that passes a vertex as closely is led through it. If the tolerance is zero, nothing is
+ * merged; then faces of the result can be degenerate with rounded coordinates.
+ *
+ * The mesh is unchanged if an exception is thrown, unless memory runs out.
+ *
+ * \param mesh a triangle mesh, a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, no two faces of
+ *        which have the same three vertices; only faces that are divided need to be triangles
+ * \param curves a range of curves, or a single one. A curve is a range of points, or has one as its member `locations`,
+ *        like an `Isoline` or a `Voronoi_boundary`. A point is a `CGAL::Polygon_mesh_processing::Face_location` of the
+ *        mesh, a `Curve_point` or `Curve_place`, or a point in space that lies on the surface up to \f$10^{-6}\f$ of
+ *        the diagonal of the bounding box. A point in space is searched for in the faces around the point before it, and
+ *        then in all faces. Two points in a row lie in a common face: `complete_polyline()` computes the missing points of
+ *        other polylines. A curve that is a point adds a vertex and no edge
+ * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map, in which the edges of curves are marked. Edges that are marked before the
+ *                           call stay so, with all their parts}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as
+ *                    key and `bool` as value type}
+ *     \cgalParamDefault{no map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{a property map, which receives the number of the region of each face: the connected
+ *                           components of faces, where no marked edge is crossed, are numbered from 0 on in the order
+ *                           of their first faces}
+ *     \cgalParamType{a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key
+ *                    and an integer as value type}
+ *     \cgalParamDefault{no map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor that is called for each split edge and divided face}
+ *     \cgalParamType{a class derived from `Default_curve_insertion_visitor`, which is copied unless it is given by
+ *                    `std::ref()`}
+ *     \cgalParamDefault{`Default_curve_insertion_visitor<TriangleMesh>`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{snapping_tolerance}
+ *     \cgalParamDescription{the barycentric coordinate up to which a point is moved to an edge or a vertex}
+ *     \cgalParamType{a number, at least 0 and below 1/3}
+ *     \cgalParamDefault{10<sup>-12</sup>}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of the mesh}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
+ *                    key and a point of a model of `Kernel` as value type}
+ *     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the numbers of new vertices, divided and new faces, and regions
+ *
+ * \exception Invalid_location_error if a face is null, barycentric coordinates are negative, not numbers or do not sum
+ *            to one within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` are
+ *            the positions of the curve and of the point in it
+ * \exception Invalid_curve_error if a curve has no points, or two points in a row are in no common face; `elements()`
+ *            are the positions of the curve and of the second point
+ * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
+ *            points in space, if one of the faces that are searched is not
+ * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite
+ * \exception Invalid_parameter_error if the snapping tolerance is out of range
+ *
+ * Complexity: \f$O(n \log n)\f$ in the number of points and crossings if each face has few of them, and up to quadratic
+ * in those of a face; linear in the mesh for regions, and for each point in space that is not found in the faces around
+ * the point before it.
+ *
+ * \sa `cut_along_curves()`
+ * \sa `Slit_mesh`
+ */
+template <class TriangleMesh, class CurveRange, class... NamedParameters>
+std::enable_if_t<!internal::has_triangulation<TriangleMesh>, Curve_insertion_report> insert_curves(
+    TriangleMesh& mesh, const CurveRange& curves, const NamedParameters&... np)
+{
+  static_assert(internal::is_mutable_mesh<TriangleMesh>,
+                "the first argument of insert_curves() is not a mesh that can be changed, a model of MutableFaceGraph");
+  static_assert(internal::is_insertable_curve<CurveRange, TriangleMesh> ||
+                    internal::is_range_of_insertable_curves<CurveRange, TriangleMesh>,
+                "the curves are not ranges of Face_locations of the mesh, Curve_points or points in space");
+  const auto& options =
+      internal::options_of<internal_np::vertex_point_t, internal_np::edge_is_constrained_t, internal_np::face_patch_t,
+                           internal_np::visitor_t, internal_np::snapping_tolerance_t>(np...);
+  Curve_insertion_report report;
+  if constexpr(internal::is_mutable_mesh<TriangleMesh> &&
+               (internal::is_insertable_curve<CurveRange, TriangleMesh> ||
+                internal::is_range_of_insertable_curves<CurveRange, TriangleMesh>))
+  { // so that no message follows
+    auto points = parameters::choose_parameter(parameters::get_parameter(options, internal_np::vertex_point),
+                                               get_property_map(CGAL::vertex_point, mesh));
+    const double snap = internal::snapping_tolerance_of(options);
+    internal::Curve_insertion<TriangleMesh, decltype(points)> insertion(mesh, points, snap);
+    internal::Curve_reader<TriangleMesh, decltype(points)>(mesh, points, snap, insertion).add_all(curves);
+    insertion.arrange();
+    const auto is_marked = internal::marked_edges(mesh, options);
+    auto visitor = internal::insertion_visitor<TriangleMesh>(options);
+    insertion.apply(is_marked, visitor.get());
+    report.new_vertices = insertion.number_of_new_vertices();
+    report.divided_faces = insertion.number_of_divided_faces();
+    report.new_faces = insertion.number_of_new_faces();
+    if constexpr(internal::is_given<std::decay_t<decltype(options)>, internal_np::face_patch_t>)
+      report.regions =
+          internal::label_regions(mesh, is_marked, parameters::get_parameter(options, internal_np::face_patch));
+  }
+  return report;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INSERT_CURVES_H

@@ -1,0 +1,674 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CURVE_INSERTION_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CURVE_INSERTION_H
+
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Face_arrangement.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Divides faces of a mesh along segments. Points are first collected as nodes: vertices of the mesh, points of edges,
+ * and points inside faces. Segments are kept by the faces in which they lie. `arrange()` computes what becomes of each
+ * face; until then the mesh is not changed. `apply()` changes it, and does not throw unless memory runs out.
+ */
+template <class Mesh, class PointMap>
+class Curve_insertion
+{
+  using Graph = boost::graph_traits<Mesh>;
+  using Vertex = typename Graph::vertex_descriptor;
+  using Halfedge = typename Graph::halfedge_descriptor;
+  using Face = typename Graph::face_descriptor;
+  using Point = typename boost::property_traits<PointMap>::value_type;
+  using Number = typename Kernel_traits<Point>::Kernel::FT;
+  using Exact = Face_arrangement::Kernel::FT;
+  using Point_2 = Face_arrangement::Point_2;
+  using Segment = Face_arrangement::Segment;
+
+public:
+  static constexpr std::size_t none = Face_arrangement::none;
+
+  Curve_insertion(Mesh& mesh, const PointMap& points, double snap)
+    : m_mesh(mesh)
+    , m_points(points)
+    , m_snap(snap)
+  {
+  }
+
+  /* The corners of a face: the sources of its halfedges. Throws unless it is a triangle with finite coordinates. */
+  Triangle_places places_of_corners(Face f) const
+  {
+    Triangle_places result;
+    Halfedge h = check_triangle(f);
+    for(Place_in_space& p : result) {
+      p = half_of(get(m_points, source(h, m_mesh)));
+      if(!are_finite(p))
+        throw Invalid_coordinate_error(
+            "a vertex of a face that a curve enters has a coordinate that is no finite number");
+      h = next(h, m_mesh);
+    }
+    return result;
+  }
+
+  /* The node at a point of a face, by weights that are not negative and not all zero. */
+  std::size_t add_point(Face f, const std::array<double, 3>& weights)
+  {
+    face_record(f);
+    const auto zeros = std::count(weights.begin(), weights.end(), 0.0);
+    std::array<Halfedge, 3> sides = sides_of(f);
+    if(zeros == 0)
+      return add_inside(f, {{Exact(weights[0]), Exact(weights[1]), Exact(weights[2])}});
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      if(zeros == 2 && weights[i] != 0)
+        return node_of_vertex(source(sides[i], m_mesh));
+      if(zeros == 1 && weights[k] == 0)
+        return add_on_edge(sides[i], weights[i], weights[j]);
+    }
+    return none;
+  }
+
+  /* Adds a segment between two nodes, in the first face that has both, of these and those around the nodes. Returns
+   * whether there is one. */
+  bool add_segment(std::size_t a, std::size_t b, const std::array<Face, 2>& hints)
+  {
+    if(root(a) == root(b))
+      return true;
+    std::vector<Face> candidates(hints.begin(), hints.end());
+    append_faces(a, candidates);
+    append_faces(b, candidates);
+    for(const Face f : candidates)
+      if(is_in_closure(a, f) && is_in_closure(b, f)) {
+        face_record(f).segments.push_back({{a, b}});
+        return true;
+      }
+    return false;
+  }
+
+  /* The faces that have a node. */
+  void append_faces(std::size_t n, std::vector<Face>& result) const
+  {
+    const Node& node = m_nodes[root(n)];
+    const auto append = [&](Halfedge h) {
+      if(face(h, m_mesh) != Graph::null_face())
+        result.push_back(face(h, m_mesh));
+    };
+    if(node.kind == Location_kind::FACE)
+      return result.push_back(node.face);
+    if(node.kind == Location_kind::EDGE) {
+      append(node.halfedge);
+      return append(opposite(node.halfedge, m_mesh));
+    }
+    for(const Halfedge h : halfedges_around_target(halfedge(node.vertex, m_mesh), m_mesh))
+      append(h);
+  }
+
+  /* Decides everything: merges nodes that are too close, and triangulates the faces. */
+  void arrange()
+  {
+    for(std::size_t round = 0, open = 1; open > 0 && round < most_rounds; ++round) {
+      open = 0;
+      for(std::size_t i = 0; i < m_faces.size(); ++i)
+        if(!m_faces[i].is_arranged && refine(i))
+          ++open;
+    }
+    for(const Edge& e : std::vector<Edge>(m_edges))
+      for(const Halfedge h : {e.halfedge, opposite(e.halfedge, m_mesh)})
+        if(!e.nodes.empty() && face(h, m_mesh) != Graph::null_face())
+          face_record(face(h, m_mesh));
+    for(std::size_t i = 0; i < m_faces.size(); ++i)
+      if(!m_faces[i].is_arranged)
+        arrange_face(i);
+  }
+
+  /* Changes the mesh. */
+  template <class IsConstrainedMap, class Visitor>
+  void apply(IsConstrainedMap is_constrained, Visitor& visitor)
+  {
+    for(const Edge& e : m_edges)
+      split(e, is_constrained, visitor);
+    for(const Face_record& f : m_faces)
+      divide(f, is_constrained, visitor);
+  }
+
+  std::size_t number_of_new_vertices() const { return m_number_of_new_vertices; }
+  std::size_t number_of_divided_faces() const { return m_number_of_divided_faces; }
+  std::size_t number_of_new_faces() const { return m_number_of_new_faces; }
+
+private:
+  // Rounds of merging after which what is left too close stays. Each round shortens or removes segments.
+  static constexpr std::size_t most_rounds = 32;
+
+  struct Node
+  {
+    Location_kind kind = Location_kind::VERTEX;
+    std::size_t same_as = none;                 // the node that it was merged with
+    Vertex vertex = Graph::null_vertex();       // of the mesh, once it has one
+    Halfedge halfedge = Graph::null_halfedge(); // that `canonical()` returns for the edge,
+    double t = 0;                               // and where on it, from its source on
+    Face face = Graph::null_face();             // that it is inside of,
+    std::array<Exact, 3> weights;               // and where, with sum one
+  };
+
+  struct Edge
+  {
+    Halfedge halfedge;
+    double tolerance;               // of t
+    std::vector<std::size_t> nodes; // by t
+  };
+
+  struct Face_record
+  {
+    Face face;
+    std::array<Halfedge, 3> sides;
+    std::array<Vertex, 3> vertices;               // the sources of the sides
+    std::array<std::array<double, 2>, 3> corners; // of the face, laid out in a plane, counterclockwise
+    double tolerance;                             // there
+    std::vector<Segment> segments;                // between nodes
+    std::vector<std::size_t> inner_nodes;
+    std::vector<Face_arrangement::Triangle> triangles;
+    bool is_arranged = false; // are segments and triangles those of the nodes?
+  };
+
+  Halfedge check_triangle(Face f) const
+  {
+    const Halfedge h = halfedge(f, m_mesh);
+    if(next(next(next(h, m_mesh), m_mesh), m_mesh) != h || next(h, m_mesh) == h)
+      throw Invalid_mesh_error("a face that a curve enters, or has a side that a curve crosses, is not a triangle");
+    return h;
+  }
+
+  std::array<Halfedge, 3> sides_of(Face f) const
+  {
+    const Halfedge h = halfedge(f, m_mesh);
+    return {{h, next(h, m_mesh), next(next(h, m_mesh), m_mesh)}};
+  }
+
+  // One of the two halfedges of an edge. That of `halfedge()` depends on where a Surface_mesh has the edge from.
+  Halfedge canonical(Halfedge h) const
+  {
+    const Halfedge t = opposite(h, m_mesh);
+    return t < h ? t : h;
+  }
+
+  std::size_t root(std::size_t n) const
+  {
+    while(m_nodes[n].same_as != none)
+      n = m_nodes[n].same_as;
+    return n;
+  }
+
+  std::size_t add_node(const Node& node)
+  {
+    m_nodes.push_back(node);
+    return m_nodes.size() - 1;
+  }
+
+  std::size_t node_of_vertex(Vertex v)
+  {
+    const auto [at, is_new] = m_node_of_vertex.insert({v, m_nodes.size()});
+    if(is_new) {
+      Node node;
+      node.vertex = v;
+      add_node(node);
+    }
+    return at->second;
+  }
+
+  std::size_t add_inside(Face f, const std::array<Exact, 3>& weights)
+  {
+    Node node;
+    node.kind = Location_kind::FACE;
+    node.face = f;
+    const Exact sum = weights[0] + weights[1] + weights[2];
+    for(std::size_t i = 0; i < 3; ++i) {
+      node.weights[i] = weights[i] / sum;
+      CGAL::exact(node.weights[i]); // so that numbers do not refer to all that they were computed of
+    }
+    face_record(f).inner_nodes.push_back(m_nodes.size());
+    face_record(f).is_arranged = false;
+    return add_node(node);
+  }
+
+  // The node of an edge at weights of the source and the target of a halfedge, or one so close that it is the same.
+  std::size_t add_on_edge(Halfedge h, double at_source, double at_target)
+  {
+    if(canonical(h) != h) {
+      h = opposite(h, m_mesh);
+      std::swap(at_source, at_target);
+    }
+    const double t = at_target / (at_source + at_target);
+    Edge& e = edge_record(h);
+    if(t <= e.tolerance)
+      return node_of_vertex(source(h, m_mesh));
+    if(1 - t <= e.tolerance)
+      return node_of_vertex(target(h, m_mesh));
+    const auto at = std::lower_bound(e.nodes.begin(), e.nodes.end(), t,
+                                     [&](std::size_t n, double value) { return m_nodes[n].t < value; });
+    if(at != e.nodes.end() && m_nodes[*at].t - t <= e.tolerance)
+      return *at;
+    if(at != e.nodes.begin() && t - m_nodes[*(at - 1)].t <= e.tolerance)
+      return *(at - 1);
+    Node node;
+    node.kind = Location_kind::EDGE;
+    node.halfedge = h;
+    node.t = t;
+    e.nodes.insert(at, m_nodes.size());
+    for(const Halfedge side : {h, opposite(h, m_mesh)})
+      if(const auto f = m_record_of_face.find(face(side, m_mesh)); f != m_record_of_face.end())
+        m_faces[f->second].is_arranged = false;
+    return add_node(node);
+  }
+
+  double largest_coordinate(Halfedge h) const
+  {
+    double result = 0;
+    for(const Vertex v : {source(h, m_mesh), target(h, m_mesh)})
+      for(const double x : half_of(get(m_points, v)))
+        result = (std::max)(result, 2 * std::abs(x));
+    return result;
+  }
+
+  double length(Halfedge h) const
+  {
+    const Place_in_space d =
+        difference(half_of(get(m_points, target(h, m_mesh))), half_of(get(m_points, source(h, m_mesh))));
+    return 2 * std::hypot(d[0], d[1], d[2]);
+  }
+
+  // How close points may come in space, for a length of which snapping takes a part. Zero if nothing is snapped.
+  double tolerance(double length, double largest_coordinate) const
+  {
+    return m_snap > 0 ? m_snap * length + insertion_rounding * largest_coordinate : 0;
+  }
+
+  Edge& edge_record(Halfedge h)
+  {
+    const auto [at, is_new] = m_record_of_edge.insert({h, m_edges.size()});
+    if(is_new) {
+      const double l = length(h), close = tolerance(l, largest_coordinate(h));
+      m_edges.push_back({h, close < l ? close / l : (close > 0 ? 1 : 0), {}});
+    }
+    return m_edges[at->second];
+  }
+
+  Face_record& face_record(Face f)
+  {
+    const auto found = m_record_of_face.find(f);
+    if(found != m_record_of_face.end())
+      return m_faces[found->second];
+    places_of_corners(f);
+    Face_record record;
+    record.face = f;
+    record.sides = sides_of(f);
+    for(std::size_t i = 0; i < 3; ++i)
+      record.vertices[i] = source(record.sides[i], m_mesh);
+    lay_out(record);
+    m_record_of_face[f] = m_faces.size();
+    m_faces.push_back(record);
+    return m_faces.back();
+  }
+
+  // Crossings do not depend on the shape, which makes triangles good only. One without an area gets another shape.
+  void lay_out(Face_record& f) const
+  {
+    const double a = length(f.sides[0]), b = length(f.sides[1]), c = length(f.sides[2]);
+    const double x = ((c - b) * (c + b) + a * a) / (2 * a), y = std::sqrt((c - x) * (c + x));
+    const double longest = (std::max)({a, b, c});
+    if(std::isfinite(x) && std::isfinite(a) && y > 0) {
+      f.corners = {{{{0, 0}}, {{a, 0}}, {{x, y}}}};
+      f.tolerance = tolerance(longest, (std::max)(largest_coordinate(f.sides[0]), largest_coordinate(f.sides[1])));
+    } else {
+      f.corners = {{{{0, 0}}, {{1, 0}}, {{0, 1}}}};
+      f.tolerance = m_snap;
+    }
+  }
+
+  bool is_in_closure(std::size_t n, Face f) const
+  {
+    const Node& node = m_nodes[root(n)];
+    if(node.kind == Location_kind::FACE)
+      return node.face == f;
+    for(const Halfedge h : sides_of(f))
+      if(node.kind == Location_kind::VERTEX ? source(h, m_mesh) == node.vertex : canonical(h) == node.halfedge)
+        return true;
+    return false;
+  }
+
+  // ---- Faces in the plane
+
+  std::array<Exact, 3> weights(const Face_record& f, std::size_t n) const
+  {
+    const Node& node = m_nodes[n];
+    if(node.kind == Location_kind::FACE)
+      return node.weights;
+    std::array<Exact, 3> result = {{0, 0, 0}};
+    for(std::size_t i = 0; i < 3; ++i) {
+      if(node.kind == Location_kind::VERTEX && f.vertices[i] == node.vertex)
+        result[i] = 1;
+      if(node.kind == Location_kind::EDGE && canonical(f.sides[i]) == node.halfedge) {
+        const bool is_forward = f.sides[i] == node.halfedge;
+        result[(i + 1) % 3] = is_forward ? Exact(node.t) : 1 - Exact(node.t);
+        result[i] = 1 - result[(i + 1) % 3];
+      }
+    }
+    return result;
+  }
+
+  Point_2 position(const Face_record& f, std::size_t n) const
+  {
+    const std::array<Exact, 3> w = weights(f, n); // corner 0 is the origin, and corner 1 on the first axis
+    return Point_2(w[1] * f.corners[1][0] + w[2] * f.corners[2][0], w[2] * f.corners[2][1]);
+  }
+
+  std::array<Exact, 3> weights_at(const Face_record& f, const Point_2& p) const
+  {
+    std::array<Exact, 3> result;
+    result[2] = p.y() / f.corners[2][1];
+    result[1] = (p.x() - result[2] * f.corners[2][0]) / f.corners[1][0];
+    result[0] = 1 - result[1] - result[2];
+    return result;
+  }
+
+  std::vector<std::size_t> nodes_of(std::size_t i)
+  {
+    std::vector<std::size_t> result;
+    for(const Vertex v : m_faces[i].vertices)
+      result.push_back(node_of_vertex(v));
+    for(const Halfedge h : m_faces[i].sides)
+      if(const auto e = m_record_of_edge.find(canonical(h)); e != m_record_of_edge.end())
+        result.insert(result.end(), m_edges[e->second].nodes.begin(), m_edges[e->second].nodes.end());
+    for(const std::size_t n : m_faces[i].inner_nodes)
+      if(root(n) == n)
+        result.push_back(n);
+    return result;
+  }
+
+  void arrange_face(std::size_t i)
+  {
+    Face_arrangement arrangement;
+    for(const std::size_t n : nodes_of(i)) {
+      const std::size_t other = arrangement.add_node(n, position(m_faces[i], n));
+      if(other != n)
+        m_nodes[n].same_as = other;
+    }
+    for(const Segment& s : m_faces[i].segments)
+      if(root(s[0]) != root(s[1]))
+        arrangement.add_segment(root(s[0]), root(s[1]));
+    arrangement.add_crossings([&](const Point_2& p) { return add_inside(m_faces[i].face, weights_at(m_faces[i], p)); });
+    m_faces[i].segments = arrangement.segments();
+    m_faces[i].triangles = arrangement.triangles();
+    m_faces[i].is_arranged = true;
+  }
+
+  // ---- Nodes and segments that are too close to each other
+
+  using Place_2 = std::array<double, 2>;
+
+  static double distance(const Place_2& p, const Place_2& q) { return std::hypot(q[0] - p[0], q[1] - p[1]); }
+
+  // Where p projects onto a segment, from 0 to 1, and how far away that is.
+  static std::pair<double, double> projection(const Place_2& p, const Place_2& from, const Place_2& to)
+  {
+    const double dx = to[0] - from[0], dy = to[1] - from[1];
+    const double t = ((p[0] - from[0]) * dx + (p[1] - from[1]) * dy) / (dx * dx + dy * dy);
+    return {t, distance(p, {{from[0] + t * dx, from[1] + t * dy}})};
+  }
+
+  // Arranges a face, and then merges what is too close in it. Returns whether there was such.
+  bool refine(std::size_t i)
+  {
+    arrange_face(i);
+    if(!(m_faces[i].tolerance > 0) || m_faces[i].segments.empty())
+      return false;
+    std::vector<std::size_t> nodes = nodes_of(i);
+    std::map<std::size_t, Place_2> places;
+    for(const std::size_t n : nodes) {
+      const Point_2 p = position(m_faces[i], n);
+      places[n] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y())}};
+    }
+    const bool is_changed = merge_inner_nodes(i, nodes, places) || bend_segments(i, nodes, places);
+    if(is_changed)
+      m_faces[i].is_arranged = false;
+    return is_changed;
+  }
+
+  // Nodes inside a face are merged with those before them, or else move to the sides.
+  bool merge_inner_nodes(std::size_t i, const std::vector<std::size_t>& nodes,
+                         const std::map<std::size_t, Place_2>& places)
+  {
+    const double close = m_faces[i].tolerance;
+    bool is_changed = false;
+    for(std::size_t j = 0; j < nodes.size(); ++j) {
+      if(m_nodes[nodes[j]].kind != Location_kind::FACE)
+        continue;
+      const Place_2 p = places.at(nodes[j]);
+      const auto other =
+          std::find_if(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(j),
+                       [&](std::size_t n) { return root(n) == n && distance(places.at(n), p) <= close; });
+      std::size_t same = other - nodes.begin() < static_cast<std::ptrdiff_t>(j) ? *other : none;
+      for(std::size_t k = 0; same == none && k < 3; ++k) {
+        const auto [t, d] = projection(p, m_faces[i].corners[k], m_faces[i].corners[(k + 1) % 3]);
+        if(d <= close)
+          same = add_on_edge(m_faces[i].sides[k], (std::min)((std::max)(1 - t, 0.0), 1.0),
+                             (std::min)((std::max)(t, 0.0), 1.0));
+      }
+      if(same != none) {
+        m_nodes[nodes[j]].same_as = same;
+        is_changed = true;
+      }
+    }
+    return is_changed;
+  }
+
+  bool are_on_one_side(const Face_record& f, std::size_t a, std::size_t b) const
+  {
+    const auto is_on = [&](std::size_t n, Halfedge h) {
+      const Node& node = m_nodes[n];
+      return (node.kind == Location_kind::EDGE && node.halfedge == canonical(h)) ||
+             (node.kind == Location_kind::VERTEX &&
+              (node.vertex == source(h, m_mesh) || node.vertex == target(h, m_mesh)));
+    };
+    return std::any_of(f.sides.begin(), f.sides.end(), [&](Halfedge h) { return is_on(a, h) && is_on(b, h); });
+  }
+
+  // Segments that pass a node too closely are led through it.
+  bool bend_segments(std::size_t i, const std::vector<std::size_t>& nodes, const std::map<std::size_t, Place_2>& places)
+  {
+    Face_record& f = m_faces[i];
+    std::vector<Segment> result;
+    bool is_changed = false;
+    for(const Segment& s : f.segments) {
+      std::vector<std::pair<double, std::size_t>> passed;
+      if(!are_on_one_side(f, s[0], s[1]))
+        for(const std::size_t n : nodes) {
+          const auto [t, d] = projection(places.at(n), places.at(s[0]), places.at(s[1]));
+          if(n != s[0] && n != s[1] && t > 0 && t < 1 && d <= f.tolerance)
+            passed.push_back({t, n});
+        }
+      std::sort(passed.begin(), passed.end());
+      is_changed = is_changed || !passed.empty();
+      std::size_t last = s[0];
+      for(const auto& [t, n] : passed) {
+        result.push_back({{last, n}});
+        last = n;
+      }
+      result.push_back({{last, s[1]}});
+    }
+    f.segments = result;
+    return is_changed;
+  }
+
+  // ---- The mesh
+
+  static Number number(const Exact& x)
+  {
+    if constexpr(std::is_same<Number, Exact>::value)
+      return x;
+    else
+      return Number(CGAL::to_double(x));
+  }
+
+  Vertex add_vertex_at(std::size_t n, const Point& p, Vertex v)
+  {
+    put(m_points, v, p);
+    m_nodes[n].vertex = v;
+    ++m_number_of_new_vertices;
+    return v;
+  }
+
+  // The halfedge of the record keeps its target; the parts before it are new.
+  template <class IsConstrainedMap, class Visitor>
+  void split(const Edge& e, IsConstrainedMap is_constrained, Visitor& visitor)
+  {
+    if(e.nodes.empty())
+      return;
+    const Point a = get(m_points, source(e.halfedge, m_mesh)), b = get(m_points, target(e.halfedge, m_mesh));
+    const bool is_marked = get(is_constrained, edge(e.halfedge, m_mesh));
+    for(const std::size_t n : e.nodes) {
+      const Number t(m_nodes[n].t);
+      visitor.before_edge_split(e.halfedge, m_mesh);
+      const Halfedge h = CGAL::Euler::split_edge(e.halfedge, m_mesh);
+      add_vertex_at(n, m_nodes[n].t <= 0.5 ? a + t * (b - a) : b + (Number(1) - t) * (a - b), target(h, m_mesh));
+      put(is_constrained, edge(h, m_mesh), is_marked);
+      set_border(h);
+      visitor.edge_split(h, m_mesh);
+      visitor.after_edge_split();
+    }
+  }
+
+  // The vertex at the target of a halfedge has one on the border, if there is one: Surface_mesh relies on it.
+  void set_border(Halfedge h)
+  {
+    for(const Halfedge in : {h, opposite(next(h, m_mesh), m_mesh)})
+      if(face(in, m_mesh) == Graph::null_face())
+        set_halfedge(target(h, m_mesh), in, m_mesh);
+  }
+
+  Point point_inside(const Face_record& f, std::size_t n) const
+  {
+    const std::array<Exact, 3>& w = m_nodes[n].weights;
+    const Point a = get(m_points, f.vertices[0]), b = get(m_points, f.vertices[1]), c = get(m_points, f.vertices[2]);
+    return a + number(w[1]) * (b - a) + number(w[2]) * (c - a);
+  }
+
+  using Halfedges = std::map<Segment, Halfedge>; // by the nodes at source and target
+
+  // The sides of a face that has been split, and vertices at the nodes inside of it.
+  Halfedges make_vertices(const Face_record& f)
+  {
+    std::map<Vertex, std::size_t> node_of;
+    std::set<std::size_t> nodes;
+    for(const auto& triangle : f.triangles)
+      nodes.insert(triangle.begin(), triangle.end());
+    for(const std::size_t n : nodes) {
+      if(m_nodes[n].kind == Location_kind::FACE)
+        add_vertex_at(n, point_inside(f, n), add_vertex(m_mesh));
+      node_of[m_nodes[n].vertex] = n;
+    }
+    Halfedges result;
+    for(const Halfedge h : halfedges_around_face(halfedge(f.face, m_mesh), m_mesh))
+      result[{{node_of.at(source(h, m_mesh)), node_of.at(target(h, m_mesh))}}] = h;
+    return result;
+  }
+
+  template <class IsConstrainedMap>
+  Halfedge make_halfedge(std::size_t a, std::size_t b, Halfedges& halfedges, IsConstrainedMap is_constrained)
+  {
+    const auto found = halfedges.find({{a, b}});
+    if(found != halfedges.end())
+      return found->second;
+    const Halfedge h = halfedge(add_edge(m_mesh), m_mesh), t = opposite(h, m_mesh);
+    set_target(h, m_nodes[b].vertex, m_mesh);
+    set_target(t, m_nodes[a].vertex, m_mesh);
+    put(is_constrained, edge(h, m_mesh), false);
+    halfedges[{{b, a}}] = t;
+    return halfedges[{{a, b}}] = h;
+  }
+
+  // The first triangle keeps the face.
+  template <class IsConstrainedMap, class Visitor>
+  void divide(const Face_record& f, IsConstrainedMap is_constrained, Visitor& visitor)
+  {
+    Halfedges halfedges = make_vertices(f);
+    if(f.triangles.size() > 1) {
+      ++m_number_of_divided_faces;
+      visitor.before_subface_creations(f.face, m_mesh);
+      for(const auto& triangle : f.triangles)
+        make_face(f, triangle, halfedges, is_constrained, visitor);
+      visitor.after_subface_creations(m_mesh);
+    }
+    for(const Segment& s : f.segments) {
+      const auto found = halfedges.find(s);
+      const Halfedge h = found != halfedges.end() ? found->second : halfedges.at({{s[1], s[0]}});
+      put(is_constrained, edge(h, m_mesh), true);
+    }
+  }
+
+  template <class IsConstrainedMap, class Visitor>
+  void make_face(const Face_record& record, const Face_arrangement::Triangle& triangle, Halfedges& halfedges,
+                 IsConstrainedMap is_constrained, Visitor& visitor)
+  {
+    const bool is_first = &triangle == &record.triangles.front();
+    if(!is_first)
+      visitor.before_subface_created(m_mesh);
+    const Face f = is_first ? record.face : add_face(m_mesh);
+    std::array<Halfedge, 3> sides;
+    for(std::size_t i = 0; i < 3; ++i)
+      sides[i] = make_halfedge(triangle[i], triangle[(i + 1) % 3], halfedges, is_constrained);
+    for(std::size_t i = 0; i < 3; ++i) {
+      set_next(sides[i], sides[(i + 1) % 3], m_mesh);
+      set_face(sides[i], f, m_mesh);
+      if(m_nodes[triangle[(i + 1) % 3]].kind == Location_kind::FACE)
+        set_halfedge(target(sides[i], m_mesh), sides[i], m_mesh);
+    }
+    set_halfedge(f, sides[0], m_mesh);
+    if(is_first)
+      return;
+    ++m_number_of_new_faces;
+    visitor.after_subface_created(f, m_mesh);
+  }
+
+  Mesh& m_mesh;
+  PointMap m_points;
+  double m_snap;
+  std::vector<Node> m_nodes;
+  std::vector<Edge> m_edges;
+  std::vector<Face_record> m_faces;
+  std::map<Vertex, std::size_t> m_node_of_vertex;
+  std::map<Halfedge, std::size_t> m_record_of_edge;
+  std::map<Face, std::size_t> m_record_of_face;
+  std::size_t m_number_of_new_vertices = 0, m_number_of_divided_faces = 0, m_number_of_new_faces = 0;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CURVE_INSERTION_H
