@@ -9,8 +9,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/number_utils.h>
