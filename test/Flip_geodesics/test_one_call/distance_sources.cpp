@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(matrices_of_few_points_and_of_several_components)
   rows.clear();
   const auto limited = FG::geodesic_distance_matrix(mesh, apart, std::back_inserter(rows),
                                                     CGAL::parameters::search_limit(FG::Window_limit(1)));
-  BOOST_CHECK(!limited.is_confirmed);
+  BOOST_CHECK(!limited.is_confirmed());
   BOOST_CHECK_THROW(FG::geodesic_distance_matrix(mesh, Vertices{Surface::null_vertex()}, std::back_inserter(rows)),
                     FG::Vertex_out_of_range_error);
   BOOST_CHECK_THROW(FG::geodesic_distance_matrix(mesh, Locations{{Face(0), {{1, 1, 1}}}}, std::back_inserter(rows)),
@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(visitors_of_a_matrix_learn_its_progress_and_stop_it)
   Watcher patient(2), impatient(0.5);
   BOOST_CHECK(
       FG::geodesic_distance_matrix(mesh, points, std::back_inserter(rows), CGAL::parameters::visitor(std::ref(patient)))
-          .is_confirmed);
+          .is_confirmed());
   BOOST_CHECK_EQUAL(patient.last, 1);
   BOOST_CHECK_EQUAL(rows.size(), 4u);
   rows.clear();
