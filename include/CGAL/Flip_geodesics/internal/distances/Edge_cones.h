@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_EDGE_CONES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <algorithm>
