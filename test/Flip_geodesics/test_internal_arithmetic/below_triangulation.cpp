@@ -31,7 +31,7 @@ using namespace Flip_geodesics_test;
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Surface = FI::Surface_by_name<Mesh, CGAL::parameters::Default_named_parameters>;
+using Surface_of_mesh = FI::Surface_by_name<Mesh, CGAL::parameters::Default_named_parameters>;
 
 /* The words that cross two edges in a row, the second one on the right. */
 template <class Input_mesh>
@@ -88,8 +88,8 @@ BOOST_AUTO_TEST_CASE(strips_ask_for_the_input_of_a_triangulation_alone)
 {
   for(const Mesh_soup& soup : {bumpy_sphere(4, 0.3, 1), flat_grid(4, 4, Diagonal_rule::RISING)}) {
     const Mesh mesh = to_mesh<Mesh>(soup);
-    const Surface surface = FI::make_surface(mesh, CGAL::parameters::default_values());
-    const FI::Places_on_input<Surface> places(surface);
+    const Surface_of_mesh surface = FI::make_surface(mesh, CGAL::parameters::default_values());
+    const FI::Places_on_input<Surface_of_mesh> places(surface);
     const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
     const std::vector<double> result = unfolded(places);
     BOOST_TEST(!result.empty());
