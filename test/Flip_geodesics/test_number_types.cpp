@@ -256,7 +256,8 @@ private:
     call("logarithmic_map", [](Setting& s) {
       FG::Geodesic_tree<Triangulation> tree(s.triangulation);
       tree.grow(0_v);
-      return FG::logarithmic_map(tree).vertices.back().angle;
+      const FG::Vertex_logarithmic_map map = FG::logarithmic_map(tree);
+      return std::prev(map.end())->angle;
     });
     call("make_shortest", [](Setting& s) {
       FG::Geodesic_tree<Triangulation> tree(s.triangulation);

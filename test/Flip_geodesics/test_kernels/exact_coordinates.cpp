@@ -29,7 +29,7 @@
 
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
-using FG::Certificate_verdict;
+using FG::Verdict;
 using FG::Shortening_status;
 
 namespace {
@@ -51,17 +51,17 @@ void check_diagonals()
   for(int i = 1; i <= cells; ++i) {
     std::vector<typename Kernel::Point_3> points;
     const auto path = FG::geodesic_path(mesh, vertex(i, 0), vertex(0, i), std::back_inserter(points));
-    BOOST_TEST((path.verdict() == Certificate_verdict::PROVEN));
+    BOOST_TEST((path.verdict() == Verdict::PROVEN));
     BOOST_TEST((path.report.curves.front().status == Shortening_status::LOCALLY_SHORTEST));
     BOOST_TEST(path.length() == i * std::hypot(1 / 3., 1 / 7.), boost::test_tools::tolerance(1e-14));
     const auto shortest = FG::shortest_path(mesh, vertex(i, 0), vertex(0, i), std::back_inserter(points)).report;
-    BOOST_TEST((shortest.verdict == FG::Shortest_path_verdict::PROVEN_SHORTEST));
+    BOOST_TEST((shortest.verdict == FG::Verdict::WITHIN_ROUNDING));
     std::vector<Vertex> corner;
     for(int k = 0; k <= i; ++k)
       corner.push_back(vertex(i - k, 0));
-    BOOST_TEST((FG::certify_curve(mesh, corner, false).verdict == Certificate_verdict::PROVEN));
+    BOOST_TEST((FG::certify_curve(mesh, corner, false).verdict == Verdict::PROVEN));
     corner.push_back(vertex(0, 1));
-    BOOST_TEST((FG::certify_curve(mesh, corner, false).verdict == Certificate_verdict::BENT_JOINT));
+    BOOST_TEST((FG::certify_curve(mesh, corner, false).verdict == Verdict::BENT_JOINT));
   }
 }
 
@@ -98,8 +98,8 @@ void check_nearly_straight(const typename Kernel::FT& height, bool is_straight)
   const auto mesh = nearly_straight<Kernel>(height);
   const auto v = mesh.vertices();
   const std::vector<typename std::decay_t<decltype(mesh)>::Vertex_index> line(v.begin(), std::next(v.begin(), 3));
-  const Certificate_verdict verdict = FG::certify_curve(mesh, line, false).verdict;
-  BOOST_TEST((verdict == (is_straight ? Certificate_verdict::PROVEN : Certificate_verdict::BENT_JOINT)));
+  const Verdict verdict = FG::certify_curve(mesh, line, false).verdict;
+  BOOST_TEST((verdict == (is_straight ? Verdict::PROVEN : Verdict::BENT_JOINT)));
   FG::Intrinsic_triangulation<std::decay_t<decltype(mesh)>> triangulation(mesh);
   FG::Edge_path_network<decltype(triangulation)> network(triangulation);
   network.add_curve(FG::halfedges_through(triangulation,
@@ -107,7 +107,7 @@ void check_nearly_straight(const typename Kernel::FT& height, bool is_straight)
                                           false),
                     false);
   const FG::Curve_report report = FG::shorten(network).curves.front();
-  BOOST_TEST((report.verdict == Certificate_verdict::PROVEN));
+  BOOST_TEST((report.verdict == Verdict::PROVEN));
   BOOST_TEST(report.flips == (is_straight ? 0u : 1u));
 }
 
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(short_edges_are_not_contracted)
     mesh.point(Vertex(6)) = {p.x() - (is_zero ? FT(0) : FT(1) / FT(1e30)), p.y(), p.z()};
     std::vector<Rational_kernel::Point_3> points;
     const auto path = FG::geodesic_path(mesh, Vertex(5), Vertex(9), std::back_inserter(points));
-    BOOST_TEST((path.verdict() == Certificate_verdict::PROVEN));
+    BOOST_TEST((path.verdict() == Verdict::PROVEN));
     BOOST_TEST(path.length() == 4 / 3., boost::test_tools::tolerance(1e-14));
     using Triangulation = FG::Intrinsic_triangulation<decltype(mesh)>;
     const Triangulation contracted(mesh, Triangulation::Metric(get(CGAL::vertex_point, std::as_const(mesh))),
@@ -253,8 +253,8 @@ BOOST_AUTO_TEST_CASE(verdicts_on_rotated_boxes)
       const auto verdict = FG::certify_curve(unrotated, path, false).verdict;
       BOOST_TEST((FG::certify_curve(mesh, path, false).verdict == verdict));
       BOOST_TEST((FG::certify_curve(lazy, path, false).verdict == verdict));
-      BOOST_TEST((verdict == Certificate_verdict::BENT_JOINT) == is_bent(mesh, path));
-      straight += verdict == Certificate_verdict::PROVEN ? 1 : 0;
+      BOOST_TEST((verdict == Verdict::BENT_JOINT) == is_bent(mesh, path));
+      straight += verdict == Verdict::PROVEN ? 1 : 0;
     }
     for(const auto v : mesh.vertices()) {
       const auto p = mesh.point(v);
@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(verdicts_on_rotated_boxes)
     }
     for(const auto& path : paths) {
       const auto verdict = FG::certify_curve(mesh, path, false).verdict;
-      BOOST_TEST((verdict == (is_bent(mesh, path) ? Certificate_verdict::BENT_JOINT : Certificate_verdict::PROVEN)));
+      BOOST_TEST((verdict == (is_bent(mesh, path) ? Verdict::BENT_JOINT : Verdict::PROVEN)));
       changed += verdict != FG::certify_curve(unrotated, path, false).verdict ? 1 : 0;
     }
   }
@@ -294,7 +294,7 @@ BOOST_AUTO_TEST_CASE(paths_on_rotated_boxes)
       BOOST_TEST(found.length == expected.length, boost::test_tools::tolerance(1e-13));
       const auto path =
           FG::geodesic_path(mesh, Lazy_vertex(s.idx()), Lazy_vertex(t.idx()), std::back_inserter(lazy_points));
-      BOOST_TEST((path.verdict() == Certificate_verdict::PROVEN));
+      BOOST_TEST((path.verdict() == Verdict::PROVEN));
     }
   }
 }
@@ -313,7 +313,7 @@ BOOST_AUTO_TEST_CASE(coordinates_of_many_digits)
   using Vertex = std::decay_t<decltype(mesh)>::Vertex_index;
   std::vector<Boost_kernel::Point_3> points;
   const auto path = FG::geodesic_path(mesh, Vertex(6), Vertex(42), std::back_inserter(points));
-  BOOST_TEST((path.verdict() == Certificate_verdict::PROVEN));
+  BOOST_TEST((path.verdict() == Verdict::PROVEN));
   BOOST_TEST(path.length() == 6 * std::sqrt(2.), boost::test_tools::tolerance(1e-14));
 }
 
@@ -327,11 +327,11 @@ BOOST_AUTO_TEST_CASE(a_kernel_as_traits)
   std::vector<Lazy_kernel::Point_3> points;
   const auto out = std::back_inserter(points);
   const auto np = params::geom_traits(Lazy_kernel());
-  BOOST_TEST((FG::geodesic_path(mesh, Vertex(4), Vertex(20), out, np).verdict() == Certificate_verdict::PROVEN));
+  BOOST_TEST((FG::geodesic_path(mesh, Vertex(4), Vertex(20), out, np).verdict() == Verdict::PROVEN));
   BOOST_TEST((FG::shortest_path(mesh, Vertex(4), Vertex(20), out, np).report.verdict ==
-              FG::Shortest_path_verdict::PROVEN_SHORTEST));
+              FG::Verdict::WITHIN_ROUNDING));
   const std::vector<Vertex> diagonal = {Vertex(4), Vertex(3)};
-  BOOST_TEST((FG::certify_curve(mesh, diagonal, false, np).verdict == Certificate_verdict::PROVEN));
+  BOOST_TEST((FG::certify_curve(mesh, diagonal, false, np).verdict == Verdict::PROVEN));
   std::map<Vertex, double> distances;
   BOOST_TEST(FG::geodesic_distances(mesh, Vertex(0), boost::make_assoc_property_map(distances), np).is_confirmed);
 }

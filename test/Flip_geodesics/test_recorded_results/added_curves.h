@@ -191,7 +191,7 @@ void add_tree(const FG::Geodesic_tree<Triangulation>& tree, Summary& summary)
     if(tree.incoming(v) != FG::null_index)
       summary.add(triangulation.crossing_word(tree.incoming(v)));
   }
-  for(const FG::Polar_coordinates& p : FG::logarithmic_map(tree).vertices)
+  for(const FG::Polar_coordinates& p : FG::logarithmic_map(tree))
     summary.lengths.add(p.angle + 1);
   summary.add_log(triangulation);
 }
