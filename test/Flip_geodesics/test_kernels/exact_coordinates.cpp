@@ -333,5 +333,5 @@ BOOST_AUTO_TEST_CASE(a_kernel_as_traits)
   const std::vector<Vertex> diagonal = {Vertex(4), Vertex(3)};
   BOOST_TEST((FG::certify_curve(mesh, diagonal, false, np).verdict == Verdict::PROVEN));
   std::map<Vertex, double> distances;
-  BOOST_TEST(FG::geodesic_distances(mesh, Vertex(0), boost::make_assoc_property_map(distances), np).is_confirmed);
+  BOOST_TEST(FG::geodesic_distances(mesh, Vertex(0), boost::make_assoc_property_map(distances), np).is_confirmed());
 }
