@@ -266,7 +266,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --from 13 --to 150 --ways 4 --mesh ways.vtp --stats ways.csv)
   flip_geodesics_add_program_test(ways_of_pairs 0 "4 curves: 4 WITHIN_ROUNDING.*from 0 to 150.*from 3 to 77" torus.off
                                   --pairs pairs.txt --ways 2 --page ways.html)
-  flip_geodesics_add_program_test(ways_at_random 0 "6 curves: 6 PROVEN" torus.off --random 3 --seed 2 --ways 2)
+  flip_geodesics_add_program_test(ways_at_random 0 "6 curves: 6 WITHIN_ROUNDING" torus.off --random 3 --seed 2 --ways 2)
   flip_geodesics_add_program_test(no_other_ways 0 "1 curve: 1 WITHIN_ROUNDING.*there is no other" pyramid.off --repair
                                   --from 0 --to 2 --ways 3)
   flip_geodesics_add_program_test(ways_along_wall 0 "2 WITHIN_ROUNDING.*length   8.46715 of.*flips    52"

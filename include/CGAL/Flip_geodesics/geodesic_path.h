@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/Named_function_parameters.h>
 

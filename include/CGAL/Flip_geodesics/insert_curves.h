@@ -195,7 +195,7 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *        the diagonal of the bounding box. A point in space is searched for in the faces around the point before it, and
  *        then in all faces. Two points in a row lie in a common face: `complete_polyline()` computes the missing points of
  *        other polylines. A curve that is a point adds a vertex and no edge
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{edge_is_constrained_map}
