@@ -220,6 +220,8 @@ private:
         "A polyline per line, drawn on the mesh and pulled tight: points as above, after `o` closed; or, in a file "
         ".polylines.txt, points in space");
     add("--snap", m_options.is_snapped, "Move the polylines of --draw to edges first, and do not insert their points");
+    add("--as-drawn", m_options.is_as_drawn,
+        "Keep the polylines of --draw as they are, and do not shorten them; they may cross");
     add("--segmentation", "FILE", m_options.segmentation,
         "A label per line for each face; the network of the boundaries between labels");
     add("--free-junctions", m_options.has_free_junctions,

@@ -19,6 +19,7 @@
 #include "readable.h"
 #include "run/curve_engine.h"
 #include "run/field_curves.h"
+#include "run/inserted_curves.h"
 #include "run/landmarks.h"
 #include "run/machine_memory.h"
 #include "run/other_ways.h"
@@ -139,9 +140,9 @@ void check_other_ways(const Options& options)
   if(!options.has_pairs())
     throw Bad_input("--ways belongs to --from with --to, --pairs and --random; give one of them");
   if(options.mollify || options.kernel || options.stop_length || options.are_zero_edges_refused ||
-     options.meshes.is_any_wanted())
+     options.meshes.is_triangulation_wanted())
     throw Bad_input("--ways gives no curves of one triangulation: --mollify, --refuse-zero-edges, --kernel, "
-                    "--stop-length, --delaunay, --refine, --subdivision, --insert and --cut do not go with it");
+                    "--stop-length, --delaunay, --refine and --subdivision do not go with it");
 }
 
 void check_shortest_paths(const Options& options)
@@ -176,10 +177,10 @@ void check_field_options(const Options& options)
   if(!options.is_field_wanted() && options.sources.size() > 1)
     throw Bad_input("--source takes one vertex for a tree; several go with --isolines, --spacing and --voronoi");
   if(options.is_field_wanted() && (options.is_shortest || !options.results.map.empty() || options.mollify ||
-                                   options.kernel || options.meshes.is_any_wanted()))
+                                   options.kernel || options.meshes.is_triangulation_wanted()))
     throw Bad_input(
         "--isolines, --spacing and --voronoi give no curves of a triangulation: --shortest, --map, --mollify, "
-        "--kernel, --delaunay, --refine, --subdivision, --insert and --cut do not go with them");
+        "--kernel, --delaunay, --refine and --subdivision do not go with them");
 }
 
 // The live page and the repaired mesh need no curves; what else is written does.
@@ -235,13 +236,19 @@ void check_options(const Options& options)
   check_other_ways(options);
   check_shortest_paths(options);
   if(!options.traces.empty() &&
-     (options.mollify || options.kernel || options.stop_length || options.meshes.is_any_wanted()))
+     (options.mollify || options.kernel || options.stop_length || options.meshes.is_triangulation_wanted()))
     throw Bad_input("--trace gives no curves of a triangulation: --mollify, --kernel, --stop-length, "
-                    "--delaunay, --refine, --subdivision, --insert and --cut do not go with it");
+                    "--delaunay, --refine and --subdivision do not go with it");
   if(!options.sources.empty() && options.stop_length)
     throw Bad_input("--stop-length is of no use with --source; leave one of them out");
   if(options.is_snapped && options.draw.empty())
     throw Bad_input("--snap belongs to --draw; give polylines");
+  if(options.is_as_drawn && options.draw.empty())
+    throw Bad_input("--as-drawn belongs to --draw; give polylines");
+  if(options.is_as_drawn && (options.is_snapped || options.mollify || options.kernel || options.stop_length ||
+                             options.meshes.is_triangulation_wanted()))
+    throw Bad_input("--as-drawn gives no curves of a triangulation: --snap, --mollify, --kernel, --stop-length, "
+                    "--delaunay, --refine and --subdivision do not go with it");
   if(options.has_free_junctions && options.segmentation.empty())
     throw Bad_input("--free-junctions belongs to --segmentation; give a segmentation");
   if(options.from.has_value() != options.to.has_value())
@@ -361,6 +368,7 @@ int run_at_once(const Options& options, const Input_mesh& input, const std::stri
   progress.enter("writing");
   for(const Curve_result& result : results)
     outputs->write({result}, std::nullopt);
+  outputs->write(meshes_along(input, results, options.meshes, progress));
   outputs->close(input);
   if(!options.is_quiet)
     outputs->print_summary(summary_stream(options) << title);
@@ -426,6 +434,12 @@ int run_traces(const Options& options, const Input_mesh& input, const std::strin
   return run_at_once(options, input, title, progress, [&] { return traced_curves(input, requests, progress); });
 }
 
+int run_drawn(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+{
+  const std::vector<Network_request> requests = read_requests(options, input);
+  return run_at_once(options, input, title, progress, [&] { return drawn_curves(input, requests, progress); });
+}
+
 // The live page or the repaired mesh alone, for which no curves are given.
 int run_without_curves(const Options& options, const Input_mesh& input, const std::string& title)
 {
@@ -457,6 +471,8 @@ int run(const Options& options)
     title << metric.added_length() << " added to the length of every edge\n";
   if(!options.traces.empty())
     return run_traces(options, input, title.str(), progress);
+  if(options.is_as_drawn)
+    return run_drawn(options, input, title.str(), progress);
   if(options.ways)
     return run_other_ways(options, input, title.str(), progress);
   if(options_of_curves(options).empty())

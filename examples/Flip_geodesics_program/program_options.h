@@ -20,6 +20,8 @@ struct Mesh_result_options
   std::string subdivision, insertion, cut;
 
   bool is_any_wanted() const { return is_delaunay || refine || has_files(); }
+  /// Is a triangulation wanted that has the curves as edges?
+  bool is_triangulation_wanted() const { return is_delaunay || refine || !subdivision.empty(); }
   bool has_files() const { return !subdivision.empty() || !insertion.empty() || !cut.empty(); }
 };
 
@@ -38,7 +40,7 @@ struct Options
   std::optional<double> weld; ///< the tolerance of the repair
   std::optional<long long> from, to;
   std::string pairs, edges, loop, network, segmentation, points, bezier, draw;
-  bool is_snapped = false;
+  bool is_snapped = false, is_as_drawn = false;
   std::optional<int> rounds;
   bool has_seams = false, has_free_junctions = false, is_shortest = false;
   std::optional<long long> landmarks;

@@ -163,6 +163,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --kernel certified)
   flip_geodesics_add_program_test(draw 0 "1 CONTRACTED 1 LOCALLY" torus.off --draw drawn.txt --mesh drawn.polylines.txt)
   flip_geodesics_add_program_test(draw_snapped 0 "1 CONTRACTED 1 LOCALLY" torus.off --draw drawn.txt --snap)
+  flip_geodesics_add_program_test(draw_as_drawn 0 "2 curves: 2 DRAWN" torus.off --draw drawn.txt --as-drawn --cut
+                                  drawn_cut.off --insert drawn_insert.off)
+  flip_geodesics_add_program_test(as_drawn_snapped 2 "--as-drawn gives no curves of a triangulation" torus.off --draw
+                                  drawn.txt --as-drawn --snap)
+  flip_geodesics_add_program_test(as_drawn_of_nothing 2 "--as-drawn belongs to --draw" torus.off --from 0 --to 1
+                                  --as-drawn)
   flip_geodesics_add_program_test(draw_in_space 0 "LOCALLY_SHORTEST" torus.off --draw pen.polylines.txt)
   flip_geodesics_add_program_test(draw_short 2 "short.polylines.txt line 1: point 2 is cut off" torus.off --draw short.polylines.txt)
   flip_geodesics_add_program_test(points_outside 2 "is outside" torus.off --points bad_points.txt)
@@ -239,6 +245,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" torus.off --source 288)
   flip_geodesics_add_program_test(isolines 0 "ISOLINE +at distance 0.3\n.*9 curves: 3 BOUNDARY 6 ISOLINE" torus.off --source 0,100,200 --isolines
                                   0.3,0.6 --voronoi --mesh isolines.vtp --polylines isolines.txt --tolerance 0.01)
+  flip_geodesics_add_program_test(cut_along_isolines 0 "9 curves: 3 BOUNDARY 6 ISOLINE" torus.off --source 0,100,200
+                                  --isolines 0.3,0.6 --voronoi --tolerance 0.01 --cut isolines_cut.off --insert
+                                  isolines_insert.off)
+  flip_geodesics_add_program_test(cut_along_isolines_is_open 0 "the farthest vertex is 0.3 away" isolines_cut.off --source
+                                  0 --isolines 99)
+  set_tests_properties(program_cut_along_isolines_is_open PROPERTIES DEPENDS program_cut_along_isolines)
   flip_geodesics_add_program_test(trace 0 "LENGTH +from vertex 0 at 0.5\n.*2 curves: 2 LENGTH" torus.off --trace 0,0.5,2 --trace 7,-1e-1,3 --polylines
                                   traces.txt --stats traces.csv --mesh traces.vtp)
   flip_geodesics_add_program_test(trace_without_length 2 "give a vertex, an angle and a length" torus.off --trace 0,1)

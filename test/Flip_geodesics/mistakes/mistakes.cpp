@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
+#include <CGAL/Flip_geodesics/insert_curves.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -57,6 +58,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   std::vector<FG::Isoline<Mesh>> isolines;
   const std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> pairs = {{of_mesh[0], of_mesh[1]}};
   std::vector<FG::Geodesic_path_result<Kernel::Point_3>> paths;
+  Mesh changed = mesh;
+  std::map<Mesh::Edge_index, bool> marks;
 
 #if MISTAKE == 1
   FG::Intrinsic_triangulation<Mesh, Kernel> wrong(mesh);
@@ -129,7 +132,19 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::flip_to_delaunay(triangulation, 1000);
 #elif MISTAKE == 34
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::geom_traits(lengths));
+#elif MISTAKE == 35
+  FG::insert_curves(mesh, isolines);
+#elif MISTAKE == 36
+  FG::insert_curves(changed, of_mesh);
+#elif MISTAKE == 37
+  FG::insert_curves(changed, isolines, CGAL::parameters::edge_is_constrained_map(marks));
+#elif MISTAKE == 38
+  FG::insert_curves(changed, isolines, CGAL::parameters::stop_predicate(stop));
 #else
+  FG::insert_curves(changed, isolines,
+                    CGAL::parameters::edge_is_constrained_map(boost::make_assoc_property_map(marks)));
+  FG::insert_curves(changed, points, CGAL::parameters::snapping_tolerance(0));
+  FG::insert_curves(changed, several);
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::stop_predicate(stop));
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(visitor),
                     CGAL::parameters::stop_predicate(stop));

@@ -31,18 +31,19 @@ namespace internal {
 
 /* Is T a `Face_location` of a mesh? */
 template <class T, class Mesh, class = void>
-constexpr bool is_face_location = false;
+constexpr bool is_face_location_of = false;
 template <class T, class Mesh>
-constexpr bool is_face_location<T, Mesh, std::void_t<decltype(CGAL::to_double(std::declval<const T&>().second[0]))>> =
-    std::is_same<std::decay_t<decltype(std::declval<const T&>().first)>,
-                 typename boost::graph_traits<Mesh>::face_descriptor>::value;
+constexpr bool
+    is_face_location_of<T, Mesh, std::void_t<decltype(CGAL::to_double(std::declval<const T&>().second[0]))>> =
+        std::is_same<std::decay_t<decltype(std::declval<const T&>().first)>,
+                     typename boost::graph_traits<Mesh>::face_descriptor>::value;
 
 /* Has T one, as a `Curve_point` has? */
 template <class T, class Mesh, class = void>
 constexpr bool has_face_location = false;
 template <class T, class Mesh>
 constexpr bool has_face_location<T, Mesh, std::void_t<decltype(std::declval<const T&>().location)>> =
-    is_face_location<std::decay_t<decltype(std::declval<const T&>().location)>, Mesh>;
+    is_face_location_of<std::decay_t<decltype(std::declval<const T&>().location)>, Mesh>;
 
 /* Is T a point in space? */
 template <class T, class = void>
@@ -53,7 +54,7 @@ constexpr bool
                                      decltype(std::declval<const T&>().z())>> = true;
 
 template <class T, class Mesh>
-constexpr bool is_point_of_curve = is_face_location<T, Mesh> || has_face_location<T, Mesh> || is_point_in_space<T>;
+constexpr bool is_point_of_curve = is_face_location_of<T, Mesh> || has_face_location<T, Mesh> || is_point_in_space<T>;
 
 /* Is T a range of such, or has it one, as an `Isoline` has? */
 template <class T, class Mesh, class = void>
@@ -149,7 +150,7 @@ private:
   template <class T>
   Place place_of(const T& p)
   {
-    if constexpr(is_face_location<T, Mesh>)
+    if constexpr(is_face_location_of<T, Mesh>)
       return place_at(p.first,
                       {{CGAL::to_double(p.second[0]), CGAL::to_double(p.second[1]), CGAL::to_double(p.second[2])}},
                       m_snap);

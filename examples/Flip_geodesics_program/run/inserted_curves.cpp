@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "run/inserted_curves.h"
+
+#include "advice.h"
+#include "bad_input.h"
+
+#include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Slit_mesh.h>
+#include <CGAL/Flip_geodesics/draw_polylines.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/insert_curves.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+using Marks = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+Curve_result drawn_curve(Triangulation& triangulation, const Curve_request& request)
+{
+  Curve_result result;
+  result.name = request.name;
+  result.is_closed = request.is_closed;
+  result.is_pulled_tight = false;
+  result.status = "DRAWN";
+  std::vector<FG::Surface_location> polyline = FG::complete_polyline(triangulation, request.points, request.is_closed);
+  if(request.is_closed)
+    polyline.push_back(polyline.front());
+  result.initial_segments = polyline.size() - 1;
+  result.length = 0;
+  for(const FG::Surface_location& at : polyline) {
+    const FG::Surface_point p = FG::surface_point(triangulation, at);
+    result.points.push_back({p, FG::point_in_space(triangulation, p), true});
+    if(result.points.size() > 1)
+      result.length += std::sqrt(
+          CGAL::squared_distance(result.points[result.points.size() - 2].in_space, result.points.back().in_space));
+  }
+  result.initial_length = result.length;
+  return result;
+}
+
+// A slit of one edge would have both ends in common on its two sides, and could not open: it gets a vertex in its middle.
+void divide_single_edges(Mesh& mesh, Marks is_marked)
+{
+  const auto is_tip = [&](Mesh::Halfedge_index h) {
+    int marked = 0;
+    for(const Mesh::Halfedge_index other : CGAL::halfedges_around_target(h, mesh))
+      marked += is_marked[mesh.edge(other)] || mesh.is_border(mesh.edge(other)) ? 1 : 0;
+    return marked == 1;
+  };
+  std::vector<std::vector<Location>> middles;
+  for(const Mesh::Edge_index e : mesh.edges()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(e, 0);
+    if(!is_marked[e] || mesh.is_border(e) || !is_tip(h) || !is_tip(mesh.opposite(h)))
+      continue;
+    std::array<double, 3> weights = {{0, 0, 0}};
+    std::size_t i = 0;
+    for(const Mesh::Halfedge_index side : mesh.halfedges_around_face(mesh.halfedge(mesh.face(h)))) {
+      if(side == h)
+        weights[i] = weights[(i + 1) % 3] = 0.5;
+      ++i;
+    }
+    middles.push_back({{mesh.face(h), weights}});
+  }
+  FG::insert_curves(mesh, middles, CGAL::parameters::edge_is_constrained_map(is_marked));
+}
+
+Mesh cut_open(const Mesh& mesh, Marks is_marked)
+{
+  const FG::Slit_mesh<Mesh> slit(mesh, is_marked);
+  using Vertex = FG::Slit_mesh<Mesh>::Vertex;
+  Mesh result;
+  std::map<Vertex, Mesh::Vertex_index> copies;
+  for(const Vertex& v : slit.all_vertices())
+    copies[v] = result.add_vertex(mesh.point(v.vertex));
+  for(const Mesh::Face_index f : mesh.faces()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for(const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      corners.push_back(copies.at(slit.vertex_in_face(h)));
+    if(result.add_face(corners) == Mesh::null_face())
+      throw std::runtime_error("the mesh cannot be cut open: a vertex of it is not manifold");
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<Curve_result> drawn_curves(const Mesh& mesh, const std::vector<Network_request>& requests,
+                                       Progress& progress)
+{
+  Triangulation triangulation(mesh);
+  progress.enter("drawing");
+  std::vector<Curve_result> results;
+  for(const Network_request& request : requests)
+    for(const Curve_request& curve : request.curves) {
+      try {
+        results.push_back(drawn_curve(triangulation, curve));
+      } catch(const FG::Error& error) {
+        throw Bad_input(curve.name + ": " + with_advice_to_repair(error));
+      }
+    }
+  return results;
+}
+
+Result_meshes meshes_along(const Mesh& mesh, const std::vector<Curve_result>& curves,
+                           const Mesh_result_options& options, Progress& progress)
+{
+  Result_meshes result;
+  if(options.insertion.empty() && options.cut.empty())
+    return result;
+  progress.enter("making meshes of the curves");
+  const Triangulation triangulation(mesh);
+  std::vector<std::vector<Location>> locations;
+  for(const Curve_result& curve : curves) {
+    if(curve.points.empty())
+      continue; // it could not be computed
+    locations.emplace_back();
+    for(const Curve_point& p : curve.points)
+      locations.back().push_back(FG::face_location(triangulation, mesh, p.on_surface));
+  }
+  Mesh inserted = mesh;
+  const Marks is_marked = inserted.add_property_map<Mesh::Edge_index, bool>("e:is_on_curve", false).first;
+  FG::insert_curves(inserted, locations, CGAL::parameters::edge_is_constrained_map(is_marked));
+  if(!options.insertion.empty())
+    result.insertion = inserted;
+  if(!options.cut.empty()) {
+    divide_single_edges(inserted, is_marked);
+    result.cut = cut_open(inserted, is_marked);
+  }
+  return result;
+}
+
+} // namespace program
