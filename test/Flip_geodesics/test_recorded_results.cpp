@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(free_splines)
       summary.attempt([&] {
         FG::Geodesic_spline<Certified> spline(s.triangulation, points, kind);
         summary.results.add(spline.refine(0.02, 2));
-        summary.lengths.add(spline.length());
+        summary.lengths.add(spline.polygon_length());
         summary.add(spline.finish());
         summary.add(spline.report());
         summary.results.add(static_cast<long long>(spline.report().curves[0].verdict));

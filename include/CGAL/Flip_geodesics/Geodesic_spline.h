@@ -8,6 +8,8 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
+#include <CGAL/assertions.h>
+
 #include <cmath>
 #include <cstddef>
 #include <tuple>
@@ -171,13 +173,19 @@ public:
   /// its verdict that of all geodesics together.
   const Shortening_report& report() const { return m_report; }
   /// The length of the finished curve. \pre `finish()` has been called, as for the next two
-  double length() const { return m_report.curves.front().length; }
+  double length() const { return finished().length; }
   /// Whether the geodesics that the finished curve consists of are such.
-  Shortening_status status() const { return m_report.curves.front().status; }
+  Shortening_status status() const { return finished().status; }
   /// The verdict on all of them together.
-  Verdict verdict() const { return m_report.curves.front().verdict; }
+  Verdict verdict() const { return finished().verdict; }
 
 private:
+  const Curve_report& finished() const
+  {
+    CGAL_precondition(!m_report.curves.empty());
+    return m_report.curves.front();
+  }
+
   struct Leg
   {
     internal::Surface_polyline path;
