@@ -78,16 +78,16 @@ public:
     return *this;
   }
 
-  friend constexpr bool operator==(Descriptor a, Descriptor b) { return a.idx() == b.idx(); } ///< compares numbers
-  friend constexpr bool operator!=(Descriptor a, Descriptor b) { return a.idx() != b.idx(); } ///< compares numbers
-  friend constexpr bool operator<(Descriptor a, Descriptor b) { return a.idx() < b.idx(); }   ///< compares numbers
-  friend constexpr bool operator>(Descriptor a, Descriptor b) { return a.idx() > b.idx(); }   ///< compares numbers
-  friend constexpr bool operator<=(Descriptor a, Descriptor b) { return a.idx() <= b.idx(); } ///< compares numbers
-  friend constexpr bool operator>=(Descriptor a, Descriptor b) { return a.idx() >= b.idx(); } ///< compares numbers
-  /// The key for hash tables of Boost, and of `std::hash`.
+  /// \cond
+  friend constexpr bool operator==(Descriptor a, Descriptor b) { return a.idx() == b.idx(); }
+  friend constexpr bool operator!=(Descriptor a, Descriptor b) { return a.idx() != b.idx(); }
+  friend constexpr bool operator<(Descriptor a, Descriptor b) { return a.idx() < b.idx(); }
+  friend constexpr bool operator>(Descriptor a, Descriptor b) { return a.idx() > b.idx(); }
+  friend constexpr bool operator<=(Descriptor a, Descriptor b) { return a.idx() <= b.idx(); }
+  friend constexpr bool operator>=(Descriptor a, Descriptor b) { return a.idx() >= b.idx(); }
   friend std::size_t hash_value(Descriptor a) { return static_cast<std::size_t>(a.idx()); }
-  /// Prints the letter and the number.
   friend std::ostream& operator<<(std::ostream& out, Descriptor a) { return out << letter() << a.idx(); }
+  /// \endcond
 
 private:
   Index m_number = -1;
@@ -168,16 +168,16 @@ public:
   /// Goes on to the next number.
   Edge_index& operator++() { return *this = Edge_index(idx() + 1); }
 
-  friend constexpr bool operator==(Edge_index a, Edge_index b) { return a.idx() == b.idx(); } ///< compares numbers
-  friend constexpr bool operator!=(Edge_index a, Edge_index b) { return a.idx() != b.idx(); } ///< compares numbers
-  friend constexpr bool operator<(Edge_index a, Edge_index b) { return a.idx() < b.idx(); }   ///< compares numbers
-  friend constexpr bool operator>(Edge_index a, Edge_index b) { return a.idx() > b.idx(); }   ///< compares numbers
-  friend constexpr bool operator<=(Edge_index a, Edge_index b) { return a.idx() <= b.idx(); } ///< compares numbers
-  friend constexpr bool operator>=(Edge_index a, Edge_index b) { return a.idx() >= b.idx(); } ///< compares numbers
-  /// The key for hash tables of Boost, and of `std::hash`.
+  /// \cond
+  friend constexpr bool operator==(Edge_index a, Edge_index b) { return a.idx() == b.idx(); }
+  friend constexpr bool operator!=(Edge_index a, Edge_index b) { return a.idx() != b.idx(); }
+  friend constexpr bool operator<(Edge_index a, Edge_index b) { return a.idx() < b.idx(); }
+  friend constexpr bool operator>(Edge_index a, Edge_index b) { return a.idx() > b.idx(); }
+  friend constexpr bool operator<=(Edge_index a, Edge_index b) { return a.idx() <= b.idx(); }
+  friend constexpr bool operator>=(Edge_index a, Edge_index b) { return a.idx() >= b.idx(); }
   friend std::size_t hash_value(Edge_index a) { return static_cast<std::size_t>(a.idx()); }
-  /// Prints `e` and the number.
   friend std::ostream& operator<<(std::ostream& out, Edge_index a) { return out << "e" << a.idx(); }
+  /// \endcond
 
 private:
   Halfedge_index m_halfedge;

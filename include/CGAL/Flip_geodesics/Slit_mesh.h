@@ -170,9 +170,11 @@ public:
     operator Mesh_vertex() const { return vertex; }
     /// By what vertices are ordered.
     auto key() const { return std::make_tuple(vertex, copy); }
-    friend bool operator==(const Vertex& a, const Vertex& b) { return a.key() == b.key(); } ///< compares keys
-    friend bool operator!=(const Vertex& a, const Vertex& b) { return !(a == b); }          ///< compares keys
-    friend bool operator<(const Vertex& a, const Vertex& b) { return a.key() < b.key(); }   ///< compares keys
+    /// \cond
+    friend bool operator==(const Vertex& a, const Vertex& b) { return a.key() == b.key(); }
+    friend bool operator!=(const Vertex& a, const Vertex& b) { return !(a == b); }
+    friend bool operator<(const Vertex& a, const Vertex& b) { return a.key() < b.key(); }
+    /// \endcond
   };
 
   /// A halfedge.
@@ -196,9 +198,11 @@ public:
     operator Mesh_halfedge() const { return halfedge; }
     /// By what halfedges are ordered.
     auto key() const { return std::make_tuple(halfedge, is_outer); }
-    friend bool operator==(const Halfedge& a, const Halfedge& b) { return a.key() == b.key(); } ///< compares keys
-    friend bool operator!=(const Halfedge& a, const Halfedge& b) { return !(a == b); }          ///< compares keys
-    friend bool operator<(const Halfedge& a, const Halfedge& b) { return a.key() < b.key(); }   ///< compares keys
+    /// \cond
+    friend bool operator==(const Halfedge& a, const Halfedge& b) { return a.key() == b.key(); }
+    friend bool operator!=(const Halfedge& a, const Halfedge& b) { return !(a == b); }
+    friend bool operator<(const Halfedge& a, const Halfedge& b) { return a.key() < b.key(); }
+    /// \endcond
   };
 
   /// An edge; those on the two sides of a slit are different.
@@ -213,9 +217,11 @@ public:
     operator Mesh_edge() const { return edge; }
     /// By what edges are ordered.
     auto key() const { return std::make_tuple(edge, is_at_slit ? halfedge : Graph::null_halfedge()); }
-    friend bool operator==(const Edge& a, const Edge& b) { return a.key() == b.key(); } ///< compares keys
-    friend bool operator!=(const Edge& a, const Edge& b) { return !(a == b); }          ///< compares keys
-    friend bool operator<(const Edge& a, const Edge& b) { return a.key() < b.key(); }   ///< compares keys
+    /// \cond
+    friend bool operator==(const Edge& a, const Edge& b) { return a.key() == b.key(); }
+    friend bool operator!=(const Edge& a, const Edge& b) { return !(a == b); }
+    friend bool operator<(const Edge& a, const Edge& b) { return a.key() < b.key(); }
+    /// \endcond
   };
 
   /*!

@@ -237,8 +237,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_location_error if a face is null, barycentric coordinates are negative, not numbers or do not sum
  *            to one within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` are
  *            the positions of the curve and of the point in it
- * \exception Invalid_curve_error if a curve has no points, or two points in a row are in no common face; `elements()`
- *            are the positions of the curve and of the second point
+ * \exception Invalid_curve_error if a curve has no points, or two points in a row are in no common face;
+ *            `elements()` are the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, if one of the faces that are searched is not
  * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite
