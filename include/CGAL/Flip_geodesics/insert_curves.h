@@ -92,16 +92,26 @@ constexpr bool
     is_mutable_mesh<T, std::void_t<decltype(add_edge(std::declval<T&>())), decltype(faces(std::declval<const T&>()))>> =
         !std::is_const<T>::value;
 
+/* Can edges be marked with these named parameters? */
+template <class NamedParameters>
+constexpr bool can_mark_edges()
+{
+  if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
+    using Map = std::decay_t<Given<NamedParameters, internal_np::edge_is_constrained_t>>;
+    return is_property_map<Map>() && !is_container_with_keys<Map>;
+  } else {
+    return true;
+  }
+}
+
 /* The map of marked edges that is given, or one that is forgotten. */
 template <class TriangleMesh, class NamedParameters>
 auto marked_edges(TriangleMesh& mesh, const NamedParameters& np)
 {
-  if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
-    static_assert(is_property_map<Given<NamedParameters, internal_np::edge_is_constrained_t>>());
-    return parameters::get_parameter(np, internal_np::edge_is_constrained);
-  } else {
-    return get(CGAL::dynamic_edge_property_t<bool>(), mesh);
-  }
+  if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>)
+    return static_cast<void>(mesh), parameters::get_parameter(np, internal_np::edge_is_constrained);
+  else
+    return static_cast<void>(np), get(CGAL::dynamic_edge_property_t<bool>(), mesh);
 }
 
 /* The visitor that is given, or one that does nothing. */
@@ -257,17 +267,15 @@ std::enable_if_t<!internal::has_triangulation<TriangleMesh>, Curve_insertion_rep
 {
   static_assert(internal::is_mutable_mesh<TriangleMesh>,
                 "the first argument of insert_curves() is not a mesh that can be changed, a model of MutableFaceGraph");
-  static_assert(internal::is_insertable_curve<CurveRange, TriangleMesh> ||
-                    internal::is_range_of_insertable_curves<CurveRange, TriangleMesh>,
-                "the curves are not ranges of Face_locations of the mesh, Curve_points or points in space");
+  constexpr bool are_curves = internal::is_insertable_curve<CurveRange, TriangleMesh> ||
+                              internal::is_range_of_insertable_curves<CurveRange, TriangleMesh>;
+  static_assert(are_curves, "the curves are not ranges of Face_locations of the mesh, Curve_points or points in space");
   const auto& options =
       internal::options_of<internal_np::vertex_point_t, internal_np::edge_is_constrained_t, internal_np::face_patch_t,
                            internal_np::visitor_t, internal_np::snapping_tolerance_t>(np...);
+  constexpr bool can_mark = internal::can_mark_edges<std::decay_t<decltype(options)>>();
   Curve_insertion_report report;
-  if constexpr(internal::is_mutable_mesh<TriangleMesh> &&
-               (internal::is_insertable_curve<CurveRange, TriangleMesh> ||
-                internal::is_range_of_insertable_curves<CurveRange, TriangleMesh>))
-  { // so that no message follows
+  if constexpr(internal::is_mutable_mesh<TriangleMesh> && are_curves && can_mark) { // so that no message follows
     auto points = parameters::choose_parameter(parameters::get_parameter(options, internal_np::vertex_point),
                                                get_property_map(CGAL::vertex_point, mesh));
     const double snap = internal::snapping_tolerance_of(options);
