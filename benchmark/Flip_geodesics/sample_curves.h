@@ -4,9 +4,8 @@
 #define FLIP_GEODESICS_BENCHMARK_SAMPLE_CURVES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <algorithm>

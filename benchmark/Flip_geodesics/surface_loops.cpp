@@ -17,9 +17,8 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_loops.h>
 #include <CGAL/Flip_geodesics/shorten.h>
-#include <CGAL/Flip_geodesics/shortest_loop.h>
 
 #include <cstdio>
 #include <exception>

@@ -8,7 +8,6 @@
 // distance_table.csv, the matrix of distances between five vertices.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
-#include <CGAL/Flip_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

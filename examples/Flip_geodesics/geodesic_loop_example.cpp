@@ -6,9 +6,9 @@
 //
 // Writes geodesic_loop.vtp, the curve, if it has not contracted.
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -7,8 +7,8 @@
 // Writes handles.vtp and tunnels.vtp, the geodesics, if there are any.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
+#include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
-#include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,10 +7,10 @@
 //
 // The vertices are way points of a closed curve, whose class is told. Writes loop_basis.vtp, the geodesics.
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/geodesic_loops.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

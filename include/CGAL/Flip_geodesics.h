@@ -7,9 +7,9 @@
  * \file Flip_geodesics.h
  * \ingroup PkgFlipGeodesicsRef
  * Includes the headers of the package but these, which are to be included by themselves:
- * `Exact_intrinsic_triangulation_traits.h`, those that need Eigen (`Operators.h`, `Operators.h`,
- * `Operators.h`, `Direction_field.h`, `Conformal_flattening.h`), and `insert_curves.h` and
- * `polygon_soup_to_triangle_mesh.h`, which include packages of CGAL under the GPL.
+ * `Exact_intrinsic_triangulation_traits.h`, those that need Eigen (`Operators.h`,
+ * `Direction_field.h`, `Conformal_flattening.h`), and `insert_curves.h` and `polygon_soup_to_triangle_mesh.h`, which
+ * include packages of CGAL under the GPL.
  */
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -26,6 +26,7 @@
 #include <CGAL/Flip_geodesics/IO/PLY.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/IO/appearance.h>
+#include <CGAL/Flip_geodesics/IO/network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
@@ -40,32 +41,24 @@
 #include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/derived_metrics.h>
-#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/geodesic_loops.h>
 #include <CGAL/Flip_geodesics/geodesic_mean.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/graph_traits.h>
-#include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
-#include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
-#include <CGAL/Flip_geodesics/shortest_loop.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/shortest_paths_by_class.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>

@@ -10,7 +10,6 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/metrics.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 

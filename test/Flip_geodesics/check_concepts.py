@@ -34,7 +34,8 @@ def table(manual):
 def main():
     source = Path(sys.argv[1])
     headers = {p.name: INTERNAL.sub('', p.read_text())
-               for p in sorted((source / 'include/CGAL/Flip_geodesics').glob('*.h'))}
+               for p in sorted((source / 'include/CGAL/Flip_geodesics').rglob('*.h'))
+               if 'internal' not in p.parts}
     public = '\n'.join(headers.values())
     folder = source / 'test/Flip_geodesics'
     tests = '\n'.join(p.read_text() for test in TESTS for p in [folder / test, *folder.glob(test[:-4] + '/*')])

@@ -11,9 +11,9 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Exact_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/certify.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 
 #include <boost/test/unit_test.hpp>
 

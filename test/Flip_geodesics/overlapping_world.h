@@ -9,8 +9,6 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

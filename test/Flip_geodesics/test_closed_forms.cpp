@@ -10,9 +10,9 @@
 #include "random_curves.h"
 #include "test_scale.h"
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/derived_metrics.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/Simple_cartesian.h>

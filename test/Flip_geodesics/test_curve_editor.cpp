@@ -13,8 +13,8 @@
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
-#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -11,8 +11,8 @@
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
-#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Face_chart.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 
 #include <CGAL/Simple_cartesian.h>

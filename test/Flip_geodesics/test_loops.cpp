@@ -7,12 +7,11 @@
 
 #include "test_loops/loop_setting.h"
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
-#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/geodesic_loops.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/shorten.h>
-#include <CGAL/Flip_geodesics/shortest_loop.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

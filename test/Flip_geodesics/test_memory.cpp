@@ -10,7 +10,7 @@
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
-#include <CGAL/Flip_geodesics/network_io.h>
+#include <CGAL/Flip_geodesics/IO/network.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>

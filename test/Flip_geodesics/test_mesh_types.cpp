@@ -20,9 +20,9 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #endif
 
+#include <CGAL/Flip_geodesics/IO/network.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
-#include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 

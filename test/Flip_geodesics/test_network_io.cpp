@@ -8,13 +8,13 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/IO/network.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Face_chart.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
-#include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/refine.h>
 
 #include <boost/test/unit_test.hpp>

@@ -15,10 +15,10 @@
 
 #include <CGAL/Flip_geodesics/Conformal_flattening.h>
 #include <CGAL/Flip_geodesics/Direction_field.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -10,8 +10,8 @@
 #include "number_type_checks.h"
 #include "random_curves.h"
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <CGAL/Gmpq.h>

@@ -11,14 +11,14 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
-#include <CGAL/Flip_geodesics/draw_polylines.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/refine.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -20,12 +20,10 @@
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
-#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 

@@ -8,9 +8,9 @@
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
-#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/insert_curves.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

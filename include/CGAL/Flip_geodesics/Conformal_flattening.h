@@ -4,11 +4,11 @@
 #define CGAL_FLIP_GEODESICS_CONFORMAL_FLATTENING_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/operators/Cut_surface.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -3,12 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_DIRECTION_FIELD_H
 #define CGAL_FLIP_GEODESICS_DIRECTION_FIELD_H
 
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/operators/Constrained_system.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <CGAL/assertions.h>
 

@@ -7,14 +7,23 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
+#include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
+#include <CGAL/Flip_geodesics/internal/network/Stack_order_search.h>
 #include <CGAL/Flip_geodesics/internal/network/network_parts.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 
 #include <CGAL/assertions.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -448,6 +457,252 @@ struct Internals<Edge_path_network<Triangulation>>
 };
 
 } // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The chain of halfedges of the triangulation that passes given vertices, one edge between each two.
+ *
+ * \param vertices a range of vertex indices; a closed curve does not repeat the first
+ * \throws Vertex_out_of_range_error
+ * \throws Invalid_curve_error if there are fewer than two vertices, or two in a row share no edge
+ *
+ * Complexity: linear in the degrees of the vertices.
+ */
+template <class Triangulation, class VertexRange>
+std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation, const VertexRange& vertices,
+                                              bool is_closed)
+{
+  static_assert(internal::is_range_of<VertexRange, Vertex_index>,
+                "the vertices are not a range of vertices of the triangulation, Vertex_index");
+  std::vector<Vertex_index> v;
+  for(Vertex_index vertex : vertices) {
+    internal::check_vertex(vertex, triangulation.number_of_vertices(), v.size());
+    v.push_back(vertex);
+  }
+  if(v.size() < 2)
+    throw Invalid_curve_error("a curve needs at least two vertices");
+  if(is_closed)
+    v.push_back(v.front());
+  std::vector<Halfedge_index> result;
+  for(std::size_t i = 0; i + 1 < v.size(); ++i) {
+    result.push_back(internal::halfedge_between(triangulation, v[i], v[i + 1]));
+    if(result.back() == null_index)
+      throw Invalid_curve_error("a curve is not connected: no edge joins vertex " + std::to_string(v[i].idx()) +
+                                    " and vertex " + std::to_string(v[i + 1].idx()),
+                                {static_cast<std::size_t>(v[i].idx()), static_cast<std::size_t>(v[i + 1].idx())});
+  }
+  return result;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The chain of input halfedges along shortest edge paths from each way point to the next.
+ *
+ * \param search a `Shortest_edge_path` over the network's triangulation, whose edges are still the input's
+ * \param way_points vertex indices, at least two; those that repeat the one before count once. A closed curve need not
+ *        repeat the first
+ * \param is_closed says whether the chain leads back to the first way point
+ * \param visitor nothing, or a model of `FlipOutVisitor`, of which only `go_further()` is called, by the searches. If
+ *        it returns `false`, then no halfedges are returned
+ * \throws Invalid_curve_error for fewer than two way points, or if all are one vertex
+ * \throws Vertex_out_of_range_error, Disconnected_endpoints_error as `Shortest_edge_path`
+ */
+template <class Search, class VertexRange, class... Visitor>
+std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const VertexRange& way_points,
+                                                       bool is_closed = false, Visitor&&... visitor)
+{
+  std::vector<Vertex_index> v(std::begin(way_points), std::end(way_points));
+  if(v.size() < 2)
+    throw Invalid_curve_error("a curve needs at least two way points");
+  if(is_closed)
+    v.push_back(v.front());
+  std::vector<Halfedge_index> result;
+  for(std::size_t i = 0; i + 1 < v.size(); ++i) {
+    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1], visitor...); // also refuses what is no vertex
+    if(leg.empty() && v[i] != v[i + 1])                                         // stopped by the visitor
+      return {};
+    result.insert(result.end(), leg.begin(), leg.end());
+  }
+  if(result.empty())
+    throw Invalid_curve_error("all way points of a curve are vertex " + std::to_string(v.front().idx()) +
+                                  "; the curve is a point, and has no edges",
+                              {static_cast<std::size_t>(v.front().idx())});
+  return result;
+}
+
+namespace internal {
+
+/* A set of edges of a triangulation: a sign for each. */
+using Edge_marks = Indexed_by<Edge_index, std::vector<char>>;
+
+/* How many edges of a set end at each vertex. */
+template <class Triangulation>
+Indexed_by<Vertex_index, std::vector<Index>> degrees(const Triangulation& triangulation, const Edge_marks& is_marked)
+{
+  Indexed_by<Vertex_index, std::vector<Index>> result(static_cast<std::size_t>(triangulation.number_of_vertices()), 0);
+  for(Edge_index e : descriptors<Edge_index>(triangulation.number_of_edges()))
+    if(is_marked[e] != 0) {
+      ++result[triangulation.tail(first_side(e))];
+      ++result[triangulation.head(first_side(e))];
+    }
+  return result;
+}
+
+/* Calls `add()`, which adds curves. Returns how many; if it throws, a network that was empty is empty again. */
+template <class Network, class Add>
+Index add_all_or_none(Network& network, const Add& add)
+{
+  const Index before = network.number_of_curves();
+  try {
+    add();
+  } catch(...) {
+    if(before == 0)
+      network.clear();
+    throw;
+  }
+  return network.number_of_curves() - before;
+}
+
+/* Adds the chains of a set of edges between the vertices for which `is_node(v)` holds, and the closed ones. Returns how
+ * many. \pre two edges end at each vertex of the set that is no node */
+template <class Network, class IsNode>
+Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
+{
+  const auto& triangulation = network.triangulation();
+  // The way on from the head of h, null_index at a node.
+  const auto next_open = [&](Halfedge_index h) -> Halfedge_index {
+    if(is_node(triangulation.head(h)))
+      return null_index;
+    for(Halfedge_index g : spokes(triangulation, triangulation.head(h)))
+      if(is_open[Network::Triangulation::edge(g)] != 0)
+        return g;
+    return null_index;
+  };
+  const auto walk = [&](Halfedge_index h) {
+    std::vector<Halfedge_index> chain;
+    for(; h != null_index; h = next_open(h)) {
+      is_open[Network::Triangulation::edge(h)] = 0;
+      chain.push_back(h);
+    }
+    return chain;
+  };
+
+  return add_all_or_none(network, [&] {
+    for(Halfedge_index h : descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
+      if(is_open[Network::Triangulation::edge(h)] != 0 && is_node(triangulation.tail(h)))
+        network.add_curve(walk(h), false);
+    for(Edge_index e : descriptors<Edge_index>(triangulation.number_of_edges()))
+      if(is_open[e] != 0)
+        network.add_curve(walk(first_side(e)), true);
+  });
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Adds the network formed by the marked edges of the input mesh: a curve for each chain between vertices where other
+ * than two marked edges meet, which are its fixed ends. A loop without such a vertex becomes a closed one. Open curves
+ * come first. Each begins with the smaller of the halfedges that leave its two ends and lie on it, and they are ordered
+ * by these halfedges. Closed curves follow, ordered by their smallest edges. If the function throws, a network that was
+ * empty is empty again. Linear in the mesh.
+ *
+ * \param mesh the triangulation's mesh
+ * \param is_marked a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as values
+ * \return the number of curves added
+ * \pre the triangulation's edges are still the input's
+ */
+template <class Network, class TriangleMesh, class EdgeIsMarkedMap>
+Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedMap is_marked)
+{
+  static_assert(internal::is_property_map<EdgeIsMarkedMap>());
+  const auto& triangulation = network.triangulation();
+  internal::Edge_marks marks(static_cast<std::size_t>(triangulation.number_of_edges()), 0);
+  for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges())) {
+    const auto h = triangulation.input().halfedge(internal::as_input(internal::first_side(e)));
+    marks[e] = get(is_marked, edge(h, mesh)) ? 1 : 0;
+  }
+  const auto degree = internal::degrees(triangulation, marks);
+  return internal::add_chains(network, std::move(marks), [&](Vertex_index v) { return degree[v] != 2; });
+}
+
+namespace internal {
+
+/* Orders the strands on each edge. Returns what is in the way, if there is anything; then the order is of no use. */
+template <class Network>
+Order_conflict order_stacks(Network& network)
+{
+  const Stack_pairs<Network> pairs(network);
+  if(pairs.conflict() || pairs.number_of_stacks() == 0)
+    return pairs.conflict();
+  Crossing_equations<Network> equations(pairs);
+  if(equations.conflict())
+    return equations.conflict();
+  Stack_order_search<Network> search(equations);
+  if(const Order_conflict conflict = search.run())
+    return conflict;
+  for(Index i = 0; i < pairs.number_of_stacks(); ++i)
+    network.set_stack(pairs.edge(i), search.order(i));
+  return {};
+}
+
+/* As `order_overlapping_curves()`, but returns what it throws. */
+template <class Network>
+Order_conflict order_if_possible(Network& network)
+{
+  Order_conflict conflict = order_stacks(network);
+  if(conflict)
+    return conflict;
+  const auto& triangulation = network.triangulation();
+  for_each_vertex(triangulation, occupied_halfedges(network), [&](auto first, auto) {
+    if(!conflict && !network.is_non_crossing_at({*first, network.outermost(*first, Side::LEFT)}))
+      conflict.v = triangulation.tail(*first);
+  });
+  return conflict;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Finds the order in which the curves of a network lie side by side on the edges that they share. In it no two cross,
+ * nor does one cross itself. To be called after the curves were added: `add_curve()` puts them on an edge in the order
+ * in which they come.
+ *
+ * Two strands that share a run of edges are ordered by where they part, at either end of it. Where a path ends, or has
+ * a fixed node, the order is left open. But all such ends at a vertex, and the border, must be on one side of each
+ * curve that passes. What is left open at both ends follows from the order of others on the same edges, or else is
+ * chosen. The strand that was added first is then on the left, as seen along it. It is seen against it if its curve has
+ * turned back an odd number of times before. So copies of a curve that does not turn back lie to its right.
+ *
+ * The answer depends on the connectivity only, and is exact. If there is an order, it is found. If there is none, the
+ * curves cross however they lie. Two do that part on opposite sides at the ends of a run. So does one that goes around
+ * an annulus twice before it closes. Only where long paths turn back on each other again and again, and their choices
+ * interlock, may the search be given up.
+ *
+ * If it throws, the curves are unchanged, but the order along the edges may not be.
+ *
+ * Complexity: for \f$n\f$ segments, \f$O(n \log n)\f$ and the degrees of the vertices they pass. If edges have several,
+ * there are \f$p\f$ pairs of segments on one edge besides. They take \f$O(p \log p)\f$ time, half a second per million,
+ * and \f$O(p)\f$ memory. Where the choices above do not fit together, it is \f$p\f$ times the most segments on one
+ * edge.
+ *
+ * \param network an `Edge_path_network`
+ * \throws Crossing_curves_error with a vertex at which curves cross; where only several vertices together make it
+ *         impossible that they do not, with one of these
+ * \throws Ambiguous_order_error with the vertices of a shared edge, if the search is given up
+ */
+template <class Network>
+void order_overlapping_curves(Network& network)
+{
+  if(const internal::Order_conflict conflict = internal::order_if_possible(network))
+    conflict.raise();
+}
+
 } // namespace Flip_geodesics
 } // namespace CGAL
 

@@ -4,11 +4,11 @@
 #define CGAL_FLIP_GEODESICS_OPERATORS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
 #include <CGAL/Flip_geodesics/internal/operators/Constrained_system.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
 #define CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
@@ -10,7 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/Zero_edge_contractor.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_H
 #define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_H
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
@@ -16,7 +17,6 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -3,11 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_CUT_GRAPH_H
 #define CGAL_FLIP_GEODESICS_CUT_GRAPH_H
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/topology/Cut_edges.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <type_traits>
 #include <vector>

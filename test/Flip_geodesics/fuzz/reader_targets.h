@@ -9,7 +9,7 @@
 #include "input/mesh_input.h"
 #include "input/point_input.h"
 
-#include <CGAL/Flip_geodesics/network_io.h>
+#include <CGAL/Flip_geodesics/IO/network.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

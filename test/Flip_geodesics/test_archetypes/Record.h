@@ -6,15 +6,14 @@
 #include "Curve_setting.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/IO/network.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
-#include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>

@@ -12,7 +12,7 @@
 #include "lawson.h"
 #include "random_curves.h"
 
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 
 #include <CGAL/Simple_cartesian.h>
 

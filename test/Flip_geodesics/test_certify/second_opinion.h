@@ -13,9 +13,9 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 

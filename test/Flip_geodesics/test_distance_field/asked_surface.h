@@ -10,10 +10,10 @@
 #include "descriptors.h"
 #include "generated_meshes.h"
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_shortest_path.h>

@@ -7,8 +7,8 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -8,7 +8,6 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Leg_drawer.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -10,8 +10,6 @@
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/geodesic_loops.h>
-#include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
-#include <CGAL/Flip_geodesics/shortest_loop.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -4,9 +4,9 @@
 
 #include "test_loops/loop_setting.h"
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/geodesic_loops.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 

@@ -5,9 +5,9 @@
 
 #include "test_loops/loop_setting.h"
 
-#include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/internal/topology/Linking_matrix.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "test_loops/loop_setting.h"
 
-#include <CGAL/Flip_geodesics/shortest_loop.h>
+#include <CGAL/Flip_geodesics/geodesic_loops.h>
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,7 @@
 
 #include "test_one_call/checked_curves.h"
 
-#include <CGAL/Flip_geodesics/geodesic_distance_matrix.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 
 #include <variant>
 

@@ -11,9 +11,9 @@
 #include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 

@@ -9,8 +9,8 @@
 #include "descriptors.h"
 #include "random_curves.h"
 
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 
 #include <CGAL/boost/graph/helpers.h>

@@ -17,7 +17,6 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>

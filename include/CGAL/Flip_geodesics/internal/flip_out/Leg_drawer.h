@@ -9,7 +9,6 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <algorithm>

@@ -17,8 +17,6 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 

@@ -11,8 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/path_computations.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 

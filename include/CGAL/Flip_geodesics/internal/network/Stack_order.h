@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_H
 
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>

@@ -4,10 +4,10 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_OPERATORS_CONSTRAINED_SYSTEM_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <boost/container/small_vector.hpp>
 #include <boost/pending/disjoint_sets.hpp>

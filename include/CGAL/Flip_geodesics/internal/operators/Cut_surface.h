@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_OPERATORS_CUT_SURFACE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/intrinsic_faces.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 
 #include <cstddef>
 #include <vector>

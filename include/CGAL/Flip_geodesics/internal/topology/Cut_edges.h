@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_CUT_EDGES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_CUT_EDGES_H
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <cstddef>
 #include <vector>

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_NEEDLESS_SEAMS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_NEEDLESS_SEAMS_H
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_NETWORK_IO_H
-#define CGAL_FLIP_GEODESICS_NETWORK_IO_H
+#ifndef CGAL_FLIP_GEODESICS_IO_NETWORK_H
+#define CGAL_FLIP_GEODESICS_IO_NETWORK_H
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -489,4 +489,4 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_NETWORK_IO_H
+#endif // CGAL_FLIP_GEODESICS_IO_NETWORK_H
