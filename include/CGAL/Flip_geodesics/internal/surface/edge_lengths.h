@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -59,14 +60,31 @@ template <class Metric>
 inline constexpr bool has_places_in_space = std::is_same<typename Metric::Place, std::array<double, 3>>::value ||
                                             std::is_same<typename Metric::Place, std::array<Double_double, 3>>::value;
 
+/* Does a metric decide by itself whether it makes the vectors of a face? */
+template <class Metric, class Input_mesh, class = void>
+struct Decides_usable_faces : std::false_type
+{
+};
+
+template <class Metric, class Input_mesh>
+struct Decides_usable_faces<Metric, Input_mesh,
+                            std::void_t<decltype(std::declval<const Metric&>().is_usable_face(
+                                std::declval<const Input_mesh&>(), Input_halfedge_index()))>> : std::true_type
+{
+};
+
 /* Returns whether a metric makes the vectors of a face, without throwing an exception. */
 template <class Metric, class Input_mesh>
 bool is_usable_face(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
 {
-  const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-  const double a = metric.weight(mesh, h), b = metric.weight(mesh, hn), c = metric.weight(mesh, hp);
-  return is_usable_length(a) && is_usable_length(b) && is_usable_length(c) &&
-         (has_places_in_space<Metric> || satisfy_triangle_inequality(a, b, c));
+  if constexpr(Decides_usable_faces<Metric, Input_mesh>::value) {
+    return metric.is_usable_face(mesh, h);
+  } else {
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+    const double a = metric.weight(mesh, h), b = metric.weight(mesh, hn), c = metric.weight(mesh, hp);
+    return is_usable_length(a) && is_usable_length(b) && is_usable_length(c) &&
+           (has_places_in_space<Metric> || satisfy_triangle_inequality(a, b, c));
+  }
 }
 
 /* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */

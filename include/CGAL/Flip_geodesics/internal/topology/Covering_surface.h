@@ -317,6 +317,10 @@ public:
   }
 
   bool is_rounded(const Mesh& mesh) const { return is_rounded_metric(m_metric, below(mesh)); }
+  bool is_usable_face(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    return internal::is_usable_face(m_metric, below(mesh), mesh.surface().below(h));
+  }
 
   Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {

@@ -1,0 +1,590 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SPLIT_SURFACE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SPLIT_SURFACE_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/derived_metrics.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
+#include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_subface.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* A face of a split surface, by its smallest halfedge. */
+struct Split_face
+{
+  Input_halfedge_index halfedge;
+
+  friend bool operator==(Split_face a, Split_face b) { return a.halfedge == b.halfedge; }
+  friend bool operator!=(Split_face a, Split_face b) { return !(a == b); }
+};
+
+/* A halfedge of a split surface that is new, or that is not linked as the halfedge with its number below. */
+struct Split_side
+{
+  Input_halfedge_index halfedge, next, previous;
+  Vertex_index tail;
+  bool is_border, is_whole;           // is it all of an edge below?
+  Input_halfedge_index along;         // the halfedge below that it is a part of, or all; null inside a face
+  Input_halfedge_index face;          // a side of the face below that holds it; null on the border
+  std::array<double, 3> tail_weights; // of the tail in that face
+};
+
+/*
+ * A surface on which points have been made vertices: the faces below that hold one are split, and all else is as below.
+ * So whatever searches from vertices also searches from points.
+ *
+ * Elements below keep their numbers, but a halfedge of a split edge is the part at one of its ends. Which faces there
+ * are has been decided by an insertion of the points into a triangulation, exactly.
+ */
+template <class TriangleMesh>
+class Split_surface
+{
+public:
+  using Below = Indexed_mesh<TriangleMesh>;
+
+  /* \param triangulation in which points have been inserted and nothing was flipped. It is only read here, but its input
+   * must outlive the surface */
+  template <class Triangulation>
+  explicit Split_surface(const Triangulation& triangulation)
+    : m_below(&triangulation.input())
+    , m_number_of_halfedges(triangulation.number_of_halfedges())
+    , m_first(number_of_slots, nowhere)
+  {
+    for(Vertex_index v(m_below->number_of_vertices()); v.idx() < triangulation.number_of_vertices();
+        v = Vertex_index(v.idx() + 1))
+    {
+      m_locations.push_back(triangulation.location(v));
+      m_outgoing.push_back(as_input(triangulation.outgoing(v)));
+      for(Halfedge_index h : spokes(triangulation, v))
+        if(!triangulation.is_border(h))
+          add_face(triangulation, h);
+    }
+    link_border();
+  }
+
+  const Below& below() const { return *m_below; }
+
+  Index number_of_vertices() const { return m_below->number_of_vertices() + static_cast<Index>(m_locations.size()); }
+  Index number_of_halfedges() const { return m_number_of_halfedges; }
+  /* A new vertex has two faces more than it has taken, or one on the border. */
+  Index number_of_faces() const
+  {
+    const Index border =
+        static_cast<Index>(std::count_if(m_locations.begin(), m_locations.end(), [&](const Surface_location& p) {
+          return kind(p) == Location_kind::EDGE && m_below->is_border(twin_index(p.halfedge));
+        }));
+    return m_below->number_of_faces() + 2 * static_cast<Index>(m_locations.size()) - border;
+  }
+
+  Input_halfedge_index next(Input_halfedge_index h) const
+  {
+    const Split_side* const side = find(h);
+    return side == nullptr ? m_below->next(h) : side->next;
+  }
+  Input_halfedge_index previous(Input_halfedge_index h) const
+  {
+    const Split_side* const side = find(h);
+    return side == nullptr ? m_below->previous(h) : side->previous;
+  }
+  Vertex_index tail(Input_halfedge_index h) const
+  {
+    const Split_side* const side = find(h);
+    return side == nullptr ? m_below->tail(h) : side->tail;
+  }
+  bool is_border(Input_halfedge_index h) const
+  {
+    const Split_side* const side = find(h);
+    return side == nullptr ? m_below->is_border(h) : side->is_border;
+  }
+  Input_halfedge_index outgoing(Vertex_index v) const
+  {
+    if(is_new(v))
+      return m_outgoing[new_index(v)];
+    const Input_halfedge_index h = m_below->outgoing(v);
+    return h == null_index || tail(h) == v ? h : part_at_tail(h, v);
+  }
+
+  /* Is it not a vertex below? */
+  bool is_new(Vertex_index v) const { return v.idx() >= m_below->number_of_vertices(); }
+  /* Where a new vertex lies below. */
+  const Surface_location& location(Vertex_index v) const { return m_locations[new_index(v)]; }
+
+  /* What is known of a halfedge that has changed; null if it is as below. */
+  const Split_side* find(Input_halfedge_index h) const
+  {
+    const Index i = position(h);
+    return i == nowhere ? nullptr : &m_sides[static_cast<std::size_t>(i)];
+  }
+
+  /* The halfedges that have changed, face by face from the first side of each on, and then those on the border. */
+  const std::vector<Split_side>& sides() const { return m_sides; }
+
+  /* Is it a vertex at which a face is split? */
+  bool is_beside_split(Vertex_index v) const
+  {
+    return std::any_of(m_sides.begin(), m_sides.end(),
+                       [v](const Split_side& side) { return !side.is_border && side.tail == v; });
+  }
+
+  /* The halfedge below along which one runs, null inside a face. */
+  Input_halfedge_index along(Input_halfedge_index h) const
+  {
+    const Split_side* const side = find(h);
+    return side == nullptr ? h : side->along;
+  }
+
+  /* A location below; none for a point of an edge that is not there below. \param at canonical */
+  std::optional<Surface_location> location_below(const Surface_location& at) const
+  {
+    if(kind(at) == Location_kind::VERTEX)
+      return vertex_below(tail(at.halfedge));
+    const Split_side* const side = find(at.halfedge);
+    if(side == nullptr)
+      return at;
+    if(kind(at) == Location_kind::EDGE && side->along == null_index)
+      return {};
+    return canonical_location(*m_below, in_face_below(*side, at.weights));
+  }
+
+private:
+  static constexpr std::size_t number_of_slots = 256; // far more than halfedges of the faces at two points
+  static constexpr Index nowhere = -1;
+
+  static std::size_t slot(Input_halfedge_index h) { return static_cast<std::size_t>(h.idx()) % number_of_slots; }
+  std::size_t new_index(Vertex_index v) const
+  {
+    return static_cast<std::size_t>(v.idx() - m_below->number_of_vertices());
+  }
+
+  Index position(Input_halfedge_index h) const
+  {
+    Index i = m_first[slot(h)];
+    while(i != nowhere && m_sides[static_cast<std::size_t>(i)].halfedge != h)
+      i = m_following[static_cast<std::size_t>(i)];
+    return i;
+  }
+
+  void add(const Split_side& side)
+  {
+    Index& first = m_first[slot(side.halfedge)];
+    m_following.push_back(first);
+    first = static_cast<Index>(m_sides.size());
+    m_sides.push_back(side);
+  }
+
+  template <class Triangulation>
+  void add_face(const Triangulation& triangulation, Halfedge_index h)
+  {
+    if(find(as_input(h)) != nullptr)
+      return;
+    const Crossing_word word = triangulation.crossing_word(h);
+    const Input_halfedge_index face = word.along == null_index ? word.face : word.along;
+    for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {
+      const Vertex_index v = triangulation.tail(h);
+      const Input_halfedge_index along = triangulation.crossing_word(h).along;
+      const bool is_whole = triangulation.version(Triangulation::edge(h)) == 0;
+      add({as_input(h), as_input(triangulation.next(h)), as_input(triangulation.previous(h)), v, false, is_whole, along,
+           face, vertex_weights(triangulation, v, face)});
+      const Halfedge_index t = Triangulation::twin(h);
+      if(triangulation.is_border(t) && !is_whole)
+        m_border.push_back({as_input(t),
+                            null_index,
+                            null_index,
+                            triangulation.tail(t),
+                            true,
+                            false,
+                            twin_index(along),
+                            null_index,
+                            {{0, 0, 0}}});
+    }
+  }
+
+  // Parts of an edge on the border follow each other, and what precedes and follows the edge below.
+  void link_border()
+  {
+    for(const Split_side& side : m_border)
+      add(side);
+    for(const Split_side& part : m_border) {
+      const Vertex_index tail = part.tail, head = this->tail(twin_index(part.halfedge));
+      const Input_halfedge_index before = is_new(tail) ? part.along : m_below->previous(part.along);
+      const Input_halfedge_index after = is_new(head) ? part.along : m_below->next(part.along);
+      link(part_at_head(before, tail), part.halfedge);
+      link(part.halfedge, part_at_tail(after, head));
+    }
+  }
+
+  void link(Input_halfedge_index h, Input_halfedge_index next)
+  {
+    changed(h).next = next;
+    changed(next).previous = h;
+  }
+
+  // The record of a halfedge on the border, which is as below if it has none yet.
+  Split_side& changed(Input_halfedge_index h)
+  {
+    if(position(h) == nowhere)
+      add({h, m_below->next(h), m_below->previous(h), m_below->tail(h), true, true, h, null_index, {{0, 0, 0}}});
+    return m_sides[static_cast<std::size_t>(position(h))];
+  }
+
+  // The part of a halfedge below that starts at a vertex, or ends there.
+  Input_halfedge_index part_at_tail(Input_halfedge_index along, Vertex_index v) const
+  {
+    for(const Split_side& side : m_sides)
+      if(side.along == along && side.tail == v)
+        return side.halfedge;
+    return along;
+  }
+  Input_halfedge_index part_at_head(Input_halfedge_index along, Vertex_index v) const
+  {
+    return twin_index(part_at_tail(twin_index(along), v));
+  }
+
+  Surface_location vertex_below(Vertex_index v) const
+  {
+    if(is_new(v))
+      return location(v);
+    return canonical_location(*m_below, {m_below->outgoing(v), {{1, 0, 0}}});
+  }
+
+  Surface_location in_face_below(const Split_side& first, const std::array<double, 3>& weights) const
+  {
+    Surface_location result = {first.face, {{0, 0, 0}}};
+    const Split_side* side = &first;
+    for(std::size_t i = 0; i < 3; ++i, side = find(side->next)) {
+      const std::array<double, 3>& corner = side->tail_weights;
+      for(std::size_t k = 0; k < 3; ++k)
+        result.weights[k] += weights[i] * (corner[k] / (corner[0] + corner[1] + corner[2]));
+    }
+    for(double& weight : result.weights)
+      weight = weight == 0 ? 0 : (std::max)(weight, least_weight);
+    return result;
+  }
+
+  const Below* m_below;
+  Index m_number_of_halfedges;
+  std::vector<Surface_location> m_locations;    // of the new vertices
+  std::vector<Input_halfedge_index> m_outgoing; // from them
+  std::vector<Split_side> m_sides, m_border;
+  std::vector<Index> m_first, m_following; // a table of the sides by their halfedges
+};
+
+/* What a curve point needs to know of the faces of a graph. */
+template <class TriangleMesh>
+Split_face face(Input_halfedge_index h, const Split_surface<TriangleMesh>& surface)
+{
+  const Input_halfedge_index hn = surface.next(h);
+  return {(std::min)({h, hn, surface.next(hn)})};
+}
+
+template <class TriangleMesh>
+Input_halfedge_index halfedge(Split_face f, const Split_surface<TriangleMesh>&)
+{
+  return f.halfedge;
+}
+
+/* A split surface is numbered already, and is its own mesh. */
+template <class TriangleMesh>
+class Indexed_mesh<Split_surface<TriangleMesh>> : public Possibly_contracted<Indexed_mesh<Split_surface<TriangleMesh>>>
+{
+  using Surface = Split_surface<TriangleMesh>;
+
+public:
+  using vertex_descriptor = Vertex_index;
+  using halfedge_descriptor = Input_halfedge_index;
+
+  explicit Indexed_mesh(const Surface& surface)
+    : m_surface(&surface)
+  {
+  }
+
+  const Surface& surface() const { return *m_surface; }
+
+  Index number_of_vertices() const { return m_surface->number_of_vertices(); }
+  Index number_of_halfedges() const { return m_surface->number_of_halfedges(); }
+  Index number_of_faces() const { return m_surface->number_of_faces(); }
+  Vertex_index vertex(Vertex_index v) const { return v; }
+  Input_halfedge_index halfedge(Input_halfedge_index h) const { return h; }
+  Vertex_index index(Vertex_index v) const { return v; }
+  Input_halfedge_index index(Input_halfedge_index h) const { return h; }
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_surface->next(h); }
+  Input_halfedge_index previous(Input_halfedge_index h) const { return m_surface->previous(h); }
+  bool is_triangle(Input_halfedge_index h) const { return next(next(h)) == previous(h); }
+  Vertex_index tail(Input_halfedge_index h) const { return m_surface->tail(h); }
+  bool is_border(Input_halfedge_index h) const { return m_surface->is_border(h); }
+  Input_halfedge_index outgoing(Vertex_index v) const { return m_surface->outgoing(v); }
+
+private:
+  const Surface* m_surface;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+namespace boost {
+
+template <class TriangleMesh>
+struct graph_traits<CGAL::Flip_geodesics::internal::Split_surface<TriangleMesh>>
+{
+  using vertex_descriptor = CGAL::Flip_geodesics::Vertex_index;
+  using halfedge_descriptor = CGAL::Flip_geodesics::Input_halfedge_index;
+  using face_descriptor = CGAL::Flip_geodesics::internal::Split_face;
+
+  static halfedge_descriptor null_halfedge() { return halfedge_descriptor(); }
+};
+
+} // namespace boost
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Where a vertex of a split surface is, by what the metric below knows of a place, up to an error. */
+template <class Place>
+struct Split_place
+{
+  Place place;
+  double error; // no distance from the vertex differs by more from that from the place; infinite if nothing is known
+};
+
+/*
+ * The metric of a split surface: that of what lies below. It is the same surface exactly: parts of faces are derived from
+ * the exact faces below by the exact weights of their corners, and rounded last. A model of IntrinsicMetric.
+ *
+ * A metric below that has no exact faces is taken to have faces of its rounded lengths.
+ */
+template <class TriangleMesh, class Metric>
+class Split_metric : public Metric_of_lengths<Split_metric<TriangleMesh, Metric>>
+{
+  using Surface = Split_surface<TriangleMesh>;
+
+public:
+  using Mesh = Numbered_mesh<Surface>;
+  using Kernel = typename Metric::Kernel;
+  using Point_3 = typename Metric_point<Metric>::type;
+  using Place = Split_place<typename Metric::Place>;
+
+  /* \throws as the metric below for the faces that are split */
+  Split_metric(const Metric& metric, const Surface& surface)
+    : m_metric(metric)
+    , m_parts(std::make_shared<std::vector<Exact_subface>>())
+  {
+    const auto& sides = surface.sides();
+    for(std::size_t i = 0; i + 2 < sides.size() && !sides[i].is_border; i += 3)
+      m_parts->push_back(
+          Exact_subface(exact_face_below(surface.below(), sides[i].face),
+                        metric.face_geometry(surface.below(), sides[i].face, Precise_face_traits())[0],
+                        {{sides[i].tail_weights, sides[i + 1].tail_weights, sides[i + 2].tail_weights}}));
+  }
+
+  auto point(const Mesh& mesh, Vertex_index v) const
+  {
+    using Point = std::decay_t<decltype(m_metric.point(below(mesh), v))>;
+    if(!mesh.surface().is_new(v))
+      return Point(m_metric.point(below(mesh), v));
+    const auto [corners, w] = corners_and_shares(mesh, v);
+    const Point p = m_metric.point(below(mesh), corners[0]), q = m_metric.point(below(mesh), corners[1]),
+                r = m_metric.point(below(mesh), corners[2]);
+    return Point(p.x() + w[1] * (q.x() - p.x()) + w[2] * (r.x() - p.x()),
+                 p.y() + w[1] * (q.y() - p.y()) + w[2] * (r.y() - p.y()),
+                 p.z() + w[1] * (q.z() - p.z()) + w[2] * (r.z() - p.z()));
+  }
+
+  double weight(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    const Split_side* const side = new_edge(mesh, h);
+    return side == nullptr ? m_metric.weight(below(mesh), h)
+                           : part(mesh, *side).length(place_in_part(mesh, *side)).high;
+  }
+  double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
+  {
+    return new_edge(mesh, h) == nullptr ? m_metric.weight(below(mesh), h, tail.place, head.place) : weight(mesh, h);
+  }
+
+  /* Of a new vertex, in space if the metric below has places there, and otherwise that of a corner of its face. */
+  Place place(const Mesh& mesh, Vertex_index v) const
+  {
+    if(!mesh.surface().is_new(v))
+      return {m_metric.place(below(mesh), v), 0};
+    const auto [corners, w] = corners_and_shares(mesh, v);
+    const auto p = m_metric.place(below(mesh), corners[0]);
+    if constexpr(has_places_in_space<Metric>)
+      return combined(p, m_metric.place(below(mesh), corners[1]), m_metric.place(below(mesh), corners[2]), w);
+    else
+      return {p, std::numeric_limits<double>::infinity()};
+  }
+
+  double distance_lower_bound(const Place& p, const Place& q) const
+  {
+    return (std::max)(m_metric.distance_lower_bound(p.place, q.place) - (p.error + q.error), 0.0);
+  }
+
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  {
+    const Split_side* const side = mesh.surface().find(h);
+    if(side == nullptr)
+      return m_metric.face_geometry(below(mesh), h, traits);
+    if constexpr(std::is_same<Traits, Precise_face_traits>::value) {
+      return part(mesh, *side).precise_face(place_in_part(mesh, *side));
+    } else if constexpr(Has_exact_subfaces<Traits>::value) {
+      const Split_side *const next = mesh.surface().find(side->next), *const last = mesh.surface().find(side->previous);
+      return traits.construct_subface_object()(m_metric.face_geometry(below(mesh), side->face, traits),
+                                               {{side->tail_weights, next->tail_weights, last->tail_weights}});
+    } else {
+      for(const Input_halfedge_index s : {h, side->next, side->previous})
+        this->length(mesh, s);
+      return traits.construct_face_2_object()(part(mesh, *side).vectors(place_in_part(mesh, *side)), face_layout_error);
+    }
+  }
+
+  bool is_rounded(const Mesh& mesh) const { return is_rounded_metric(m_metric, below(mesh)); }
+
+  /* The lengths of a part of a face are rounded from an exact one, and need not satisfy the triangle inequality. */
+  bool is_usable_face(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    const Split_side* const side = mesh.surface().find(h);
+    if(side == nullptr)
+      return internal::is_usable_face(m_metric, below(mesh), h);
+    return is_usable_length(weight(mesh, h)) && is_usable_length(weight(mesh, side->next)) &&
+           is_usable_length(weight(mesh, side->previous));
+  }
+
+  Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    const Split_side* const side = mesh.surface().find(h);
+    return side == nullptr ? exact_face_below(below(mesh), h)
+                           : part(mesh, *side).exact_face(place_in_part(mesh, *side));
+  }
+
+  /* Of words that the metric below can have, that is, not to new vertices; nor about a vertex with new edges, which the
+   * steps count. */
+  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
+                     Flat_edges& flat_edges, Sign& sine) const
+  {
+    const Surface& surface = mesh.surface();
+    sine = ZERO;
+    if(surface.is_beside_split(a.tail) || surface.is_new(a.head) || surface.is_new(b.head))
+      return false;
+    if constexpr(Has_exact_faces<Metric>::value)
+      return m_metric.sine_in_plane(below(mesh), word_below(surface, a), word_below(surface, b), steps, flat_edges,
+                                    sine);
+    else
+      return false;
+  }
+
+private:
+  using Below = Indexed_mesh<TriangleMesh>;
+  using Shares = std::array<double, 3>;
+
+  static const Below& below(const Mesh& mesh) { return mesh.surface().below(); }
+
+  Exact_face exact_face_below(const Below& input, Input_halfedge_index h) const
+  {
+    if constexpr(Has_exact_faces<Metric>::value)
+      return m_metric.exact_face(input, h);
+    else
+      return exact_face_from_lengths(std::array<double, 3>{
+          m_metric.length(input, h), m_metric.length(input, input.next(h)), m_metric.length(input, input.previous(h))});
+  }
+
+  // The record of a side of an edge that is not there below, the same from both sides; null for other edges.
+  static const Split_side* new_edge(const Mesh& mesh, Input_halfedge_index h)
+  {
+    const Split_side* side = mesh.surface().find(h);
+    if(side == nullptr || side->is_whole)
+      return nullptr;
+    const Input_halfedge_index first = is_first_side(h) ? h : twin_index(h);
+    return mesh.surface().find(mesh.surface().is_border(first) ? twin_index(first) : first);
+  }
+
+  static std::size_t position(const Mesh& mesh, const Split_side& side)
+  {
+    return static_cast<std::size_t>(&side - mesh.surface().sides().data());
+  }
+  const Exact_subface& part(const Mesh& mesh, const Split_side& side) const
+  {
+    return (*m_parts)[position(mesh, side) / 3];
+  }
+  static std::size_t place_in_part(const Mesh& mesh, const Split_side& side) { return position(mesh, side) % 3; }
+
+  // The corners of the face below that holds a new vertex, that of the largest weight first, and their shares.
+  static std::pair<std::array<Vertex_index, 3>, Shares> corners_and_shares(const Mesh& mesh, Vertex_index v)
+  {
+    Surface_location at = mesh.surface().location(v);
+    while(at.weights[0] < (std::max)(at.weights[1], at.weights[2]))
+      at = rotated(below(mesh), at);
+    const Input_halfedge_index h = at.halfedge, hn = below(mesh).next(h);
+    const double sum = at.weights[0] + at.weights[1] + at.weights[2];
+    return {{{below(mesh).tail(h), below(mesh).tail(hn), below(mesh).tail(below(mesh).next(hn))}},
+            {{at.weights[0] / sum, at.weights[1] / sum, at.weights[2] / sum}}};
+  }
+
+  static double coordinate(double x) { return x; }
+  static double coordinate(const Double_double& x) { return x.high; }
+
+  static Place combined(const typename Metric::Place& p, const typename Metric::Place& q,
+                        const typename Metric::Place& r, const Shares& w)
+  {
+    Place result = {p, 0};
+    for(std::size_t k = 0; k < 3; ++k) {
+      const double from = coordinate(p[k]), to_q = coordinate(q[k]) - from, to_r = coordinate(r[k]) - from;
+      result.place[k] = {from + (w[1] * to_q + w[2] * to_r)};
+      result.error += combined_place_error * (std::abs(from) + std::abs(to_q) + std::abs(to_r));
+    }
+    return result;
+  }
+
+  // Crossings of edges that are not there below are left out.
+  static Crossing_word word_below(const Surface& surface, Crossing_word word)
+  {
+    std::vector<Input_halfedge_index> crossed;
+    for(const Input_halfedge_index h : word.crossed)
+      if(const Input_halfedge_index along = surface.along(h); along != null_index)
+        crossed.push_back(along);
+    word.crossed = std::move(crossed);
+    return word;
+  }
+
+  Metric m_metric;
+  std::shared_ptr<std::vector<Exact_subface>> m_parts; // of faces, three sides of the surface each
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SPLIT_SURFACE_H
