@@ -224,6 +224,22 @@ Surface_location location_on_surface(const Triangulation& triangulation, const S
 }
 
 /*
+ * Where points of the mesh lie on the surface of a triangulation, as `location_on_surface()`. On a contracted surface
+ * each place has one location.
+ */
+template <class Triangulation>
+std::vector<Surface_location> points_on_surface(const Triangulation& triangulation,
+                                                const std::vector<Surface_location>& locations)
+{
+  if(!triangulation.input().is_contracted())
+    return locations;
+  std::vector<Surface_location> result;
+  for(const Surface_location& location : locations)
+    result.push_back(canonical_location(triangulation.input(), location_on_surface(triangulation, location)));
+  return result;
+}
+
+/*
  * Could curves be pulled tighter on the surface that is left by `Zero_length_edges::CONTRACT`? They could if faces
  * without area are in the way of one, and there is something to contract: edges of length zero, or vertices that such
  * faces fold onto one place. Linear in the mesh if they are in the way, else in the curves.

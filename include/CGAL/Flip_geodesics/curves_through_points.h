@@ -14,7 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/located_points.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -192,103 +191,29 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
 
 namespace internal {
 
-/*
- * Where points of the mesh lie on the surface of a triangulation, as `location_on_surface()`. On a contracted surface
- * each place has one location.
- */
-template <class Triangulation>
-std::vector<Surface_location> points_on_surface(const Triangulation& triangulation,
-                                                const std::vector<Surface_location>& locations)
+/* A geodesic through the points that `locate(triangulation)` gives, as `points_on_surface()` calls it. */
+template <class Form, class Triangulation, class TriangleMesh, class Locate, class NamedParameters>
+Computed_output<Form> path_through_points(Triangulation& triangulation, const TriangleMesh& mesh, const Locate& locate,
+                                          Located_points& given, const NamedParameters& np)
 {
-  if(!triangulation.input().is_contracted())
-    return locations;
-  std::vector<Surface_location> result;
-  for(const Surface_location& location : locations)
-    result.push_back(canonical_location(triangulation.input(), location_on_surface(triangulation, location)));
-  return result;
+  const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
+  auto visitor = make_visitor(np);
+  Free_legs path = geodesics_through(triangulation, points, stop_predicate_of(np), visitor.get());
+  note_contraction(triangulation, path.report);
+  path.report.curves.front().point_distances = given.distances;
+  return {polyline_forms<Form>(triangulation, mesh, path.legs), std::move(path.report)};
 }
 
-/* The same for points as they are given, which `locate(triangulation)` finds on the mesh itself: once, into `given`. */
-template <class Triangulation, class Locate>
-std::vector<Surface_location> points_on_surface(const Triangulation& triangulation, const Locate& locate,
-                                                std::vector<Surface_location>& given)
-{
-  if(!triangulation.input().is_contracted())
-    given = locate(triangulation);
-  return points_on_surface(triangulation, given);
-}
-
-/* Gives the points of a polyline their tangents, and their halfedges as sides of the face that is left. */
-template <class Triangulation, class Form>
-void complete_curve_points(const Triangulation& triangulation, const Surface_polyline& polyline,
-                           std::vector<Form>& points)
-{
-  const auto& input = triangulation.input();
-  for(std::size_t i = 1; i < polyline.size(); ++i)
-    if(kind(polyline[i]) == Location_kind::EDGE) {
-      const Input_halfedge_index h = polyline[i].halfedge, face = common_face(input, polyline[i - 1], polyline[i]);
-      points[i].halfedge = input.halfedge(is_side_of(input, h, face) ? h : twin_index(h));
-    }
-  if constexpr(Has_points<typename Triangulation::Metric>::value)
-    for(std::size_t i = points.size() - 1, next = i; i-- > 0; next = i) {
-      points[i].tangent = points[i + 1].tangent; // where two points coincide in space
-      set_tangent(points[i], points[i].point, points[next].point);
-      if(next + 1 == points.size())
-        points.back().tangent = points[i].tangent;
-    }
-}
-
-/* Appends the points of a polyline whose start is the end of what is there. */
-template <class Form, class Triangulation, class TriangleMesh>
-void append_polyline(const Triangulation& triangulation, const TriangleMesh& mesh, const Surface_polyline& polyline,
-                     std::vector<Form>& result)
-{
-  const Form_converter<Triangulation, Form> convert(triangulation, mesh);
-  std::vector<Form> points;
-  for(const Surface_location& location : polyline)
-    points.push_back(convert(surface_point(triangulation, location)));
-  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value) {
-    complete_curve_points(triangulation, polyline, points);
-    if constexpr(Has_points<typename Triangulation::Metric>::value)
-      if(!result.empty())
-        result.back().tangent = points.front().tangent;
-  }
-  result.insert(result.end(), points.begin() + (result.empty() ? 0 : 1), points.end());
-}
-
-template <class Form, class Triangulation, class TriangleMesh>
-std::vector<Form> polyline_forms(const Triangulation& triangulation, const TriangleMesh& mesh,
-                                 const std::vector<Surface_polyline>& polylines)
-{
-  std::vector<Form> points;
-  for(const Surface_polyline& polyline : polylines)
-    if(!is_point(polyline))
-      append_polyline(triangulation, mesh, polyline, points);
-  if(points.empty()) // all are one point
-    append_polyline(triangulation, mesh, polylines.front(), points);
-  return points;
-}
-
-/* What gives locations on the surface of a triangulation. */
-template <class TriangleMesh, class NamedParameters>
-using Locate_points = std::function<std::vector<Surface_location>(
-    const typename Curve_types<TriangleMesh, NamedParameters>::Triangulation&)>;
-
-/* The computation of a geodesic through the points that `locate(triangulation)` gives; like `compute_path()` not
- * inline. */
+/* The computation of a geodesic through points; like `compute_path()` not inline. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_path_through(const TriangleMesh& mesh,
                                            const Locate_points<TriangleMesh, NamedParameters>& locate,
                                            const NamedParameters& np)
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  std::vector<Surface_location> given;
+  Located_points given;
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
-    const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
-    auto visitor = make_visitor(np);
-    Free_legs path = geodesics_through(triangulation, points, stop_predicate_of(np), visitor.get());
-    note_contraction(triangulation, path.report);
-    return Computed_output<Form>{polyline_forms<Form>(triangulation, mesh, path.legs), std::move(path.report)};
+    return path_through_points<Form>(triangulation, mesh, locate, given, np);
   });
 }
 
@@ -315,23 +240,27 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
  *        and barycentric coordinates, of `Surface_location`s, or of points in space; see
  *        `surface_location()` for how points are snapped, and which point of the mesh is taken for one in space
  * \param out receives the points of the path, as `geodesic_path()` writes them
- * \param np as for `geodesic_path()`, the stop predicate for each leg between two points
- * \return the end of the output, and the report, which has one curve
- * \throws Invalid_location_error, and as `add_curve_through()`, `geodesic_loop()`
+ * \param np as for `geodesic_path()`, the stop predicate for each leg between two points; and `greatest_point_distance`,
+ *        the distance from the surface at which a point in space is accepted
+ * \return the end of the output, and the report, which has one curve, with its `Curve_report::point_distances`
+ * \throws Invalid_location_error, Distant_point_error, and as `add_curve_through()`, `geodesic_loop()`
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, const LocationRange& locations,
                                                       OutputIterator out, const NamedParameters&... np)
 {
-  const auto locate = [&](const auto& triangulation) { return internal::located(triangulation, mesh, locations); };
-  return internal::geodesic_through_located(mesh, locate, out, internal::curve_options(np...));
+  const auto& options = internal::curve_options<internal::Point_distance_parameter>(np...);
+  const auto locate = [&](const auto& triangulation) {
+    return internal::located(triangulation, mesh, locations, options);
+  };
+  return internal::geodesic_through_located(mesh, locate, out, options);
 }
 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic between two ends of any kinds: vertices of the mesh,
- * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, points in space.
+ * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, points in space.
  * Parameters, exceptions and complexity are those of `geodesic_path_through()`.
  */
 template <
@@ -341,11 +270,11 @@ template <
 Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const Source& source, const Target& target,
                                               OutputIterator out, const NamedParameters&... np)
 {
+  const auto& options = internal::curve_options<internal::Point_distance_parameter>(np...);
   const auto locate = [&](const auto& triangulation) {
-    return std::vector<Surface_location>{internal::located_place(triangulation, mesh, source),
-                                         internal::located_place(triangulation, mesh, target)};
+    return internal::located_ends(triangulation, mesh, source, target, options);
   };
-  return internal::geodesic_through_located(mesh, locate, out, internal::curve_options(np...));
+  return internal::geodesic_through_located(mesh, locate, out, options);
 }
 
 /*!
@@ -360,16 +289,18 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * \param kind which spline, a `Spline_kind`
  * \param out receives the points of the curve, as `geodesic_path()` writes them
  * \param np named parameters: `vertex_point_map`, `metric`, `geom_traits`, as for `geodesic_path()`; and
- *        `number_of_iterations`, the number of times that the pieces are halved, a whole number from 0 to 30, 5 by default
+ *        `number_of_iterations`, the number of times that the pieces are halved, a whole number from 0 to 30, 5 by default;
+ *        `greatest_point_distance`, as for `geodesic_path_through()`
  * \return the end of the output, and the report, which has one curve
  * \throws Invalid_curve_error if there are fewer than two points, or another number of iterations
- * \throws Invalid_location_error, and as `Geodesic_spline`
+ * \throws Invalid_location_error, Distant_point_error, and as `Geodesic_spline`
  */
 template <class TriangleMesh, class LocationRange, class Kind, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const LocationRange& control_points,
                                                 Kind kind, OutputIterator out, const NamedParameters&... np)
 {
-  const auto& options = internal::surface_options<internal_np::number_of_iterations_t>(np...);
+  const auto& options =
+      internal::surface_options<internal_np::number_of_iterations_t, internal::Point_distance_parameter>(np...);
   static_assert(std::is_same<Kind, Spline_kind>::value,
                 "no Spline_kind where it belongs; the order is mesh, control points, kind, output, named parameters");
   using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
@@ -381,8 +312,10 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
   if(rounds < 0 || static_cast<std::uintmax_t>(rounds) > 30)
     throw Invalid_curve_error("number_of_iterations is " + std::to_string(rounds) +
                               ", and the pieces of a spline can be halved 0 to 30 times");
-  const auto locate = [&](const auto& triangulation) { return internal::located(triangulation, mesh, control_points); };
-  std::vector<Surface_location> given;
+  const auto locate = [&](const auto& triangulation) {
+    return internal::located(triangulation, mesh, control_points, options);
+  };
+  internal::Located_points given;
   const auto compute = [&](typename Types::Triangulation& triangulation) {
     const std::vector<Surface_location> points = internal::points_on_surface(triangulation, locate, given);
     Geodesic_spline<typename Types::Triangulation> spline(triangulation, points, kind);
@@ -391,6 +324,7 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
     internal::Computed_output<Form> result = {internal::polyline_forms<Form>(triangulation, mesh, spline.finish()),
                                               spline.report()};
     internal::note_contraction(triangulation, result.report);
+    result.report.curves.front().point_distances = given.distances;
     return result;
   };
   return internal::write_computed<Geodesic_result<OutputIterator>>(

@@ -151,6 +151,15 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
+/// A point in space is farther from the surface than `parameters::greatest_point_distance()` allows; `elements()` is its
+/// position among the points that are given.
+class Distant_point_error : public Invalid_location_error
+{
+public:
+  using Invalid_location_error::Invalid_location_error; ///< from a message and the elements
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
 /// A point cannot be inserted: the flips of a triangulation over rounded numbers were wrong around it, or the number
 /// type of the traits cannot express it there; `elements()` is the input halfedge of its location.
 class Insertion_error : public Error

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -26,6 +27,7 @@ enum Limit_parameter { limit_parameter };
 enum Landmarks_parameter { landmarks_parameter };
 enum At_vertices_parameter { at_vertices_parameter };
 enum Nearest_source_parameter { nearest_source_parameter };
+enum Point_distance_parameter { point_distance_parameter };
 
 template <class NamedParameters, class Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
@@ -151,6 +153,20 @@ const Landmarks* landmarks_of(const NamedParameters& np)
   }
 }
 
+/* How far points may be from the surface, infinitely unless it is given. \throws Invalid_parameter_error */
+template <class NamedParameters>
+double greatest_point_distance_of(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, Point_distance_parameter>) {
+    const double distance = parameters::get_parameter(np, point_distance_parameter);
+    if(!(distance >= 0))
+      throw Invalid_parameter_error("greatest_point_distance is " + std::to_string(distance) + ", and not at least 0");
+    return distance;
+  } else {
+    return static_cast<void>(np), std::numeric_limits<double>::infinity();
+  }
+}
+
 } // namespace internal
 } // namespace Flip_geodesics
 
@@ -219,6 +235,17 @@ auto nearest_source_map(const VertexSourceMap& map)
 {
   static_assert(Flip_geodesics::internal::is_property_map<VertexSourceMap>());
   return Named_function_parameters<VertexSourceMap, Flip_geodesics::internal::Nearest_source_parameter>(map);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsParameters
+ * The greatest distance from the surface at which a point in space is accepted. A point that is farther away throws
+ * `Distant_point_error`; without this parameter, none is too far away.
+ * \param distance not negative, in the unit of the coordinates
+ */
+inline auto greatest_point_distance(double distance)
+{
+  return Named_function_parameters<double, Flip_geodesics::internal::Point_distance_parameter>(distance);
 }
 
 } // namespace parameters

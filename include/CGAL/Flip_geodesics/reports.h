@@ -167,6 +167,9 @@ struct Curve_report
   /// Did it meet an edge of length zero, or folded faces, so that such edges were contracted? Set by the one-call
   /// functions.
   bool are_zero_edges_contracted = false;
+  /// How far the points that were given are from the surface, in space and in their order; 0 for those that are given as
+  /// vertices or locations. Set by functions that take points; empty if all are vertices by their type.
+  std::vector<double> point_distances;
 };
 
 /// \ingroup PkgFlipGeodesicsShortening

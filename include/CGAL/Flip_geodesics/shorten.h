@@ -112,9 +112,14 @@ public:
     report.flips = m_state.flips;
     report.flip_outs = m_state.steps;
     for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
-      report.curves.push_back({status(c, straightness[c], verdicts[c]), m_network.initial_length(c),
-                               m_network.length(c), straightness[c].smallest_angle, m_state.curves[c].flips,
-                               verdict(c, verdicts[c])});
+      report.curves.push_back({status(c, straightness[c], verdicts[c]),
+                               m_network.initial_length(c),
+                               m_network.length(c),
+                               straightness[c].smallest_angle,
+                               m_state.curves[c].flips,
+                               verdict(c, verdicts[c]),
+                               false,
+                               {}});
     return report;
   }
 

@@ -393,6 +393,14 @@ private:
   std::set<Edge_index> m_drawn; // by this polyline
 };
 
+/* Two points that no path joins are named by vertices of their faces, as they need not be vertices. */
+[[noreturn]] inline void throw_disconnected_points(Vertex_index v, Vertex_index w)
+{
+  throw Disconnected_endpoints_error("no path joins a point in a face of vertex " + std::to_string(v.idx()) +
+                                         " and one in a face of vertex " + std::to_string(w.idx()),
+                                     {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+}
+
 /* Takes changes of a triangulation back at the end of its scope, also after an exception. */
 template <class Triangulation>
 class Rollback
@@ -435,7 +443,7 @@ public:
     const auto find_path = [&](Network&, Vertex_index v, Vertex_index w) {
       std::vector<Halfedge_index> path = intrinsic_edge_path(m_triangulation, v, w);
       if(path.empty() && v != w) // v and w are not vertices of the mesh
-        throw_disconnected(m_triangulation.input().tail(p.halfedge), m_triangulation.input().tail(q.halfedge));
+        throw_disconnected_points(m_triangulation.input().tail(p.halfedge), m_triangulation.input().tail(q.halfedge));
       return path;
     };
     return checked(pull(p, q, find_path, tighten));
@@ -504,13 +512,6 @@ public:
   void clear_report() { m_report.curves.assign(1, report_of_nothing()); }
 
 private:
-  [[noreturn]] static void throw_disconnected(Vertex_index v, Vertex_index w)
-  {
-    throw Disconnected_endpoints_error("no path joins a point in a face of vertex " + std::to_string(v.idx()) +
-                                           " and one in a face of vertex " + std::to_string(w.idx()),
-                                       {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
-  }
-
   const Surface_polyline& checked(const Surface_polyline& path) const
   {
     if(path.empty())
