@@ -6,15 +6,20 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/located_points.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/path_computations.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Shortest_tree_repair.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Split_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
@@ -362,6 +367,45 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
 
 namespace internal {
 
+/*
+ * Finds a shortest path between two different vertices, and calls `write(network)` if there is one. The surface that can
+ * be contracted is that of `whole`, which is the triangulation, or of which that is split.
+ */
+template <class Whole, class Triangulation, class NamedParameters, class Write>
+Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& triangulation, Vertex_index source,
+                                        Vertex_index target, const Geodesic_landmarks* landmarks,
+                                        const NamedParameters& np, const Write& write)
+{
+  Shortest_edge_path<Triangulation> search(triangulation, Search_method::LOOK_BACK);
+  Edge_path_network<Triangulation> network(triangulation);
+  auto visitor = make_visitor(np);
+  Shortest_path_report report =
+      add_shortest_path(network, search, landmarks, source, target, search_limit_of<Window_limit>(np), visitor.get());
+  if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(whole))
+    throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
+  note_contraction(whole, report.shortening);
+  if(network.number_of_curves() != 0) // not stopped by the visitor
+    write(network);
+  return report;
+}
+
+/* A shortest path between vertices. */
+template <class Form, class Triangulation, class TriangleMesh, class NamedParameters>
+Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation& triangulation,
+                                                                  const TriangleMesh& mesh, Vertex_index source,
+                                                                  Vertex_index target, const NamedParameters& np)
+{
+  if(source == target) {
+    auto point = path_in_one_place<Form>(triangulation, mesh, source);
+    return {std::move(point.values), report_of_no_length(point.report)};
+  }
+  Computed_output<Form, Shortest_path_report> result;
+  result.report = find_shortest_path(
+      triangulation, triangulation, source, target, landmarks_of<Geodesic_landmarks>(np), np,
+      [&](const auto& network) { result.values = curve_forms<Form>(network, mesh, Curve_index(0)); });
+  return result;
+}
+
 /* The computation of `shortest_path()` over a mesh; like `compute_path()` not inline. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> compute_shortest_path(const TriangleMesh& mesh,
@@ -369,25 +413,57 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path(const Triangle
                                                                   Vertex_in<TriangleMesh> target,
                                                                   const NamedParameters& np)
 {
-  using Types = Curve_types<TriangleMesh, NamedParameters>;
-  using Computed = Computed_output<Form, Shortest_path_report>;
-  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
-    const Vertex_index s = triangulation.index(source), t = triangulation.index(target);
-    if(s == t) {
-      auto point = path_in_one_place<Form>(triangulation, mesh, s);
-      return Computed{std::move(point.values), report_of_no_length(point.report)};
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
+    return shortest_path_between<Form>(triangulation, mesh, triangulation.index(source), triangulation.index(target),
+                                       np);
+  });
+}
+
+/* A shortest path between points of the surface of a triangulation, given by canonical locations. */
+template <class Form, class Triangulation, class TriangleMesh, class NamedParameters>
+Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation& triangulation,
+                                                                  const TriangleMesh& mesh,
+                                                                  const std::vector<Surface_location>& ends,
+                                                                  const NamedParameters& np)
+{
+  const auto tail = [&](const Surface_location& end) { return triangulation.input().tail(end.halfedge); };
+  if(are_vertices(ends))
+    return shortest_path_between<Form>(triangulation, mesh, tail(ends[0]), tail(ends[1]), np);
+  if(const auto* landmarks = landmarks_of<Geodesic_landmarks>(np))
+    landmarks->check_input(triangulation);
+  Split_triangulation<Triangulation> split(triangulation, ends);
+  Computed_output<Form, Shortest_path_report> result;
+  Surface_polyline path = {ends[0], ends[0]};
+  if(split.vertex(0) == split.vertex(1)) {
+    result.report = report_of_no_length({{report_of_point(triangulation)}, 0, 0});
+    note_contraction(triangulation, result.report.shortening);
+  } else {
+    try {
+      path.clear();
+      result.report =
+          find_shortest_path(triangulation, split.triangulation(), split.vertex(0), split.vertex(1), nullptr, np,
+                             [&](const auto& network) { path = curve_below(network, split.surface()); });
+    } catch(const Disconnected_endpoints_error&) {
+      throw_disconnected_points(tail(ends[0]), tail(ends[1])); // one of them is no vertex of the mesh
     }
-    Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
-    typename Types::Network network(triangulation);
-    auto visitor = make_visitor(np);
-    Shortest_path_report report = add_shortest_path(network, search, landmarks_of<Geodesic_landmarks>(np), s, t,
-                                                    search_limit_of<Window_limit>(np), visitor.get());
-    if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(triangulation))
-      throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
-    note_contraction(triangulation, report.shortening);
-    if(network.number_of_curves() == 0) // stopped by the visitor
-      return Computed{{}, std::move(report)};
-    return Computed{curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
+  }
+  if(!path.empty())
+    result.values = polyline_forms<Form>(triangulation, mesh, std::vector<Surface_polyline>(1, path));
+  return result;
+}
+
+/* The computation of `shortest_path()` between the two points that `locate(triangulation)` gives. */
+template <class Form, class TriangleMesh, class NamedParameters>
+Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
+    const TriangleMesh& mesh, const Locate_points<TriangleMesh, NamedParameters>& locate, const NamedParameters& np)
+{
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  Located_points given;
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
+    auto result = shortest_path_between<Form>(triangulation, mesh, canonical_points(triangulation, locate, given), np);
+    result.report.shortening.curves.front().point_distances = given.distances;
+    return result;
   });
 }
 
@@ -396,35 +472,52 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path(const Triangle
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a shortest path on the surface from one vertex to another, and says whether it is confirmed to be one. See
+ * Computes a shortest path on the surface between two points, and says whether it is confirmed to be one. See
  * `add_shortest_path()` for what that means and costs.
  *
+ * A point that is not a vertex is made one: the faces that hold it are split in exact numbers, so that bounds and verdict
+ * are those of the surface of the mesh and of the point with exactly the given weights. The time for that is constant.
+ *
  * \param mesh a triangle mesh
- * \param source, target vertices of one component; a path between ends in one place is
+ * \param source, target points of one component, of the same kind or not: vertices of the mesh,
+ *        `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or points in
+ *        space; see `surface_location()` for how points are snapped, and which point of the mesh is taken for one in
+ *        space. Locations at vertices give the results of the vertices. A path between ends in one place is
  *        `Verdict::WITHIN_ROUNDING`
  * \param out receives the points of the path, as `geodesic_path()` writes them
  * \param np named parameters: `vertex_point_map`, `metric`, `geom_traits` and `visitor` as for `geodesic_path()`;
  *        `search_limit`, a `Window_limit`, beyond which the search is given up and the rest of the gap reported;
  *        `landmarks`, `Geodesic_landmarks` made for this mesh and its metric, which pays if there are many pairs. The
  *        bound is proven as well. It may differ in the last digits, and where several paths are as short, the path may
- *        be another of them
- * \return the end of the output, and the report
- * \throws as `geodesic_path()`; Input_mismatch_error as `Geodesic_landmarks::check_input()`
+ *        be another of them. They have no effect unless both ends are vertices. `greatest_point_distance`, the distance
+ *        from the surface at which a point in space is accepted
+ * \return the end of the output, and the report, whose `Curve_report::point_distances` says how far given points are from
+ *         the surface, unless both ends are vertices by their type
+ * \throws as `geodesic_path()`; Input_mismatch_error as `Geodesic_landmarks::check_input()`; Invalid_location_error,
+ *         Distant_point_error, Insertion_error if an end is no point of the surface, too far away, or closer to a vertex
+ *         or the other end than numbers can tell
  */
 template <class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters>
 Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Source& source, const Target& target,
                                                    OutputIterator out, const NamedParameters&... np)
 {
-  static_assert(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>,
-                "no two vertices of the mesh where they belong; the order is mesh, source, target, output");
   const auto& options =
-      internal::surface_options<internal_np::visitor_t, internal::Limit_parameter, internal::Landmarks_parameter>(
-          np...);
-  using Form = internal::Form_by_name<TriangleMesh, internal::Joined<NamedParameters...>, OutputIterator>;
-  return internal::write_computed<Shortest_path_result<OutputIterator>>(
-      internal::compute_shortest_path<Form>(mesh, internal::Vertex_in<TriangleMesh>(source),
-                                            internal::Vertex_in<TriangleMesh>(target), options),
-      out);
+      internal::surface_options<internal_np::visitor_t, internal::Limit_parameter, internal::Landmarks_parameter,
+                                internal::Point_distance_parameter>(np...);
+  using Options = internal::Joined<NamedParameters...>;
+  using Form = internal::Form_by_name<TriangleMesh, Options, OutputIterator>;
+  if constexpr(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>) {
+    return internal::write_computed<Shortest_path_result<OutputIterator>>(
+        internal::compute_shortest_path<Form>(mesh, internal::Vertex_in<TriangleMesh>(source),
+                                              internal::Vertex_in<TriangleMesh>(target), options),
+        out);
+  } else {
+    const auto locate = [&](const auto& triangulation) {
+      return internal::located_ends(triangulation, mesh, source, target, options);
+    };
+    return internal::write_computed<Shortest_path_result<OutputIterator>>(
+        internal::compute_shortest_path_between<Form, TriangleMesh, Options>(mesh, locate, options), out);
+  }
 }
 
 /*!
