@@ -4,13 +4,19 @@
 #define CGAL_FLIP_GEODESICS_SHORTEST_PATHS_BY_CLASS_H
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/located_points.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Split_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/topology/Class_paths.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Split_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
@@ -56,7 +62,7 @@ inline const char* to_string(Class_search_status status)
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// A homotopy class of paths between two vertices of a mesh.
+/// A homotopy class of paths between two points of a mesh.
 template <class TriangleMesh>
 struct Path_class
 {
@@ -64,6 +70,7 @@ struct Path_class
 
   /// A shortest one of its paths along edges, of those in the part of the covering that was laid out. That is all of
   /// the first `number` classes of edge paths; other classes may have shorter ones if edges are no good measure.
+  /// Without the parts in the faces or edges of ends that are not vertices.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of that
   /// The length of the shortest path that was found; infinite where the lower bound told enough.
@@ -154,6 +161,10 @@ private:
 
 namespace internal {
 
+/* Paths of several classes, and what is known of them. */
+template <class TriangleMesh, class Form>
+using Paths_of_classes = Computed_output<std::vector<Form>, Paths_by_class_report<TriangleMesh>>;
+
 /* Places in a covering in the form that an output takes. */
 template <class Form, class Triangulation, class TriangleMesh>
 class Covering_form_converter
@@ -209,33 +220,52 @@ private:
   const Paths& m_paths;
 };
 
-template <class TriangleMesh, class Triangulation>
-Path_class<TriangleMesh> path_class(const Triangulation& triangulation, const Class_paths<Triangulation>& paths,
-                                    Index lift, double length, double lower_bound)
+/* Does a halfedge that paths are searched along lead along an edge of the mesh? Not beside points that are vertices of
+ * a split surface only. */
+template <class Input_mesh>
+bool is_edge_of_mesh(const Input_mesh&, Input_halfedge_index)
+{
+  return true;
+}
+
+template <class TriangleMesh>
+bool is_edge_of_mesh(const Indexed_mesh<Split_surface<TriangleMesh>>& input, Input_halfedge_index h)
+{
+  const Split_side* const side = input.surface().find(h);
+  return side == nullptr || side->is_whole;
+}
+
+/* `whole` is the triangulation of the mesh, or of the surface that is left of it, in which the paths are searched, or of
+ * which that is split. */
+template <class TriangleMesh, class Whole, class Triangulation>
+Path_class<TriangleMesh> path_class(const Whole& whole, const Triangulation& triangulation,
+                                    const Class_paths<Triangulation>& paths, Index lift, double length,
+                                    double lower_bound)
 {
   Path_class<TriangleMesh> result;
   for(Input_halfedge_index h : paths.search().path(lift))
-    result.edge_path.push_back(triangulation.input().halfedge(h));
+    if(is_edge_of_mesh(triangulation.input(), h))
+      result.edge_path.push_back(whole.input().halfedge(h));
   result.edge_length = paths.search().distance(lift);
   result.length = length;
   result.lower_bound = lower_bound;
   return result;
 }
 
-template <class TriangleMesh, class Triangulation>
-Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation,
+template <class TriangleMesh, class Whole, class Triangulation>
+Paths_by_class_report<TriangleMesh> report_of(const Whole& whole, const Triangulation& triangulation,
                                               const Class_paths<Triangulation>& paths, std::size_t number)
 {
   Paths_by_class_report<TriangleMesh> report;
   for(const auto& path : paths.paths()) {
     report.paths.push_back(path.report);
-    note_contraction(triangulation, report.paths.back().shortening);
+    note_contraction(whole, report.paths.back().shortening);
     report.classes.push_back(
-        path_class<TriangleMesh>(triangulation, paths, path.lift, path.report.length, path.report.lower_bound));
+        path_class<TriangleMesh>(whole, triangulation, paths, path.lift, path.report.length, path.report.lower_bound));
   }
   for(const auto& other : paths.left_out())
     report.left_out.push_back(
-        path_class<TriangleMesh>(triangulation, paths, other.lift, other.length, other.lower_bound));
+        path_class<TriangleMesh>(whole, triangulation, paths, other.lift, other.length, other.lower_bound));
   report.lower_bound = paths.frontier_bound();
   report.visited = paths.search().number_of_lifts();
   const double longest = report.paths.empty() ? 0 : report.paths.back().length;
@@ -248,12 +278,77 @@ Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation
   return report;
 }
 
+/* Finds the paths of a number of classes between two vertices; `convert(paths, places)` makes values of a path. */
+template <class TriangleMesh, class Form, class Whole, class Triangulation, class Convert>
+Paths_of_classes<TriangleMesh, Form> find_paths_by_class(const Whole& whole, const Triangulation& triangulation,
+                                                         Class_paths<Triangulation>&& paths, std::size_t number,
+                                                         const Covering_limit& limit, const Convert& convert)
+{
+  paths.run(number, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
+  Paths_of_classes<TriangleMesh, Form> result;
+  for(const auto& path : paths.paths())
+    result.values.push_back(convert(paths, path.places));
+  result.report = report_of<TriangleMesh>(whole, triangulation, paths, number);
+  return result;
+}
+
+/* The same between vertices of the triangulation of a mesh. */
+template <class Form, class Triangulation, class TriangleMesh>
+Paths_of_classes<TriangleMesh, Form> paths_by_class_between(const Triangulation& triangulation,
+                                                            const TriangleMesh& mesh, Vertex_index source,
+                                                            Vertex_index target, std::size_t number,
+                                                            const Covering_limit& limit, Interruption& interruption)
+{
+  const auto convert = [&](const Class_paths<Triangulation>& paths, const auto& places) {
+    const Covering_form_converter<Form, Triangulation, TriangleMesh> converter(triangulation, mesh, paths);
+    std::vector<Form> values;
+    for(const auto& place : places)
+      values.push_back(converter(place));
+    return values;
+  };
+  return find_paths_by_class<TriangleMesh, Form>(
+      triangulation, triangulation, Class_paths<Triangulation>(triangulation, mesh, source, target, interruption),
+      number, limit, convert);
+}
+
+/* The same between points of its surface, given by canonical locations. */
+template <class Form, class Triangulation, class TriangleMesh>
+Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& triangulation, const TriangleMesh& mesh,
+                                                            const std::vector<Surface_location>& ends,
+                                                            std::size_t number, const Covering_limit& limit,
+                                                            Interruption& interruption)
+{
+  const Vertex_index at_source = triangulation.input().tail(ends[0].halfedge);
+  const Vertex_index at_target = triangulation.input().tail(ends[1].halfedge);
+  if(are_vertices(ends))
+    return paths_by_class_between<Form>(triangulation, mesh, at_source, at_target, number, limit, interruption);
+  Split_triangulation<Triangulation> split(triangulation, ends);
+  using Paths = Class_paths<typename Split_triangulation<Triangulation>::Split>;
+  const auto convert = [&](const Paths& paths, const auto& places) {
+    Surface_polyline path;
+    for(const auto& place : places) {
+      const Surface_location at = {paths.below(place.location.first.halfedge), place.location.second};
+      if(const auto below = split.surface().location_below(canonical_location(split.triangulation().input(), at)))
+        path.push_back(*below);
+    }
+    return polyline_forms<Form>(triangulation, mesh, std::vector<Surface_polyline>(1, path));
+  };
+  try {
+    return find_paths_by_class<TriangleMesh, Form>(
+        triangulation, split.triangulation(),
+        Paths(split.triangulation(), split.surface(), split.vertex(0), split.vertex(1), interruption), number, limit,
+        convert);
+  } catch(const Disconnected_endpoints_error&) {
+    throw_disconnected_points(at_source, at_target); // one of them is no vertex of the mesh
+  }
+}
+
 } // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes the shortest paths on the surface from one vertex to another of which no two can be deformed into each other:
+ * Computes the shortest paths on the surface from one point to another of which no two can be deformed into each other:
  * one for each of `number` homotopy classes, the shortest classes first. Between them lie handles and borders of the
  * surface.
  *
@@ -269,15 +364,16 @@ Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation
  * faces that no path is to enter.
  *
  * \param mesh a triangle mesh, a surface: sheets that meet in a vertex only are none
- * \param source, target vertices of one component
+ * \param source, target points of one component, of any kinds that `shortest_path()` takes
  * \param number of classes
  * \param out receives one `std::vector` per path, by length, of what `geodesic_path()` writes
  * \param np named parameters: `search_limit`, a `Covering_limit`, beyond which the search is given up, and the report says
  *        what is known; `vertex_point_map`, `metric`, `geom_traits`, as for `geodesic_path()`; `visitor`, of
  *        which only `go_further()` is called, at regular intervals, since the paths are computed in a covering of the mesh. If it returns `false`, then no path is written, the
- *        report has the status `Class_search_status::STOPPED_BY_VISITOR`, and it is not confirmed
+ *        report has the status `Class_search_status::STOPPED_BY_VISITOR`, and it is not confirmed;
+ *        `greatest_point_distance`, as for `shortest_path()`
  * \return the end of the output, and the report
- * \throws as `geodesic_path()`; Invalid_mesh_error if the mesh is no surface
+ * \throws as `shortest_path()`; Invalid_mesh_error if the mesh is no surface
  * \pre `number > 0`
  *
  * Complexity: \f$O(m \log m)\f$ for \f$m\f$ vertices of the covering that are visited, and that of `shortest_path()` for
@@ -285,38 +381,41 @@ Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation
  * are no longer than the last result. The covering is laid out in parts, each larger by half at least, so that the
  * time is about proportional to a limit that is reached.
  */
-template <class TriangleMesh, class OutputIterator, class... NamedParameters>
+template <class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters>
 Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(const TriangleMesh& mesh,
-                                                                            Mesh_vertex<TriangleMesh> source,
-                                                                            Mesh_vertex<TriangleMesh> target,
+                                                                            const Source& source, const Target& target,
                                                                             std::size_t number, OutputIterator out,
                                                                             const NamedParameters&... np)
 {
-  const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
+  const auto& options =
+      internal::surface_options<internal_np::visitor_t, internal::Limit_parameter, internal::Point_distance_parameter>(
+          np...);
   CGAL_precondition_msg(number > 0, "no class is asked for");
   using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Triangulation = typename Types::Triangulation;
   using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;
-  using Computed = internal::Computed_output<std::vector<Form>, Paths_by_class_report<TriangleMesh>>;
   const auto limit = internal::search_limit_of<Covering_limit>(options);
   auto visitor = internal::make_visitor(options);
   internal::Interruption interruption(visitor.get());
+  internal::Located_points given;
   const auto compute_paths = [&](Triangulation& triangulation) {
-    internal::Class_paths<Triangulation> paths(triangulation, mesh, triangulation.index(source),
-                                               triangulation.index(target), interruption);
-    paths.run(number, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
-    const internal::Covering_form_converter<Form, Triangulation, TriangleMesh> convert(triangulation, mesh, paths);
-    Computed result;
-    for(const auto& path : paths.paths()) {
-      result.values.emplace_back();
-      for(const auto& place : path.places)
-        result.values.back().push_back(convert(place));
+    if constexpr(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>) {
+      using Vertex = Mesh_vertex<TriangleMesh>;
+      return internal::paths_by_class_between<Form>(triangulation, mesh, triangulation.index(Vertex(source)),
+                                                    triangulation.index(Vertex(target)), number, limit, interruption);
+    } else {
+      const auto locate = [&](const Triangulation& as_is) {
+        return internal::located_ends(as_is, mesh, source, target, options);
+      };
+      auto result = internal::paths_by_class_between<Form>(
+          triangulation, mesh, internal::canonical_points(triangulation, locate, given), number, limit, interruption);
+      for(Shortest_path_report& path : result.report.paths)
+        path.shortening.curves.front().point_distances = given.distances;
+      return result;
     }
-    result.report = internal::report_of<TriangleMesh>(triangulation, paths, number);
-    return result;
   };
   const auto compute = [&](Triangulation& triangulation) {
-    Computed result;
+    internal::Paths_of_classes<TriangleMesh, Form> result;
     if(!internal::result_unless_interrupted([&] { return result = compute_paths(triangulation), true; }))
       result.report.status = Class_search_status::STOPPED_BY_VISITOR;
     return result;
