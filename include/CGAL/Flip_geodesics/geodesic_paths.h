@@ -4,11 +4,14 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/located_points.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
@@ -73,7 +76,9 @@ public:
   {
   }
 
-  Result operator()(Vertex source, Vertex target)
+  /* Between vertices of the mesh, or points of any kinds. */
+  template <class Source, class Target>
+  Result operator()(const Source& source, const Target& target)
   {
     Result result;
     try {
@@ -83,16 +88,7 @@ public:
       }
       if(!m_memory)
         m_memory.emplace(m_mesh, m_np);
-      const auto search_over = [this](Triangulation& triangulation) -> Search& {
-        return this->search_over(triangulation);
-      };
-      const auto& given = stop_predicate_of(m_np);
-      const auto& stop = restarted(given);
-      auto path = compute_on_surface(
-          m_memory->surfaces,
-          Path_computation<Form, TriangleMesh, NamedParameters, decltype(stop)&, decltype(search_over)>{
-              m_mesh, source, target, m_np, stop, search_over});
-      return {std::move(path.values), std::move(path.report), nullptr};
+      return compute_between(source, target);
     } catch(...) {
       m_memory.reset(); // whatever state the failure left
       result.error = std::current_exception();
@@ -131,11 +127,46 @@ private:
     return *search;
   }
 
+  // The points are located once, on the mesh as it is.
+  template <class Source, class Target>
+  Result compute_between(const Source& source, const Target& target)
+  {
+    Located_points given;
+    const auto locate = [&](const Triangulation& triangulation) {
+      return located_ends(triangulation, m_mesh, source, target, m_np);
+    };
+    auto path = compute_on_surface(m_memory->surfaces, [&](Triangulation& triangulation) {
+      triangulation.rollback(); // the flips of the path before
+      return path_through_points<Form>(triangulation, m_mesh, locate, given, m_np);
+    });
+    return {std::move(path.values), std::move(path.report), nullptr};
+  }
+
+  Result compute_between(Vertex source, Vertex target)
+  {
+    const auto search_over = [this](Triangulation& triangulation) -> Search& {
+      return this->search_over(triangulation);
+    };
+    const auto& given = stop_predicate_of(m_np);
+    const auto& stop = restarted(given);
+    auto path = compute_on_surface(
+        m_memory->surfaces,
+        Path_computation<Form, TriangleMesh, NamedParameters, decltype(stop)&, decltype(search_over)>{
+            m_mesh, source, target, m_np, stop, search_over});
+    return {std::move(path.values), std::move(path.report), nullptr};
+  }
+
   const TriangleMesh& m_mesh;
   const Landmark_distances* m_landmarks; // null if there are none
   const NamedParameters& m_np;
   std::optional<Memory> m_memory;
 };
+
+/* The pairs of a batch, as they are computed: ends that are both vertices, or become such by themselves, as vertices. */
+template <class TriangleMesh, class Pair>
+using Pair_of_ends = std::conditional_t<is_mesh_vertex<TriangleMesh, decltype(std::declval<const Pair&>().first)> &&
+                                            is_mesh_vertex<TriangleMesh, decltype(std::declval<const Pair&>().second)>,
+                                        std::pair<Vertex_in<TriangleMesh>, Vertex_in<TriangleMesh>>, Pair>;
 
 template <class Workspace, class Pairs, class MakeWorkspace>
 void compute_paths(Sequential_tag, const Pairs& pairs, std::vector<typename Workspace::Result>& results,
@@ -179,14 +210,18 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *         TBB for the second
  *
  * \param mesh a triangle mesh
- * \param pairs a range of `std::pair`s of vertices, source and target
+ * \param pairs a range of `std::pair`s of a source and a target: vertices, or points of any kinds that `geodesic_path()`
+ *        takes, each source of one type and each target of one type
  * \param out receives a `Geodesic_path_result` per pair, in the order of the pairs, of what `geodesic_path()` writes: a
  *        `Geodesic_path_result` of the mesh's points, of `Face_location`s or of `Curve_point`s
  * \param np named parameters as for `geodesic_path()`. A `stop_predicate` is asked from all threads, for each path as
  *        `restarted()` if it can be; a `visitor` is called from all threads, a copy for each path unless it is given by
  *        `std::ref()`. `landmarks`, `Landmark_distances` made for this mesh and its metric, direct the searches, which
  *        pays if there are thousands of pairs: a path may then take another way round a hole or a bump, which is about
- *        as long. If they have more vertices than the mesh, or fewer, each path has an Input_mismatch_error
+ *        as long. If they have more vertices than the mesh, or fewer, each path has an Input_mismatch_error. They have no
+ *        effect on paths between points that are not vertices by their type.
+ *        `greatest_point_distance` limits how far points in space may be from the surface; a pair with another one has a
+ *        `Distant_point_error`, and `Curve_report::point_distances` has the distances
  * \return the end of the output
  *
  * Complexity: that of the searches and of `shorten()`; meshes other than `Surface_mesh` are indexed once per thread,
@@ -205,12 +240,13 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
                 "Parallel_tag asks for threads, but the program is not linked to TBB");
   using Tag = Sequential_tag;
 #endif
-  const auto& options = internal::curve_options<internal::Landmarks_parameter>(np...);
+  const auto& options =
+      internal::curve_options<internal::Landmarks_parameter, internal::Point_distance_parameter>(np...);
   using Options = internal::Joined<NamedParameters...>;
   using Form = internal::Form_by_name<TriangleMesh, Options, OutputIterator, Geodesic_path_result>;
   using Workspace = internal::Path_workspace<Form, TriangleMesh, Options>;
-  const std::vector<std::pair<Mesh_vertex<TriangleMesh>, Mesh_vertex<TriangleMesh>>> ends(std::begin(pairs),
-                                                                                          std::end(pairs));
+  const std::vector<internal::Pair_of_ends<TriangleMesh, internal::Range_value<PairRange>>> ends(std::begin(pairs),
+                                                                                                 std::end(pairs));
   std::vector<typename Workspace::Result> results(ends.size());
   internal::compute_paths<Workspace>(Tag(), ends, results, [&] { return std::make_unique<Workspace>(mesh, options); });
   return std::move(results.begin(), results.end(), out);
