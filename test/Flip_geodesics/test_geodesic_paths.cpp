@@ -6,9 +6,11 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -17,6 +19,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
@@ -421,4 +424,47 @@ BOOST_AUTO_TEST_CASE(the_queue_takes_minus_zero_for_zero)
 #ifndef CGAL_NO_PRECONDITIONS
   BOOST_CHECK_THROW(queue.push(-1.0, 0_v), CGAL::Failure_exception);
 #endif
+}
+
+// Between points of any kinds, each as by a single call; a point that is too far away is an error of its own pair.
+BOOST_AUTO_TEST_CASE(paths_between_points_are_those_of_single_calls)
+{
+  using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(8, 0.1, 3));
+  std::mt19937 random(5);
+  const auto location = [&] {
+    const double a = static_cast<double>(random() % 64) / 128, b = static_cast<double>(random() % 64) / 128;
+    return Location(Mesh::Face_index(static_cast<Mesh::size_type>(random() % mesh.number_of_faces())),
+                    {{a, b, 1 - a - b}});
+  };
+  std::vector<std::pair<Location, Location>> pairs;
+  std::vector<std::pair<Vertex, Kernel::Point_3>> mixed;
+  for(Mesh::size_type i = 0; i < 20; ++i) {
+    pairs.emplace_back(location(), location());
+    mixed.emplace_back(Vertex(3 * i), Kernel::Point_3(i == 7 ? 9 : 0.5, 0.25 * i, 1));
+  }
+  const auto check = [&](const auto& ends, const auto& np) {
+    std::vector<Path> paths, in_parallel;
+    FG::geodesic_paths(mesh, ends, std::back_inserter(paths), np);
+    FG::geodesic_paths<CGAL::Parallel_if_available_tag>(mesh, ends, std::back_inserter(in_parallel), np);
+    check_same(paths, in_parallel);
+    std::size_t errors = 0;
+    for(std::size_t i = 0; i < ends.size(); ++i) {
+      if(paths[i].error) {
+        ++errors;
+        BOOST_CHECK_THROW(std::rethrow_exception(paths[i].error), FG::Distant_point_error);
+        continue;
+      }
+      std::vector<Kernel::Point_3> points;
+      const auto single = FG::geodesic_path(mesh, ends[i].first, ends[i].second, std::back_inserter(points), np);
+      BOOST_TEST((paths[i].points == points));
+      BOOST_TEST(paths[i].length() == single.length());
+      BOOST_TEST((paths[i].verdict() == single.verdict()));
+      BOOST_TEST(paths[i].report.curves.front().point_distances == single.report.curves.front().point_distances,
+                 boost::test_tools::per_element());
+    }
+    return errors;
+  };
+  BOOST_TEST(check(pairs, CGAL::parameters::greatest_point_distance(0)) == 0u);
+  BOOST_TEST(check(mixed, CGAL::parameters::greatest_point_distance(7)) > 0u);
 }
