@@ -16,6 +16,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <array>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -23,6 +24,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -46,6 +48,8 @@ try {
   const Mesh::Vertex_index source(argc > 3 ? number(argv[2]) : 0);
   const Mesh::Vertex_index target(argc > 3 ? number(argv[3]) : mesh.number_of_vertices() / 2);
 
+  const std::array<double, 3> center = {{1 / 3., 1 / 3., 1 / 3.}}; // in barycentric coordinates
+
   std::vector<std::vector<Kernel::Point_3>> paths(1);
   //! [Shortest]
   const auto found = FG::shortest_path(mesh, source, target, std::back_inserter(paths[0]));
@@ -54,6 +58,13 @@ try {
             << ", at most " << found.report.gap() << " longer than a shortest path, "
             << FG::to_string(found.report.verdict) << (found.report.has_tie ? ", one of several\n" : "\n");
   FG::IO::write_VTP("shortest_path.vtp", paths);
+
+  //! [Points]
+  const auto between_points = FG::shortest_path(mesh, mesh.point(source), std::make_pair(*faces(mesh).first, center),
+                                                std::back_inserter(paths.emplace_back()));
+  //! [Points]
+  std::cout << "To the center of the first face: " << between_points.length() << ", "
+            << FG::to_string(between_points.verdict()) << '\n';
 
   //! [Landmarks]
   const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(mesh); // once, for thousands of pairs
