@@ -226,8 +226,18 @@ Shortening_report shorten_from_start(Network& network, const std::vector<Halfedg
   return report;
 }
 
+/* The landmarks that are given, or null. \throws Input_mismatch_error */
+template <class Triangulation, class NamedParameters>
+const Geodesic_landmarks* checked_landmarks(const Triangulation& triangulation, const NamedParameters& np)
+{
+  const auto* const landmarks = landmarks_of<Geodesic_landmarks>(np);
+  if(landmarks != nullptr)
+    landmarks->check_input(triangulation);
+  return landmarks;
+}
+
 /* Adds a shortest path to a network, or some path if there is none up to a length of `longest`. Landmarks, if there are
- * any, narrow the search. */
+ * any, narrow the search; they have been checked, and may lack vertices that points of the surface have become. */
 template <class Network, class Search, class Visitor>
 Shortest_path_report add_shortest_path(Network& network, Search& search, const Geodesic_landmarks* landmarks,
                                        Vertex_index source, Vertex_index target, const Window_limit& limit,
@@ -235,8 +245,6 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
-  if(landmarks != nullptr)
-    landmarks->check_input(triangulation);
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
   check_has_no_curves(triangulation, "a shortest path cannot be inserted");
   Taken_back_on_failure<Network> guard(network);
@@ -361,8 +369,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
   const auto& options =
       internal::options_of<internal::Limit_parameter, internal::Landmarks_parameter, internal_np::visitor_t>(np...);
   auto visitor = internal::make_visitor(options);
-  return internal::add_shortest_path(network, search, internal::landmarks_of<Geodesic_landmarks>(options), source,
-                                     target, internal::search_limit_of<Window_limit>(options), visitor.get());
+  return internal::add_shortest_path(network, search, internal::checked_landmarks(network.triangulation(), options),
+                                     source, target, internal::search_limit_of<Window_limit>(options), visitor.get());
 }
 
 namespace internal {
@@ -373,14 +381,13 @@ namespace internal {
  */
 template <class Whole, class Triangulation, class NamedParameters, class Write>
 Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& triangulation, Vertex_index source,
-                                        Vertex_index target, const Geodesic_landmarks* landmarks,
-                                        const NamedParameters& np, const Write& write)
+                                        Vertex_index target, const NamedParameters& np, const Write& write)
 {
   Shortest_edge_path<Triangulation> search(triangulation, Search_method::LOOK_BACK);
   Edge_path_network<Triangulation> network(triangulation);
   auto visitor = make_visitor(np);
-  Shortest_path_report report =
-      add_shortest_path(network, search, landmarks, source, target, search_limit_of<Window_limit>(np), visitor.get());
+  Shortest_path_report report = add_shortest_path(network, search, checked_landmarks(whole, np), source, target,
+                                                  search_limit_of<Window_limit>(np), visitor.get());
   if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(whole))
     throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
   note_contraction(whole, report.shortening);
@@ -400,9 +407,9 @@ Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation&
     return {std::move(point.values), report_of_no_length(point.report)};
   }
   Computed_output<Form, Shortest_path_report> result;
-  result.report = find_shortest_path(
-      triangulation, triangulation, source, target, landmarks_of<Geodesic_landmarks>(np), np,
-      [&](const auto& network) { result.values = curve_forms<Form>(network, mesh, Curve_index(0)); });
+  result.report = find_shortest_path(triangulation, triangulation, source, target, np, [&](const auto& network) {
+    result.values = curve_forms<Form>(network, mesh, Curve_index(0));
+  });
   return result;
 }
 
@@ -430,8 +437,6 @@ Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation&
   const auto tail = [&](const Surface_location& end) { return triangulation.input().tail(end.halfedge); };
   if(are_vertices(ends))
     return shortest_path_between<Form>(triangulation, mesh, tail(ends[0]), tail(ends[1]), np);
-  if(const auto* landmarks = landmarks_of<Geodesic_landmarks>(np))
-    landmarks->check_input(triangulation);
   Split_triangulation<Triangulation> split(triangulation, ends);
   Computed_output<Form, Shortest_path_report> result;
   Surface_polyline path = {ends[0], ends[0]};
@@ -441,9 +446,8 @@ Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation&
   } else {
     try {
       path.clear();
-      result.report =
-          find_shortest_path(triangulation, split.triangulation(), split.vertex(0), split.vertex(1), nullptr, np,
-                             [&](const auto& network) { path = curve_below(network, split.surface()); });
+      result.report = find_shortest_path(triangulation, split.triangulation(), split.vertex(0), split.vertex(1), np,
+                                         [&](const auto& network) { path = curve_below(network, split.surface()); });
     } catch(const Disconnected_endpoints_error&) {
       throw_disconnected_points(tail(ends[0]), tail(ends[1])); // one of them is no vertex of the mesh
     }
@@ -489,8 +493,8 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  *        `search_limit`, a `Window_limit`, beyond which the search is given up and the rest of the gap reported;
  *        `landmarks`, `Geodesic_landmarks` made for this mesh and its metric, which pays if there are many pairs. The
  *        bound is proven as well. It may differ in the last digits, and where several paths are as short, the path may
- *        be another of them. They have no effect unless both ends are vertices. `greatest_point_distance`, the distance
- *        from the surface at which a point in space is accepted
+ *        be another of them; `greatest_point_distance`, the distance from the surface at which a point in space is
+ *        accepted
  * \return the end of the output, and the report, whose `Curve_report::point_distances` says how far given points are from
  *         the surface, unless both ends are vertices by their type
  * \throws as `geodesic_path()`; Input_mismatch_error as `Geodesic_landmarks::check_input()`; Invalid_location_error,

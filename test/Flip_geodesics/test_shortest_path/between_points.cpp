@@ -6,11 +6,19 @@
 #include "closed_forms.h"
 #include "generated_meshes.h"
 
+#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
+#include <CGAL/Flip_geodesics/internal/distances/Landmark_rows.h>
+#include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Split_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -345,17 +353,54 @@ BOOST_AUTO_TEST_CASE(visitors_stop_searches_between_points)
   BOOST_TEST(limited.report.windows <= 20u);
 }
 
-// Landmarks are checked, and have no effect.
-BOOST_AUTO_TEST_CASE(landmarks_do_not_change_paths_between_points)
+// Landmarks bound the distances to points by those to the corners of their faces: none is above the distance of the
+// point, and sweeps fit fewer cones.
+BOOST_AUTO_TEST_CASE(landmarks_narrow_searches_between_points)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+  using Splitter = FG::internal::Split_triangulation<Triangulation>;
+  using Split = Splitter::Split;
+  const Mesh mesh = to_mesh<Mesh>(torus(40, 24, 3, 1));
+  const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(mesh);
+  const FG::internal::Landmark_rows& rows = FG::internal::Internals<FG::Geodesic_landmarks>::rows(landmarks);
+  Triangulation triangulation(mesh);
+  Random_locations location(mesh, 7);
+  std::size_t without = 0, with = 0;
+  for(int i = 0; i < 30; ++i) {
+    const Location s = location(), t = location();
+    Found path;
+    path.report =
+        FG::shortest_path(mesh, s, t, std::back_inserter(path.points), CGAL::parameters::landmarks(landmarks)).report;
+    const double length = found(mesh, s, t).report.length;
+    BOOST_TEST((path.report.verdict == Verdict::WITHIN_ROUNDING));
+    BOOST_TEST(std::abs(path.report.length - length) <= tolerance);
+    Splitter splitter(triangulation,
+                      {FG::surface_location(triangulation, mesh, s), FG::surface_location(triangulation, mesh, t)});
+    const Split& split = splitter.triangulation();
+    const auto updates = [&](const FG::internal::Landmark_rows* given) {
+      FG::internal::Unfolded_faces<Split> faces(split);
+      FG::internal::Cone_sweep<Split> sweep(split, faces, splitter.vertex(1), {split, splitter.vertex(0), given});
+      sweep.run(length);
+      return sweep.number_of_updates();
+    };
+    without += updates(nullptr);
+    with += updates(&rows);
+    const FG::internal::Goal_bound<Split> bound(split, splitter.vertex(1), &rows);
+    BOOST_TEST(bound(splitter.vertex(0)) <= length);
+    for(Mesh::size_type v = 0; v < mesh.number_of_vertices(); v += 97)
+      BOOST_TEST(bound(FG::Vertex_index(static_cast<FG::Index>(v))) <= found(mesh, Vertex(v), t).report.length);
+  }
+  BOOST_TEST(with < without);
+  BOOST_TEST_MESSAGE(with << " instead of " << without << " cones");
+}
+
+BOOST_AUTO_TEST_CASE(landmarks_of_another_mesh_are_refused)
 {
   const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(6, 0.3, 1)), another = to_mesh<Mesh>(box(5, 4, 3, 1));
-  const Location s = {Face(3), {{0.25, 0.5, 0.25}}}, t = {Face(9), {{0.25, 0.5, 0.25}}};
   const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(mesh, 4);
-  Found path;
-  path.report =
-      FG::shortest_path(mesh, s, t, std::back_inserter(path.points), CGAL::parameters::landmarks(landmarks)).report;
-  check_same(path, found(mesh, s, t));
+  const Location inside = {Face(3), {{0.25, 0.5, 0.25}}};
+  std::vector<Point> points;
   BOOST_CHECK_THROW(
-      FG::shortest_path(another, s, t, std::back_inserter(path.points), CGAL::parameters::landmarks(landmarks)),
+      FG::shortest_path(another, inside, Vertex(0), std::back_inserter(points), CGAL::parameters::landmarks(landmarks)),
       FG::Input_mismatch_error);
 }

@@ -57,6 +57,8 @@ public:
     m_numbers[static_cast<std::size_t>(v.idx()) * m_losses.size() + i] = static_cast<std::uint16_t>(number);
   }
 
+  bool has_row(Vertex_index v) const { return static_cast<std::size_t>(v.idx()) * m_losses.size() < m_numbers.size(); }
+
   /* No path between the vertices is shorter. Of vertices of two components it is any number. */
   double distance_lower_bound(Vertex_index v, Vertex_index w) const
   {
@@ -227,7 +229,12 @@ private:
   double m_radius = 0;
 };
 
-/* Lower bounds of the distances to a vertex: that in space, or what landmarks say if it is more. Zero without one. */
+/*
+ * Lower bounds of the distances to a vertex: that in space, or what landmarks say if it is more. Zero without one.
+ *
+ * Landmarks have no rows of points that became vertices later. By the triangle inequality, what they say of a neighbor of
+ * such a goal, less the length of the edge, is a bound for the goal. From such a vertex the bound is that in space.
+ */
 template <class Triangulation>
 class Goal_bound
 {
@@ -243,6 +250,8 @@ public:
     , m_place(triangulation.metric().place(triangulation.input(), goal))
     , m_landmarks(landmarks)
   {
+    if(landmarks != nullptr)
+      find_known_vertices();
   }
 
   double operator()(Vertex_index v) const
@@ -251,14 +260,47 @@ public:
       return 0;
     const auto& metric = m_triangulation.metric();
     const double in_space = metric.distance_lower_bound(metric.place(m_triangulation.input(), v), m_place);
-    return m_landmarks == nullptr ? in_space : (std::max)(in_space, m_landmarks->distance_lower_bound(v, m_goal));
+    return m_landmarks == nullptr || !m_landmarks->has_row(v) ? in_space : (std::max)(in_space, by_landmarks(v));
   }
 
 private:
+  // A vertex of which landmarks have a row, and an upper bound of its distance from the goal.
+  struct Known_vertex
+  {
+    Vertex_index vertex;
+    double distance;
+  };
+
+  void find_known_vertices()
+  {
+    if(m_landmarks->has_row(m_goal)) {
+      m_known.push_back({m_goal, 0});
+      return;
+    }
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index first = input.outgoing(m_goal);
+    Input_halfedge_index h = first;
+    do {
+      const Vertex_index neighbor = input.tail(twin_index(h));
+      if(m_landmarks->has_row(neighbor))
+        m_known.push_back({neighbor, m_triangulation.metric().weight(input, h) * (1 + distance_bound_rounding)});
+      h = input.next(twin_index(h)); // along the border, too
+    } while(h != first);
+  }
+
+  double by_landmarks(Vertex_index v) const
+  {
+    double result = 0;
+    for(const Known_vertex& known : m_known)
+      result = (std::max)(result, m_landmarks->distance_lower_bound(v, known.vertex) - known.distance);
+    return result;
+  }
+
   const Triangulation& m_triangulation;
   Vertex_index m_goal = null_index;
   typename Triangulation::Metric::Place m_place = {};
   const Landmark_rows* m_landmarks = nullptr;
+  std::vector<Known_vertex> m_known; // the goal, or neighbors of it
 };
 
 } // namespace internal
