@@ -17,11 +17,13 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 // Decisions refer to coordinates and lengths exactly if they are doubles or rational numbers of an exact type. Nothing may
@@ -88,6 +90,26 @@ void check_curves(const Mesh& mesh, bool is_certain)
   }
 }
 
+// The same between points that are made vertices.
+template <class Mesh>
+void check_points(const Mesh& mesh, bool is_certain)
+{
+  using Face = typename Mesh::Face_index;
+  const auto last = static_cast<typename Mesh::size_type>(mesh.number_of_faces()) - 1;
+  const std::array<double, 3> inside = {{0.5, 0.25, 0.25}}, on_side = {{0.5, 0.5, 0}};
+  std::vector<typename Mesh::Point> points;
+  const auto check = [&](const auto& source, const auto& target) {
+    const auto shortest = FG::shortest_path(mesh, source, target, std::back_inserter(points)).report;
+    BOOST_TEST((shortest.verdict == Verdict::WITHIN_ROUNDING) == is_certain);
+    BOOST_TEST((shortest.verdict == Verdict::UNDECIDED) == !is_certain);
+    BOOST_TEST(shortest.shortening.is_complete());
+  };
+  check(std::pair(Face(0), inside), std::pair(Face(last), inside));
+  check(std::pair(Face(0), on_side), *mesh.vertices().begin());
+  check(std::pair(Face(0), inside), std::pair(Face(0), on_side));
+  check(std::pair(Face(0), inside), std::pair(Face(0), inside));
+}
+
 template <class Mesh>
 void check_fields(Mesh& mesh, bool is_certain)
 {
@@ -134,6 +156,7 @@ void check_all(const typename Kernel::FT& width, const typename Kernel::FT& heig
   check_given_curve(mesh, is_certain);
   if constexpr(takes_all_functions<Kernel>) {
     check_curves(mesh, is_certain);
+    check_points(mesh, is_certain);
     check_fields(mesh, is_certain);
     check_edited_curve(mesh, is_certain);
   }

@@ -480,7 +480,8 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  * `add_shortest_path()` for what that means and costs.
  *
  * A point that is not a vertex is made one: the faces that hold it are split in exact numbers, so that bounds and verdict
- * are those of the surface of the mesh and of the point with exactly the given weights. The time for that is constant.
+ * are those of the surface of the mesh, with exact coordinates if its kernel has such, and of the point with exactly the
+ * given weights as doubles. The time for that is constant.
  *
  * \param mesh a triangle mesh
  * \param source, target points of one component, of the same kind or not: vertices of the mesh,
