@@ -48,7 +48,8 @@ Surface_location surface_location(
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * The location of a face and barycentric coordinates, a `CGAL::Polygon_mesh_processing::Face_location`: the coordinates
- * belong to the source, target and third vertex of `halfedge(face, mesh)`.
+ * belong to the source, target and third vertex of `halfedge(face, mesh)`. They are rounded to double, also over exact
+ * number types.
  *
  * This is where points are snapped, once: coordinates of at most `snap` count as exactly zero. So points that were
  * located with rounding, at -5.6e-17 for instance, are on the edge or at the vertex that is meant.
@@ -72,7 +73,7 @@ Surface_location surface_location(
   result.halfedge = triangulation.input().index(internal::graph_halfedge(location.first, mesh));
   double sum = 0;
   for(std::size_t i = 0; i < 3; ++i) {
-    const double weight = CGAL::to_double(location.second[i]);
+    const double weight = internal::imported_number(location.second[i]);
     if(!(weight >= -snap && weight <= 1 + internal::weight_sum_tolerance))
       throw Invalid_location_error("a barycentric coordinate of a location is " + std::to_string(weight) +
                                    ", not between 0 and 1");

@@ -5,9 +5,11 @@
 #include "test_kernels/exact_coordinates.h"
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/shortest_paths_by_class.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
@@ -166,4 +168,22 @@ BOOST_AUTO_TEST_CASE(points_in_space_with_exact_coordinates)
   BOOST_TEST(classes.report.is_confirmed());
   BOOST_TEST((classes.verdict(0) == Verdict::WITHIN_ROUNDING));
   BOOST_TEST(classes.length(0) == expected, boost::test_tools::tolerance(1e-13));
+}
+
+// Weights are rounded once, whether or not their exact values have been computed.
+BOOST_AUTO_TEST_CASE(weights_of_lazy_numbers)
+{
+  using FT = Lazy_kernel::FT;
+  const auto mesh = mesh_of<Lazy_kernel>(lattice_grid(4), in_odd_cells<Lazy_kernel>);
+  const FG::Intrinsic_triangulation<std::decay_t<decltype(mesh)>> triangulation(mesh);
+  for(int i = 1; i < 100; ++i) {
+    std::array<FT, 3> weights = {{FT(i) / FT(300), FT(i) / FT(700), FT(1)}};
+    weights[2] -= weights[0] + weights[1];
+    const auto at = std::make_pair(*mesh.faces().begin(), weights);
+    const auto before = FG::surface_location(triangulation, mesh, at);
+    for(const FT& weight : weights)
+      weight.exact();
+    BOOST_TEST((FG::surface_location(triangulation, mesh, at).weights == before.weights));
+    BOOST_TEST(before.weights[0] == i / 300.);
+  }
 }
