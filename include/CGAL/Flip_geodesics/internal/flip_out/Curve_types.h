@@ -15,7 +15,7 @@
 
 #include <optional>
 
-// The types that the named parameters of the one-call functions stand for, in one place.
+// The types to which the named parameters of the free functions evaluate.
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -25,7 +25,7 @@ class Edge_path_network;
 
 namespace internal {
 
-/* The types behind the named parameters. */
+/* The types that result from the named parameters. */
 template <class TriangleMesh, class NamedParameters>
 struct Curve_types
 {
@@ -52,8 +52,8 @@ auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
     return typename Types::Triangulation(mesh, make_metric(mesh, np), typename Types::Traits(), zero_length_edges);
 }
 
-/* Triangulations of a mesh as it is, and of what is left of it when edges of length zero are contracted. Each is made
- * when it is first used. */
+/* Triangulations of a mesh as given and of the surface in which its degenerate edges are contracted. Each is
+ * constructed on first use. */
 template <class TriangleMesh, class NamedParameters>
 class Mesh_surfaces
 {
@@ -93,8 +93,8 @@ private:
   std::optional<Surface> m_as_is, m_contracted;
 };
 
-/* Returns the error for a pair of end points that become disconnected when degenerate edges are contracted, made from the
- * error that was thrown before the contraction. */
+/* Returns the error for a pair of end points that become disconnected when degenerate edges are contracted, made from
+ * the error thrown before the contraction. */
 inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& error)
 {
   if(error.remedy() != Degeneracy_remedy::CONTRACT)
@@ -105,12 +105,12 @@ inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& err
 }
 
 /*
- * Decides for a computation whether edges of length zero have to be contracted; all functions that take a mesh decide
- * here. Returns `compute(triangulation)` for the mesh as it is, or, where that meets such an edge, for the surface that
- * is left.
+ * Decides for a computation whether degenerate edges must be contracted; all functions that take a mesh decide here.
+ * Returns `compute(triangulation)` for the mesh as given or, if that encounters a degenerate edge, for the contracted
+ * surface.
  *
- * Comparing the ends of all edges beforehand would take linear time, whereas a triangulation of a `Surface_mesh` takes
- * constant time, and a path time for the vertices that its search visits.
+ * Comparing the ends of all edges beforehand would take linear time, whereas constructing the triangulation of a
+ * `Surface_mesh` takes constant time and computing a path takes time for the vertices visited by its search.
  *
  * \throws Degenerate_face_error the first one if the contraction does not help
  */

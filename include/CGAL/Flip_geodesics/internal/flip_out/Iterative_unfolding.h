@@ -16,14 +16,15 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A face that a word ends in, by one of its halfedges: of two beside an edge that it runs along, that on the left. */
+/* The face in which an edge sequence ends, given by one of its halfedges. If the sequence runs along an edge, it is the
+ * face on the left. */
 template <class Input_mesh>
 Input_halfedge_index face_along(const Input_mesh& input, Input_halfedge_index along)
 {
   return input.is_border(along) ? twin_index(along) : along;
 }
 
-/* The halfedge of the first face of a word by which its tail is told there, as `anchor()`. */
+/* The halfedge of the first face of an edge sequence relative to which its tail is given there, see `anchor()`. */
 template <class Triangulation>
 Input_halfedge_index first_anchor(const Triangulation& triangulation, const Word_end& tail)
 {
@@ -37,7 +38,7 @@ Input_halfedge_index first_anchor(const Triangulation& triangulation, const Cros
   return first_anchor(triangulation, tail_end(word));
 }
 
-/* The halfedge of its last face by which its head is told there. */
+/* The halfedge of the last face of an edge sequence relative to which its head is given there, see `anchor()`. */
 template <class Triangulation>
 Input_halfedge_index last_anchor(const Triangulation& triangulation, const Word_end& head)
 {
@@ -53,8 +54,8 @@ Input_halfedge_index last_anchor(const Triangulation& triangulation, const Cross
 }
 
 /*
- * Leads a path of words round a vertex of the input from one face to another, each told by the halfedge that starts at
- * the vertex there. Returns false at the border; the path is of no use then.
+ * Extends a path of edge sequences around a vertex of the input from one face to another, each given by its halfedge
+ * that starts at the vertex. Returns false at the border, after which the path must be discarded.
  */
 template <class Input_mesh, class Path>
 bool turn(const Input_mesh& input, Path& path, Input_halfedge_index from, Input_halfedge_index to, bool is_clockwise)
@@ -74,23 +75,24 @@ enum class Passed_side { LEFT, RIGHT, NONE };
 
 /*
  * Shortens a path on the input mesh, which is only read, by iterative unfolding [XW07]: the path is shortened within
- * its sleeve of faces, and the sleeve is led around the other side of the vertices at which the string bends, until a
- * rule finds no vertex to pass.
+ * its sleeve of faces, and the sleeve is led around the other side of the vertices at which the path bends, until a
+ * rule finds no further vertex to pass.
  *
- * The path is a chain of straight pieces, which meet at vertices of the input; its two ends can also be inserted
- * vertices. The sleeve is cut at the joints that stay, so that a round takes time only for the pieces beside joints that
- * are passed, and for copying the others.
+ * The path is a chain of straight pieces that meet at vertices of the input; its two ends can also be inserted
+ * vertices. The sleeve is cut at the joints that stay, so that a round takes time only for the pieces next to passed
+ * joints and for copying the others.
  *
- * A rule decides what is to be passed and where a string bends. It has two functions and a constant:
+ * A rule decides which joints are passed and where the shortest path in a sleeve bends. It has two functions and a
+ * constant:
  *
  *     Passed_side side(const Piece& in, const Piece& out, Passed_side before)
  *     const std::vector<Bend>& bends(const Crossing_word& ends)
  *     static constexpr bool drops_loops
  *
- * The first returns the side on which the joint of two pieces is to be passed, where `before` is the side of the joint
- * before. The second returns the vertices at which the string bends that has been pulled in `sleeve()` from `ends.tail`
- * to `ends.head`; these are `sleeve().bends()` up to rounding errors. The constant is whether a part of the path that
- * contracts to a vertex is dropped; otherwise the path cannot be shortened.
+ * The first returns the side on which the joint of two pieces is passed, where `before` is the side of the preceding
+ * joint. The second returns the vertices at which the shortest path in `sleeve()` from `ends.tail` to `ends.head`
+ * bends; they equal `sleeve().bends()` up to rounding errors. The constant specifies whether a part of the path that
+ * contracts to a vertex is dropped; without it, such a path cannot be shortened.
  */
 template <class Triangulation>
 class Iterative_unfolding
@@ -98,8 +100,8 @@ class Iterative_unfolding
 public:
   using Bend = typename Sleeve<Triangulation>::Bend;
 
-  /* A straight line from vertex to vertex: along an edge or a part of it, inside a face, or across edges, whose range
-   * it has. Directions are known at vertices of the input only. */
+  /* A straight line from vertex to vertex: along an edge or a part of it, inside a face, or across the edges in its
+   * range. Directions are known at vertices of the input only. */
   struct Piece
   {
     Input_halfedge_index along = null_index, face = null_index; // as of a `Crossing_word`
@@ -107,8 +109,9 @@ public:
     Vertex_index tail = null_index, head = null_index;
     Corner_direction at_tail, at_head;              // at the head, backward
     Plane_vector vector = 0;                        // in the unfolded sleeve, if edges are crossed
-    bool is_left_open = true, is_right_open = true; // can the angle on that side of the head have become less than pi?
-    bool is_examined = false, is_straight = false;  // has it been found out whether it is straight, and is it?
+    bool is_left_open = true, is_right_open = true; // can the angle on that side be below pi?
+                                                    // pi
+    bool is_examined = false, is_straight = false;  // whether straightness has been examined, and its result
   };
 
   Iterative_unfolding(const Triangulation& triangulation, Refused_faces refused)
@@ -117,7 +120,7 @@ public:
   {
   }
 
-  /* Takes memory for a path of a number of edges: its sleeve crosses about four at each vertex, if it crosses many. */
+  /* Reserves memory for a path of a number of edges. A sleeve that crosses many edges crosses about four per vertex. */
   void reserve(std::size_t edges)
   {
     for(std::vector<Piece>* pieces : {&m_pieces, &m_before})
@@ -137,14 +140,14 @@ public:
     m_crossed.clear();
   }
 
-  /* Clears what is kept of a path before. */
+  /* Clears the data of the previous path. */
   void restart()
   {
     clear();
     m_sleeve.faces().forget_refusals();
   }
 
-  /* The word of a piece. */
+  /* Returns the edge sequence of a piece. */
   Crossing_word word(const Piece& piece) const
   {
     Crossing_word result;
@@ -166,7 +169,7 @@ public:
     return m_sleeve;
   }
 
-  /* Appends the straight piece of a word, whose directions are left to the caller. */
+  /* Appends the straight piece of an edge sequence; the caller sets its directions. */
   Piece& append(const Crossing_word& word)
   {
     Piece piece;
@@ -191,7 +194,7 @@ public:
     append_in_face(word);
   }
 
-  /* Appends the straight line of a word. */
+  /* Appends the straight line of an edge sequence. */
   void append_straight(const Crossing_word& word)
   {
     if(word.crossed.empty())
@@ -201,8 +204,8 @@ public:
     append_across(0, word.crossed.size(), {word.tail, m_sleeve.tail_place()}, {word.head, m_sleeve.head_place()});
   }
 
-  /* Appends the string in the sleeve of a word. Returns false if a part of it leads nowhere, by rounding errors, or if
-   * a face has been refused. */
+  /* Appends the shortest path in the sleeve of an edge sequence. Returns false if rounding errors make a part of it
+   * inconsistent or if a face has been refused. */
   template <class Rule>
   bool append_shortened(const Crossing_word& word, Rule& rule)
   {
@@ -210,15 +213,15 @@ public:
     return append_string(word, rule);
   }
 
-  /* Leads the path around joints once. Returns false if that cannot be. */
+  /* Leads the path around joints once. Returns false if that is impossible. */
   template <class Rule>
   bool pass_joints_once(Rule& rule)
   {
     return (!choose_sides(rule) || pass_joints(rule)) && !faces().have_refused();
   }
 
-  /* Leads the path around joints until the rule finds none, or doubles do not tell how to go on. Returns false if that
-   * cannot be. */
+  /* Leads the path around joints until the rule finds none or floating-point arithmetic cannot decide how to continue.
+   * Returns false if passing a joint is impossible. */
   template <class Rule>
   bool tighten(Rule& rule)
   {
@@ -236,7 +239,7 @@ public:
 private:
   using Path = Word_path<Triangulation, Sleeve_edge>;
 
-  // There are about as many rounds as rows of vertices between the path and the geodesic.
+  // The number of rounds is about the number of rows of vertices between the path and the geodesic.
   static constexpr int most_rounds = 1000;
 
   static auto position(const std::vector<Sleeve_edge>& crossed, std::size_t i)
@@ -246,7 +249,7 @@ private:
 
   // ---- joints
 
-  // Returns whether there is a joint to pass.
+  // Returns whether any joint must be passed.
   template <class Rule>
   bool choose_sides(Rule& rule)
   {
@@ -279,7 +282,7 @@ private:
     return true;
   }
 
-  // As nothing has moved, there is nothing to look at again, unless the next piece changes.
+  // Since nothing has moved, the joints need not be examined again unless the next piece changes.
   void keep(Piece piece)
   {
     piece.is_left_open = piece.is_right_open = false;
@@ -290,7 +293,7 @@ private:
     m_pieces.push_back(piece);
   }
 
-  // The path along pieces `first` to `last` of those before, led around the joints in between.
+  // Appends the path along the previous pieces `first` to `last`, led around the joints in between.
   template <class Rule>
   bool append_merged(std::size_t first, std::size_t last, Rule& rule)
   {
@@ -333,7 +336,7 @@ private:
     return {null_index, h, h, piece.head};
   }
 
-  // The vertices that the path passes, and how many edges it crosses in between.
+  // Appends the vertices that the path passes and the number of edges that it crosses in between.
   void copy_shape(std::vector<Index>& shape) const
   {
     shape.clear();
@@ -343,7 +346,7 @@ private:
     }
   }
 
-  // ---- strings
+  // ---- shortest paths in sleeves
 
   struct Placed_vertex
   {
@@ -351,7 +354,7 @@ private:
     Plane_vector place;
   };
 
-  // Across the edges of the sleeve, or as `ends` says if there are none.
+  // Across the edges of the sleeve, or as specified by `ends` if there are none.
   template <class Rule>
   bool append_string(const Crossing_word& ends, Rule& rule)
   {
@@ -376,7 +379,7 @@ private:
       const Placed_vertex to = is_last ? Placed_vertex{ends.head, m_sleeve.head_place()}
                                        : Placed_vertex{m_sleeve.vertex(bends[b]), bends[b].position};
       if(first >= last && from.vertex == to.vertex)
-        return false; // no string does so, but for rounding
+        return false; // only rounding errors lead here
       if(first < last)
         append_across(first, last, from, to);
       else
@@ -391,7 +394,7 @@ private:
     return true;
   }
 
-  // Across edges `first` to `last` - 1 of the sleeve.
+  // Appends the line across edges `first` to `last` - 1 of the sleeve.
   void append_across(std::size_t first, std::size_t last, const Placed_vertex& from, const Placed_vertex& to)
   {
     Piece piece;
@@ -418,7 +421,7 @@ private:
     append_in_face(path.trim(head, anchor(m_triangulation, head, face)));
   }
 
-  // The straight line of a word that crosses nothing.
+  // Appends the straight line of an edge sequence that crosses nothing.
   void append_in_face(const Crossing_word& word)
   {
     Piece& piece = append(word);
@@ -433,8 +436,8 @@ private:
 
   const Triangulation& m_triangulation;
   Sleeve<Triangulation> m_sleeve;
-  std::vector<Piece> m_pieces, m_before;                // of this round, and of the one before
-  std::vector<Sleeve_edge> m_crossed, m_crossed_before; // the edges that they cross
+  std::vector<Piece> m_pieces, m_before;                // of this round and of the previous one
+  std::vector<Sleeve_edge> m_crossed, m_crossed_before; // the edges that the pieces cross
   std::vector<Passed_side> m_sides;                     // of the joints
   std::vector<Index> m_shape, m_shape_before;
 };

@@ -24,16 +24,16 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A path between two vertices that meets no other: along a halfedge, or across some, each as a side of the face that is
- * left. */
+/* A path between two vertices that meets no other path: along a halfedge, or across several, each given as a side of
+ * the face that the path leaves. */
 struct Followed_arc
 {
-  Halfedge_index along; // null_index if some are crossed
+  Halfedge_index along; // null_index if edges are crossed
   std::vector<Halfedge_index> crossed;
 };
 
 /*
- * The two faces at an edge, whose four sides outlast its flip. The flipped edge divides the sides into two pairs:
+ * The two faces at an edge, whose four sides survive its flip. The flipped edge divides the sides into two pairs:
  *
  *              k                   the edge of h leads from i to j before, and joins l and k after; the side of i has
  *           /  |  \                `at_tail` = (k->i, i->l), that of j has `at_head` = (l->j, j->k)
@@ -45,7 +45,7 @@ template <class Triangulation>
 class Flipped_quad
 {
 public:
-  /* Before the flip. */
+  /* Must be constructed before the flip. */
   Flipped_quad(const Triangulation& triangulation, Halfedge_index h)
     : m_h(h)
     , m_t(Triangulation::twin(h))
@@ -60,7 +60,7 @@ public:
     return {{m_h, m_t, m_at_tail[0], m_at_tail[1], m_at_head[0], m_at_head[1]}};
   }
 
-  /* Rewrites an arc, after the flip. */
+  /* Updates an arc after the flip. */
   void rewrite(const Triangulation& triangulation, Followed_arc& arc) const
   {
     const Halfedge_index from_tail = triangulation.next(m_at_tail[1]), from_head = Triangulation::twin(from_tail);
@@ -86,7 +86,8 @@ private:
     return side == m_at_head[0] || side == m_at_head[1] ? Part::HEAD : Part::NONE;
   }
 
-  // An arc that starts opposite to a side came from the other part; one that starts across the edge now starts on it.
+  // An arc that starts opposite to a side came from the other face; an arc that started across the edge now starts on
+  // it.
   void rewrite_crossed(Halfedge_index from_tail, Halfedge_index from_head, std::vector<Halfedge_index>& crossed) const
   {
     const auto leaving = [&](Part part) { return part == Part::TAIL ? from_tail : from_head; };
@@ -113,10 +114,10 @@ private:
 };
 
 /*
- * Arcs in a triangulation, kept up to date while its edges are flipped, by topology alone.
+ * Arcs in a triangulation, kept up to date by topology alone while its edges are flipped.
  *
- * The invariant: no arc crosses an edge and returns across it at once, and each is registered at all edges that it runs
- * along or crosses.
+ * Invariant: no arc crosses an edge and immediately returns across it, and each arc is registered at all edges that it
+ * runs along or crosses.
  */
 template <class Triangulation>
 class Followed_arcs
@@ -136,7 +137,7 @@ public:
     enter(m_arcs.size() - 1);
   }
 
-  /* Flips the edge of h, by `flip()`, and has the arcs follow. */
+  /* Flips the edge of h by `flip()` and updates the arcs. */
   template <class Flip>
   void follow(Halfedge_index h, const Flip& flip)
   {
@@ -157,7 +158,7 @@ public:
     }
   }
 
-  /* Takes flips back, the last first, until the log has `position` entries. */
+  /* Rolls flips back, the last one first, until the log has `position` entries. */
   void roll_back(typename Triangulation::Log_position position)
   {
     while(m_triangulation.log_position() > position) {
@@ -195,8 +196,8 @@ private:
   std::map<Edge_index, std::vector<std::size_t>> m_arcs_at;
 };
 
-/* Releases the edges under the curves of a network, for as long as it lives. The network is not used meanwhile, and the
- * edges are there again at the end. */
+/* Releases the edges under the curves of a network for the lifetime of the object. The network must not be used
+ * meanwhile; the destructor finds the edges in place again. */
 template <class Network>
 class Released_edges
 {
@@ -224,10 +225,10 @@ private:
 };
 
 /*
- * Makes geodesics between vertices edges of a triangulation that serves them all. Each is pulled tight by itself, as if
- * there were no other curves, from a path of edges. So it passes the ends of the others on the sides on which a geodesic
- * does, and not as the path does. A geodesic that crosses a curve of the network is left out for its path: whether the
- * curves cross, or can be pulled off each other, is up to `order_overlapping_curves()`.
+ * Makes geodesics between vertices edges of one common triangulation. Each geodesic is shortened separately from an
+ * edge path, as if there were no other curves. It therefore passes the ends of the other geodesics on the sides of a
+ * geodesic, not on those of its initial path. A geodesic that crosses a curve of the network is replaced by its initial
+ * path; `order_overlapping_curves()` then determines whether the curves cross or can be separated.
  */
 template <class Network>
 class Leg_drawer
@@ -243,7 +244,7 @@ public:
   {
   }
 
-  /* A chain along the geodesics to which the paths, one after the other, are shortened; its nodes are their ends. */
+  /* Returns a chain along the geodesics to which the consecutive paths are shortened; its nodes are their ends. */
   Drawn_chain operator()(const std::vector<Chain>& paths)
   {
     std::vector<std::size_t> arcs_before_end;
@@ -308,7 +309,7 @@ private:
     return m_triangulation.holds(Triangulation::edge(h)) > 0 || m_drawn.count(Triangulation::edge(h)) != 0;
   }
 
-  // Arcs of a geodesic are straight, and the strip that is crossed holds the segment.
+  // The arcs of a geodesic are straight, and the strip of crossed faces contains the segment.
   void draw(std::size_t i, Chain& chain)
   {
     const Followed_arc arc = m_arcs[i];

@@ -28,22 +28,23 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A straight line from vertex to vertex, by its word, and the directions in which it leaves its ends, which are known at
- * vertices of the input only. */
+/* A straight line from vertex to vertex, given by its edge sequence, and its directions at both ends, which are known
+ * at vertices of the input only. */
 struct Funnel_piece
 {
   Crossing_word word;
   Corner_direction at_tail, at_head; // at the head, backward
-  bool is_examined = false;          // has its word been asked whether it is straight, exactly?
-  bool is_straight = false;          // and is it?
+  bool is_examined = false;          // whether exact straightness has been examined
+  bool is_straight = false;          // the result
 };
 
 /*
- * Shortens a path on the input surface by `Iterative_unfolding`, from the words of the edges that it crosses. Nothing
- * is flipped, and the input is only read. The path is a chain of straight pieces, which meet at vertices of the input;
- * its ends can also be inserted vertices.
+ * Shortens a path on the input surface by `Iterative_unfolding`, starting from the sequences of edges that it crosses.
+ * No edge is flipped, and the input is only read. The path is a chain of straight pieces that meet at vertices of the
+ * input; its ends can also be inserted vertices.
  *
- * Strings are pulled in doubles, so that a piece can be bent a little; angles close to pi are compared exactly.
+ * The shortest path in a sleeve is computed in doubles, so that a piece can bend slightly; angles close to pi are
+ * compared exactly.
  */
 template <class Triangulation>
 class Funnel_chain
@@ -59,7 +60,7 @@ public:
   {
   }
 
-  /* Appends a piece that is straight. */
+  /* Appends a straight piece. */
   void append(const Funnel_piece& given)
   {
     Piece& piece = m_unfolding.append(given.word);
@@ -69,19 +70,19 @@ public:
     piece.is_straight = given.is_straight;
   }
 
-  /* Appends the straight line of a word. */
+  /* Appends the straight line of an edge sequence. */
   void append_straight(const Crossing_word& word) { m_unfolding.append_straight(word); }
 
-  /* Appends the shortest path in the sleeve of a word, that is, in the faces that a path passes. Returns false if the word
-   * has no sleeve. */
+  /* Appends the shortest path in the sleeve of an edge sequence, that is, in the faces that a path passes. Returns
+   * false if the sequence has no sleeve. */
   bool append_shortened(const Crossing_word& word)
   {
     Exact_rule rule{*this};
     return m_unfolding.append_shortened(word, rule);
   }
 
-  /* Leads the chain round vertices until no angle is below pi, or none is but by rounding, and examines the pieces. A piece
-   * that is bent all the same says so. Returns false if that cannot be. */
+  /* Leads the chain around vertices until no angle is below pi except by rounding errors, and examines the pieces. A
+   * piece that still bends is marked as not straight. Returns false if passing a vertex is impossible. */
   bool tighten()
   {
     Exact_rule rule{*this};
@@ -91,7 +92,7 @@ public:
     return true;
   }
 
-  /* Asks each piece whether it is straight, and changes none. */
+  /* Examines whether each piece is straight; changes no piece. */
   void examine()
   {
     for(Piece& piece : m_unfolding.pieces()) {
@@ -110,14 +111,14 @@ public:
   }
 
 private:
-  // Of the vertices that a straight line passes, so many next to either end are kept: the nearest one and a bend can be
+  // The number of vertices kept near either end of those that a straight line passes: the nearest one and a bend can be
   // the two ends of an edge.
   static constexpr std::size_t most_passed = 2;
 
   // The rule of the unfolding.
   struct Exact_rule
   {
-    static constexpr bool drops_loops = true; // what goes on from a bend and comes back
+    static constexpr bool drops_loops = true; // drops a detour that leaves a bend and returns to it
 
     Funnel_chain& chain;
 
@@ -132,8 +133,8 @@ private:
 
   // ---- angles
 
-  // Where the chain turns back on itself, either side is next to nothing. Two pieces along one edge are given in the faces
-  // on their left, so that the path from one to the other is over that edge, on the right.
+  // If the chain turns back on itself, the angle on either side is almost zero. Two pieces along one edge are given in
+  // the faces on their left; the path from one to the other therefore leads across that edge, on the right.
   Passed_side side_below_pi(const Piece& in, const Piece& out) const
   {
     const Corner_direction &back = in.at_head, &on = out.at_tail;
@@ -161,8 +162,8 @@ private:
     return result;
   }
 
-  // How the angle clockwise from one direction to another compares with pi; LARGER at the border. Exact if both
-  // directions are right up to `unfunneled_angle`.
+  // Compares the clockwise angle between two directions with pi; LARGER at the border. Exact if the error of both
+  // directions is at most `unfunneled_angle`.
   Comparison_result compare_clockwise(const Seen_piece& a, const Seen_piece& b) const
   {
     const Corner_angle angle = m_unfolding.faces().angle(b.direction(), a.direction(), unfunneled_angle);
@@ -181,7 +182,8 @@ private:
   const Sleeve<Triangulation>& sleeve() const { return m_unfolding.sleeve(); }
   const std::vector<Portal>& portals() const { return sleeve().portals(); }
 
-  // Where the string bends, and vertices that it passes so closely that doubles do not tell on which side.
+  // Finds the bends of the shortest path and the vertices that it passes too closely for floating-point arithmetic to
+  // decide the side.
   void find_bends()
   {
     m_bends.clear();
@@ -202,8 +204,8 @@ private:
     }
   }
 
-  // An end of a portal that the line from one place to another passes closely. Of vertices of which one is an end of each
-  // portal that the other is an end of, one is enough.
+  // An end of a portal that the line between two points passes closely. If every portal that ends at one vertex also
+  // ends at another, one of the two suffices.
   void add_close_vertex(Bend bend, const Plane_vector& from, const Plane_vector& to, std::size_t limit)
   {
     const Plane_vector along = to - from;
@@ -215,7 +217,7 @@ private:
       m_bends.push_back(bend);
   }
 
-  // The same vertex with all portals of which it is an end.
+  // Returns the same vertex with all portals of which it is an end.
   Bend with_all_portals(Bend bend) const
   {
     while(bend.first > 0 && portals()[bend.first].side != bend.side)
@@ -225,15 +227,16 @@ private:
     return bend;
   }
 
-  // What is known of the part of the string between two bends that follow on one another.
+  // The known properties of the path between two consecutive bends.
   struct Gap
   {
-    bool is_known = false, is_straight = false; // has its word been asked, exactly, and is it?
-    bool is_clear = false;                      // are all crossed edges off the line?
-    std::vector<Bend> passed;                   // the first vertices on the line and the last ones, `most_passed` each
+    bool is_known = false, is_straight = false; // whether exact straightness has been examined, and its result
+    bool is_clear = false;                      // whether no crossed edge touches the line
+    std::vector<Bend> passed;                   // the first and the last vertices on the line, `most_passed` each
+                                                // `most_passed` each
   };
 
-  // A bend that stays for now, and the part of the string before it.
+  // A bend that stays for now and the part of the path before it.
   struct Kept_bend
   {
     Bend bend;
@@ -241,11 +244,11 @@ private:
   };
 
   /*
-   * Where the string bends by so little that this can be rounding, and the line that leaves the bend out is straight.
-   * When a bend is dropped, the one before has another neighbor, and is looked at again.
+   * Drops the bends that are small enough to be rounding errors and can be left out of a straight line. After a bend is
+   * dropped, the previous one has another neighbor and is examined again.
    *
-   * To follow the line across all of what has been dropped, for each bend, would take quadratic time along a row of
-   * vertices in line. But two straight parts make one if the line near the bend passes it exactly.
+   * Following the line across everything dropped so far, for each bend, would take quadratic time along a row of
+   * collinear vertices. Instead, two straight parts are joined if the line near the bend passes it exactly.
    */
   void drop_false_bends(const Crossing_word& ends)
   {
@@ -262,7 +265,7 @@ private:
       m_bends.push_back(kept.bend);
   }
 
-  // Is the last kept bend false? Then the part between its neighbors takes the place of the one after it.
+  // Returns whether the last kept bend is false. If so, the part between its neighbors replaces the part after it.
   bool is_last_false(const Crossing_word& ends, const Bend* next, Gap& after)
   {
     Kept_bend& kept = m_kept.back();
@@ -285,7 +288,7 @@ private:
     return true;
   }
 
-  // Asks the part between two bends whether it is straight, unless it has been asked.
+  // Examines whether the part between two bends is straight, unless that is known.
   void examine(const Crossing_word& ends, const Bend* from, const Bend* to, Gap& gap) const
   {
     if(gap.is_known)
@@ -316,9 +319,9 @@ private:
   }
 
   /*
-   * Do the straight parts before and after a bend lie in one line, which passes it? From the last vertex on the line
-   * before the bend to the first one behind it, the faces prove it. They do not where these vertices can be in the
-   * place of the bend, nor where the line runs along edges.
+   * Returns whether the straight parts before and after a bend are collinear along a line that passes the bend. The
+   * faces from the last vertex on the line before the bend to the first one behind it prove this, unless these vertices
+   * can coincide with the bend or the line runs along edges.
    */
   bool are_in_line(const Crossing_word& ends, const Bend* previous, const Kept_bend& kept, const Bend* next,
                    const Gap& after, Gap& joined) const
@@ -358,7 +361,7 @@ private:
     });
   }
 
-  // From one bend to another, or the ends.
+  // The part from one bend to another, or to the ends.
   Crossing_word part(const Crossing_word& ends, const Bend* from, const Bend* to) const
   {
     Crossing_word result;
@@ -387,15 +390,15 @@ private:
   std::vector<Kept_bend> m_kept;
 };
 
-/* A step of a way over the surface: from a canonical location on through an input face that it lies in, by one of the
- * face's halfedges. The next step, or the way's end, lies there as well. */
+/* A step of a path over the surface: from a canonical surface point through an input face that contains it, given by
+ * one of the face's halfedges. The next step, or the end of the path, lies in the same face. */
 struct Way_step
 {
   Surface_location from;
   Input_halfedge_index face;
 };
 
-/* A piece of a geodesic, and what is said of it. */
+/* A piece of a geodesic with its measured properties. */
 struct Measured_piece
 {
   Funnel_piece piece;
@@ -405,19 +408,21 @@ struct Measured_piece
   Verdict verdict = Verdict::PROVEN;
 };
 
-/* A geodesic from place to place. Its words name inserted ends by the vertices that they were for a moment. */
+/* A geodesic between two surface points. Its edge sequences refer to inserted ends by the vertices that existed
+ * temporarily. */
 struct Geodesic_leg
 {
   std::vector<Measured_piece> pieces;
   Surface_polyline points;
   double length = 0;
   Verdict verdict = Verdict::PROVEN;
-  bool is_by_flips = false; // did it take flips?
+  bool is_by_flips = false; // whether it was found by flips
 };
 
 /*
- * Moves the ends of geodesics. The path along a geodesic and on along a way is shortened by `Funnel_chain` and proven
- * straight by its words; where that does not succeed, by flips. The triangulation is the input's before and after.
+ * Moves the ends of geodesics. The path along a geodesic and its continuation is shortened by `Funnel_chain` and proven
+ * straight from its edge sequences; if that fails, it is shortened by flips. The triangulation is that of the input
+ * before and after.
  */
 template <class Triangulation>
 class Leg_mover
@@ -429,8 +434,8 @@ public:
   {
   }
 
-  /* The geodesic to a new start or end, at which the way from the old one arrives; of a leg without pieces, which has
-   * one point, that along the way. */
+  /* Returns the geodesic to a new start or end, at which the path from the old one arrives. For a geodesic without
+   * pieces, which is a single point, returns the geodesic along that path. */
   Geodesic_leg moved(const Geodesic_leg& leg, bool is_start, const std::vector<Way_step>& way,
                      const Surface_location& to)
   {
@@ -450,11 +455,11 @@ public:
     return is_shortened && !(is_pulled && is_proven(by_flips)) ? result : by_flips;
   }
 
-  /* How comparisons were decided. */
+  /* The statistics of exact comparisons. */
   const Decision_statistics& statistics() const { return m_statistics; }
 
 private:
-  // The ends of a leg as vertices, until they are taken back.
+  // The ends of a geodesic as vertices, until they are rolled back.
   class Inserted_ends
   {
   public:
@@ -481,7 +486,7 @@ private:
     return leg.verdict == Verdict::PROVEN || leg.verdict == Verdict::PROBABLE;
   }
 
-  // ---- by words
+  // ---- by edge sequences
 
   static Funnel_piece reversed(Funnel_piece piece)
   {
@@ -490,7 +495,8 @@ private:
     return piece;
   }
 
-  // From the end that stays. Returns whether the path is a chain that no angle says to pull further.
+  // Shortens from the end that stays. Returns whether the path is a chain without any angle that requires further
+  // shortening.
   bool shorten_moved(const Geodesic_leg& leg, bool is_start, const std::vector<Way_step>& way,
                      const Inserted_ends& ends, Geodesic_leg& result)
   {
@@ -515,7 +521,7 @@ private:
     return true;
   }
 
-  // Are there vectors of all faces at the joints?
+  // Returns whether all faces at the joints have vectors.
   bool are_joints_usable(const std::vector<Funnel_piece>& pieces) const
   {
     const auto& input = m_triangulation.input();
@@ -533,7 +539,7 @@ private:
     return true;
   }
 
-  // The word of a piece and of a way from its head; of the way alone if there is none.
+  // The edge sequence of a piece and of a path from its head, or of the path alone if no piece is given.
   Crossing_word word_along(const Crossing_word& piece, bool is_way_alone, const std::vector<Way_step>& way,
                            Vertex_index end) const
   {
@@ -550,7 +556,7 @@ private:
     return path.finish(end, anchor(m_triangulation, end, face));
   }
 
-  // Leads a path from one face that a place lies in to another.
+  // Leads a path from one of the faces that contain a point to another.
   void enter(Word_path<Triangulation>& path, const Way_step& step, Input_halfedge_index& face) const
   {
     const auto& input = m_triangulation.input();
@@ -569,7 +575,7 @@ private:
     void cross(Input_halfedge_index h) { letters.push_back(h); }
   };
 
-  // On the side that has no border.
+  // Turns on the side without a border.
   void turn_about(Word_path<Triangulation>& path, Vertex_index v, Input_halfedge_index from,
                   Input_halfedge_index to) const
   {
@@ -583,10 +589,10 @@ private:
       path.cross(h);
   }
 
-  // ---- what a leg is
+  // ---- measuring
 
-  // Takes over the pieces, and what is known of those that `before` had as well; `unproven` zeros were there before these
-  // pieces were examined.
+  // Takes over the pieces, together with the results for those that `before` contains as well; `unproven` is the number
+  // of unproven zeros before these pieces were examined.
   void measure(std::vector<Funnel_piece>&& pieces, bool is_reversed, const Geodesic_leg* before, std::size_t unproven,
                Geodesic_leg& result)
   {
@@ -599,7 +605,7 @@ private:
       result.pieces.back().piece = is_reversed ? reversed(std::move(piece)) : std::move(piece);
     }
     const std::size_t old = before == nullptr ? 0 : before->pieces.size(), n = result.pieces.size();
-    std::size_t first = 0, last = 0; // so many at the start and the end stay
+    std::size_t first = 0, last = 0; // the number of pieces that stay at the start and the end
     while(first < (std::min)(n, old) && is_same(result.pieces[first], before->pieces[first]))
       take_over(result.pieces[first], before->pieces[first]), ++first;
     while(last < (std::min)(n, old) - first && is_same(result.pieces[n - 1 - last], before->pieces[old - 1 - last]))
@@ -609,7 +615,7 @@ private:
     join(unproven, result);
   }
 
-  // Inserted ends are the same if they stay, and pieces at those that move are not.
+  // Pieces that end at an inserted vertex count as different, since that vertex may have moved.
   bool is_same(const Measured_piece& a, const Measured_piece& b) const
   {
     const Crossing_word &u = a.piece.word, &v = b.piece.word;
@@ -646,7 +652,7 @@ private:
       measured.verdict = Verdict::BENT_SEGMENT;
   }
 
-  // Points, length and verdict of a leg whose pieces are measured; the points are its ends before.
+  // Sets points, length and verdict of a geodesic whose pieces are measured; its points are initially its two ends.
   void join(std::size_t unproven, Geodesic_leg& leg)
   {
     const Surface_location end = leg.points.back();
@@ -660,7 +666,7 @@ private:
         break;
       leg.points.push_back(m_triangulation.location(piece.piece.word.head));
       const Measured_piece& next = leg.pieces[i + 1];
-      if(m_triangulation.is_inserted(next.piece.word.tail)) { // flips do not pull a path over its own end
+      if(m_triangulation.is_inserted(next.piece.word.tail)) { // flips cannot shorten a path across its own end
         leg.verdict = Verdict::BENT_JOINT;
         continue;
       }

@@ -18,24 +18,24 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* An edge that a straight segment from vertex to vertex crosses, and its left end. */
+/* An edge crossed by a straight segment from vertex to vertex, and its left end. */
 struct Crossed_edge
 {
-  Halfedge_index halfedge; // as a side of the face that is left, with its tail on the right
-  bool is_left_new;        // is the left end not one of the edge before? of the first edge it is new
-  double left_height;      // how far the left end is from the segment, in any unit
+  Halfedge_index halfedge; // a side of the face that the segment leaves, with its tail on the right
+  bool is_left_new;        // whether the left end differs from that of the previous edge; true for the first edge
+  double left_height;      // the distance of the left end from the segment, in any unit
 };
 
 /*
- * Flips the edges that a segment crosses until it is an edge itself. A flip takes an edge out of the strip of crossed
- * faces if the corners opposite to the edge are on one side of the segment. Otherwise the flipped edge crosses the
- * segment as well.
+ * Flips the edges crossed by a segment until the segment is itself an edge. A flip removes an edge from the strip of
+ * crossed faces if the corners opposite to the edge are on one side of the segment. Otherwise the flipped edge crosses
+ * the segment as well.
  *
- * First all edges are flipped that leave the strip immediately, from both ends of the strip and on both of its sides.
- * When none is left, the highest vertex on the left of the segment is taken from the strip, and so on. Its angle in the
- * strip is below pi, and what is to the right of it lies beyond the line through the two vertices beside it, which are
- * not higher. The ends on the right of its edges therefore form a chain that bends towards it, and the outermost edges
- * can be flipped until the last one leaves.
+ * First all edges that leave the strip immediately are flipped, from both ends of the strip and on both of its sides.
+ * When none is left, the highest vertex on the left of the segment is removed from the strip, then the next highest,
+ * and so on. Its angle in the strip is below pi, and everything to the right of it lies beyond the line through its two
+ * neighbors on the strip's boundary, which are not higher. The right ends of its edges therefore form a chain that
+ * bends towards it, and the outermost edges can be flipped until the last one leaves.
  *
  *           v                      v
  *        / /|\ \                 /   \           u, w: the vertices beside v, not higher
@@ -43,13 +43,13 @@ struct Crossed_edge
  *     --/---|---\----         -----------        the segment
  *      a    b    c            a    b    c
  *
- * This takes less than 1.4 flips for each edge on most surfaces.
+ * On most surfaces this takes fewer than 1.4 flips per edge.
  */
 template <class Triangulation>
 class Crossing_removal
 {
 public:
-  /* Gives up when the triangulation's records take more memory than that, in bytes. */
+  /* Aborts when the records of the triangulation exceed `most_memory` bytes. */
   Crossing_removal(Triangulation& triangulation, std::size_t most_memory)
     : m_triangulation(triangulation)
     , m_most_memory(most_memory)
@@ -57,8 +57,8 @@ public:
   }
 
   /*
-   * Flips. Returns whether all edges have been where they should, as they are not if the strip has a face twice; false
-   * as well if it has given up.
+   * Flips the edges. Returns whether all edges were in their expected places, which fails if the strip contains a face
+   * twice; also returns false if the computation was aborted.
    * \pre the strip's faces are the input's
    */
   bool operator()(const std::vector<Crossed_edge>& crossed)
@@ -77,7 +77,8 @@ public:
 
   std::size_t number_of_flips() const { return m_flips; }
 
-  /* The edges that the segment still crosses; none but where it passes a vertex, up to rounding. */
+  /* Returns the edges that the segment still crosses; there are none unless it passes a vertex, up to rounding
+   * errors. */
   std::vector<Halfedge_index> crossed() const
   {
     std::vector<Halfedge_index> result;
@@ -86,14 +87,14 @@ public:
     return result;
   }
 
-  /* The halfedge that is the segment. \pre it crosses nothing any more */
+  /* Returns the halfedge that is the segment. \pre it crosses no edge */
   Halfedge_index segment() const { return m_segment; }
 
 private:
-  // An edge that is crossed. Left vertices are told by the edge at which they were new.
+  // A crossed edge. Left vertices are identified by the edge at which they were new.
   struct Node
   {
-    Halfedge_index halfedge; // null_index when it is not crossed any more
+    Halfedge_index halfedge; // null_index when it is no longer crossed
     Index previous, next, left;
     bool is_left_new;
     double left_height;
@@ -102,7 +103,7 @@ private:
   Node& node(Index i) { return m_nodes[static_cast<std::size_t>(i)]; }
   const Node& node(Index i) const { return m_nodes[static_cast<std::size_t>(i)]; }
 
-  // The list of the edges closes to a ring at m_end.
+  // The list of the edges is a ring through m_end.
   void start(const std::vector<Crossed_edge>& crossed)
   {
     m_end = static_cast<Index>(crossed.size());
@@ -121,17 +122,17 @@ private:
     m_head = apex(Triangulation::twin(crossed.back().halfedge));
   }
 
-  // The last edge at a vertex on the left; m_end if the vertex is not in the strip any more.
+  // The last edge at a vertex on the left; m_end if the vertex is no longer in the strip.
   Index& last_at(Index v) { return m_last_at[static_cast<std::size_t>(v)]; }
   bool is_in_strip(Index v) const { return m_last_at[static_cast<std::size_t>(v)] != m_end; }
 
-  // The vertices on the left that are in the strip, the highest first, and of those of one height the last one first.
+  // Returns the left vertices in the strip by decreasing height; of equal heights the last one comes first.
   std::vector<Index> left_vertices_from_above() const
   {
     std::vector<std::pair<double, Index>> heights;
     for(Index v = 0; v < m_end; ++v)
       if(is_in_strip(v)) {
-        const double height = node(v).left_height; // not a number if coordinates are so large that products overflow
+        const double height = node(v).left_height; // NaN if coordinates are so large that products overflow
         heights.push_back({std::isnan(height) ? 0 : height, v});
       }
     std::sort(heights.rbegin(), heights.rend());
@@ -141,7 +142,7 @@ private:
     return result;
   }
 
-  // Flips those of the edges in m_waiting that can leave, and the edges beside them when they can.
+  // Flips the edges in m_waiting that can leave the strip, and then the edges beside them if possible.
   void flip_waiting_ones()
   {
     while(!m_waiting.empty() && !m_has_given_up) {
@@ -157,9 +158,9 @@ private:
     }
   }
 
-  // Flips all crossed edges at left vertex v away, the outermost ones first, and appends those from the edge before them
-  // to the edge after them to m_waiting. Returns false if neither outermost edge can be flipped, as happens when rounding
-  // errors are as large as heights.
+  // Flips all crossed edges at left vertex v away, the outermost ones first, and appends the edges from the one before
+  // them to the one after them to m_waiting. Returns false if neither outermost edge can be flipped, which happens when
+  // rounding errors are as large as heights.
   bool take(Index v)
   {
     Index last = last_at(v), first = last;
@@ -192,8 +193,8 @@ private:
     }
   }
 
-  // Does the edge leave the strip if it is flipped: are the corners opposite to it on one side, or an end of the
-  // segment?
+  // Returns whether a flip removes the edge from the strip, that is, whether the corners opposite to it are on one side
+  // or one of them is an end of the segment.
   bool is_leaving(Index i) const
   {
     const Node& n = node(i);
@@ -210,7 +211,7 @@ private:
     return !m_is_torn && !is_reflex_at_head(Triangulation::twin(h)) && !is_reflex_at_head(h);
   }
 
-  // Are the faces beside an edge those of the strip?
+  // Returns whether the faces beside an edge are those of the strip.
   bool is_in_place(Index i) const
   {
     const Node& n = node(i);
@@ -230,7 +231,7 @@ private:
   {
     Node& n = node(i);
     flip(n.halfedge);
-    m_segment = Triangulation::twin(n.halfedge); // if it is the last: a flipped halfedge leads backwards
+    m_segment = Triangulation::twin(n.halfedge); // used if it is the last one: a flipped halfedge leads backwards
     leave_left_vertex(i);
     n.halfedge = null_index;
     node(n.previous).next = n.next;
@@ -271,17 +272,17 @@ private:
   Index m_end = 0;
   Vertex_index m_tail, m_head;
   Halfedge_index m_segment;
-  std::vector<Index> m_waiting; // edges to be looked at
+  std::vector<Index> m_waiting; // edges to be examined
   std::size_t m_flips = 0;
   bool m_is_torn = false, m_has_given_up = false;
 };
 
 /*
- * The left side of the strip of faces along which the given halfedges are crossed, each as a side of the face that is
- * left: a chain of halfedges from the vertex at which the strip starts to that at which it ends.
+ * Returns the left side of the strip of faces along which the given halfedges are crossed, each given as a side of the
+ * face that is left: a chain of halfedges from the vertex at which the strip starts to that at which it ends.
  *
  *            __ left __ . __
- *     start /  |  \   /  \   \ end        the chain runs above, what is crossed lies in between
+ *     start /  |  \   /  \   \ end        the chain runs above; the crossed edges lie in between
  *           \__|___\./____\__/
  *              right
  */
@@ -300,10 +301,10 @@ std::vector<Halfedge_index> left_side_of_strip(const Triangulation& triangulatio
 }
 
 /*
- * Flips edges on the right of a chain until all angles there are at least pi. If the chain is the left side of a strip
- * of different faces that holds the straight segment between its ends, then only edges inside the strip are flipped,
- * and one halfedge, the segment, is left: the polygon between the two has its inner angles at the ends, and the others
- * are at least pi. `flip(h)` is to flip the edge of h. Returns the number of flips.
+ * Flips edges on the right of a chain until all angles there are at least pi; returns the number of flips. `flip(h)`
+ * must flip the edge of h. If the chain is the left side of a strip of distinct faces that contains the straight
+ * segment between its ends, only edges inside the strip are flipped, and the chain becomes one halfedge, the segment:
+ * the polygon between the chain and the segment has interior angles of less than pi only at its two ends.
  */
 template <class Triangulation, class Flip>
 std::size_t straighten_on_the_right(const Triangulation& triangulation, std::vector<Halfedge_index>& chain,
@@ -324,7 +325,7 @@ std::size_t straighten_on_the_right(const Triangulation& triangulation, std::vec
       flip(h);
       ++flips;
     });
-    // The arc leads back, from the head of `on` to the tail of chain[i].
+    // The arc leads back from the head of `on` to the tail of chain[i].
     std::vector<Halfedge_index> replacement;
     for(std::size_t j = arc.size(); j-- > 0;)
       replacement.push_back(Triangulation::twin(arc[j]));
@@ -342,7 +343,8 @@ std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Ha
   return straighten_on_the_right(triangulation, chain, [&](Halfedge_index h) { triangulation.flip(h); });
 }
 
-/* Are all three edges of the face on the left of a halfedge the input's, and does the metric make vectors of it? */
+/* Returns whether all three edges of the face on the left of a halfedge are the input's and the metric represents the
+ * face by vectors. */
 template <class Triangulation>
 bool is_untouched(const Triangulation& triangulation, Halfedge_index h)
 {
@@ -352,7 +354,7 @@ bool is_untouched(const Triangulation& triangulation, Halfedge_index h)
          is_usable_face(triangulation.metric(), triangulation.input(), as_input(h));
 }
 
-/* The edges that a straight word crosses. */
+/* Returns the edges crossed by a straight edge sequence. */
 template <class Triangulation>
 std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, const Crossing_word& word)
 {
@@ -368,9 +370,9 @@ std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, cons
 }
 
 /*
- * Appends to a path the straight segment along an input halfedge, or across others as a strip crosses them. Returns
- * whether it could be: it cannot where edges of the strip have been flipped already, where it has a face twice or a
- * degenerate one, or where the triangulation's records would take more memory than given.
+ * Appends the straight segment along an input halfedge, or across the edges of a strip, to a path. Returns whether that
+ * was possible: it fails if edges of the strip have been flipped already, if the strip contains a face twice or a
+ * degenerate face, or if the records of the triangulation would exceed the given memory.
  */
 template <class Triangulation>
 bool insert_leg(Triangulation& triangulation, Input_halfedge_index along, const std::vector<Crossed_edge>& crossed,

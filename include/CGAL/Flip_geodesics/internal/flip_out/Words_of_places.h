@@ -24,16 +24,16 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A segment of a curve that is given by places: its word, and which of them are its crossed edges. */
+/* A segment of a curve given by surface points: its edge sequence, and which points are its crossed edges. */
 struct Segment_of_places
 {
   Crossing_word word;
-  std::size_t start = 0;         // the number of the place where it starts; crossed edges follow
-  std::vector<bool> is_as_given; // or is the other side of the edge in the word?
+  std::size_t start = 0;         // the number of the point at which it starts; crossed edges follow
+  std::vector<bool> is_as_given; // false if the sequence has the other side of the edge
 };
 
-/* Makes words of ends and crossed edges, whatever sides of them are given, and refuses what does not lead on. Each place
- * has a number, which errors tell. */
+/* Constructs edge sequences from end points and crossed edges, whose sides may be given arbitrarily, and rejects points
+ * that do not form a path. Each point has a number, which error messages contain. */
 template <class Triangulation>
 class Words_of_places
 {
@@ -45,7 +45,7 @@ public:
   {
   }
 
-  /* Ends a segment, unless it is the first, and starts one. */
+  /* Ends the current segment, if there is one, and starts another. */
   void pass(Vertex_index v, std::size_t number)
   {
     if(m_is_started)
@@ -56,7 +56,7 @@ public:
     m_is_started = true;
   }
 
-  /* Crosses an edge; h is valid. */
+  /* Crosses an edge. \pre h is valid */
   void cross(Input_halfedge_index h, std::size_t number)
   {
     const auto& input = m_places.input();
@@ -74,7 +74,7 @@ public:
     m_segment.is_as_given.push_back(is_as_given);
   }
 
-  /* Ends a segment. */
+  /* Ends the last segment. */
   void arrive(Vertex_index v, std::size_t number)
   {
     Crossing_word& word = m_segment.word;
@@ -103,7 +103,7 @@ private:
     return h == m_places.input().next(entered) || h == m_places.input().next(m_places.input().next(entered));
   }
 
-  // Nothing is crossed: both ends are on one edge, or else in one face.
+  // No edge is crossed: both ends lie on one edge, or else in one face.
   void find_common_face(std::size_t number)
   {
     Crossing_word& word = m_segment.word;
@@ -123,7 +123,8 @@ private:
     refuse(number, "is in no face with the one before, and no edge is crossed in between");
   }
 
-  // A halfedge of each face that has a place; of one on an edge both sides, of a vertex those that start there.
+  // Returns a halfedge of each face that contains a point: for a point on an edge both sides, for a vertex its outgoing
+  // halfedges.
   std::vector<Input_halfedge_index> edges_at(Vertex_index v) const
   {
     const auto& input = m_places.input();
@@ -136,12 +137,12 @@ private:
     Input_halfedge_index h = input.outgoing(v);
     do {
       result.push_back(h);
-      h = input.next(twin_index(h)); // along the border, too
+      h = input.next(twin_index(h)); // also along the border
     } while(h != result.front());
     return result;
   }
 
-  // Does h lead from the tail to the head, both of which are on its edge?
+  // Returns whether h leads from the tail to the head, both of which lie on its edge.
   bool leads_along(Input_halfedge_index h) const
   {
     const Crossing_word& word = m_segment.word;
@@ -154,7 +155,7 @@ private:
     return a[1] * b[0] < b[1] * a[0];
   }
 
-  // Of two places, inside of one face or edge, by their exact weights.
+  // Compares two points inside one face or edge by their exact weights.
   bool are_same(Vertex_index v, Vertex_index w) const
   {
     if(v == w || !m_places.is_inserted(v) || !m_places.is_inserted(w))
@@ -173,15 +174,16 @@ private:
   std::vector<Segment_of_places> m_segments;
 };
 
-/* A turn of a path at an end of a portal, in radians, between 0 and pi. */
+/* The turn of a path at an end of a portal, in radians, between 0 and pi. */
 struct Portal_turn
 {
-  std::size_t portal = 0; // the first one with that end
+  std::size_t portal = 0; // the first portal with that end
   Portal_side side = LEFT_END;
   double angle = 0;
 };
 
-/* The gates of a strip as portals of a funnel: the right end of the first one becomes the origin. \pre there are gates */
+/* Returns the portals of a strip in the form of a funnel; the right end of the first one becomes the origin. \pre the
+ * strip has portals */
 template <class Triangulation>
 std::vector<Portal> portals_of(const Triangulation& triangulation, const Strip<Triangulation>& strip)
 {
@@ -195,7 +197,8 @@ std::vector<Portal> portals_of(const Triangulation& triangulation, const Strip<T
   return result;
 }
 
-/* The largest turn of the shortest path through the gates of a strip, rounded; an angle of 0 if it is straight. */
+/* Returns the largest turn of the shortest path through the portals of a strip, rounded; the angle is 0 if it is
+ * straight. */
 template <class Triangulation>
 Portal_turn largest_turn(const Triangulation& triangulation, const Strip<Triangulation>& strip)
 {

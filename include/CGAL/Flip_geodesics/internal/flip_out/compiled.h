@@ -33,7 +33,7 @@ template <class K>
 constexpr bool is_known_mesh<Surface_mesh<Point_3<K>>> =
     std::is_same<K, Simple_cartesian<double>>::value || std::is_same<K, Epick>::value;
 
-/* Complete where definitions are included, by whatever header. */
+/* Complete if any included header has the definitions. */
 template <class TriangleMesh>
 struct Definitions;
 
@@ -42,7 +42,7 @@ constexpr bool are_defined = false;
 template <class TriangleMesh>
 constexpr bool are_defined<TriangleMesh, std::void_t<decltype(sizeof(Definitions<TriangleMesh>))>> = true;
 
-/* Ends the compilation, and not the linking, if there is neither a definition nor an instance. */
+/* Reports a missing definition or instance when compiling, not only when linking. */
 template <class TriangleMesh, class NamedParameters>
 constexpr void check_instance()
 {

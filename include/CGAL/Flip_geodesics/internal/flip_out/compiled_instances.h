@@ -4,9 +4,9 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_COMPILED_INSTANCES_H
 
 /*
- * The instances of the compiled library: of the functions that do the work of one call, with default options. A header of
- * such functions declares them if CGAL_FLIP_GEODESICS_COMPILED is defined. All other instances are made where they are
- * used, as without the library.
+ * The instances in the compiled library: those of the free functions' computations with default options. A header of
+ * such functions declares them if CGAL_FLIP_GEODESICS_COMPILED is defined. All other instances are compiled where they
+ * are used, as without the library.
  */
 
 #ifdef CGAL_FLIP_GEODESICS_COMPILED
@@ -30,7 +30,7 @@ namespace compiled {
 using Cartesian_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
 using Filtered_mesh = Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>;
 
-/* What an output can take. */
+/* The value type of an output. */
 template <class Mesh>
 using Point = typename Mesh::Point;
 template <class Mesh>
@@ -43,12 +43,12 @@ using All = Curve_point<Mesh, typename Mesh::Point>;
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-/* Calls `INSTANCES(mesh)` for each mesh. */
+/* Expands to `INSTANCES(mesh)` for each mesh. */
 #define CGAL_FLIP_GEODESICS_FOR_COMPILED_MESHES(INSTANCES)                                                             \
   INSTANCES(compiled::Cartesian_mesh)                                                                                  \
   INSTANCES(compiled::Filtered_mesh)
 
-/* Calls `INSTANCES(mesh, form)` for each mesh and what an output over it can take. */
+/* Expands to `INSTANCES(mesh, form)` for each mesh and each value type of an output. */
 #define CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(INSTANCES)                                                              \
   INSTANCES(compiled::Cartesian_mesh, compiled::Point<compiled::Cartesian_mesh>)                                       \
   INSTANCES(compiled::Cartesian_mesh, compiled::Location<compiled::Cartesian_mesh>)                                    \
@@ -57,7 +57,7 @@ using All = Curve_point<Mesh, typename Mesh::Point>;
   INSTANCES(compiled::Filtered_mesh, compiled::Location<compiled::Filtered_mesh>)                                      \
   INSTANCES(compiled::Filtered_mesh, compiled::All<compiled::Filtered_mesh>)
 
-/* A source of the library defines the instances of one header; all others are declared. */
+/* A source file of the library defines the instances of one header; all others are declared. */
 #ifdef CGAL_FLIP_GEODESICS_DEFINE_CURVES
 #define CGAL_FLIP_GEODESICS_CURVES_INSTANCE template
 #else

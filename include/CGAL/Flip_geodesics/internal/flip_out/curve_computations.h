@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The values that a computation gives for an output iterator, and its report. */
+/* The values that a computation produces for an output iterator, and its report. */
 template <class Value, class Report = Shortening_report>
 struct Computed_output
 {
@@ -23,13 +23,13 @@ struct Computed_output
   Report report;
 };
 
-/* Writes what was computed, which is final: an attempt that was repeated on the contracted surface leaves nothing in the
- * output. Returns a `Result`, the end of the output and the report. */
+/* Writes the final values of a computation: an attempt that was repeated on the contracted surface has not written
+ * anything. Returns a `Result`, which consists of the end of the output and the report. */
 template <class Result, class Computed, class OutputIterator>
 Result write_computed(Computed&& computed, OutputIterator out)
 {
   if constexpr(!takes<OutputIterator, typename decltype(computed.values)::value_type>)
-    return Result{out, std::move(computed.report)}; // after the message of `Curve_form_of`, no other follows
+    return Result{out, std::move(computed.report)}; // no further message follows that of `Curve_form_of`
   else
     return Result{std::move(computed.values.begin(), computed.values.end(), out), std::move(computed.report)};
 }
@@ -49,22 +49,22 @@ Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRang
 }
 
 /*
- * The computations of the functions of `geodesic_path.h`, which then write the output. They are not inline, and depend
- * on the form of the output alone, so that the compiled library can have instances of them; see
+ * The computations behind the functions of `geodesic_path.h`, which write the output afterwards. They are not inline
+ * and depend only on the value type of the output, so that the compiled library can contain instances; see
  * `internal/flip_out/compiled.h`.
  */
 
-/* Of `geodesic_path()`. */
+/* Computes the result of `geodesic_path()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
                                    Vertex_in<TriangleMesh> target, const NamedParameters& np);
 
-/* Of `geodesic_loop()`. */
+/* Computes the result of `geodesic_loop()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<TriangleMesh>& vertices,
                                    const NamedParameters& np);
 
-/* Of `geodesic_network()`. */
+/* Computes the result of `geodesic_network()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
                                                    const std::vector<Vertices_of<TriangleMesh>>& curves,

@@ -28,7 +28,7 @@ struct compiled::Definitions
 {
 };
 
-/* Shortens with the stop predicate and the visitor of the named parameters, as far as they are given. */
+/* Shortens with the stop predicate and the visitor of the named parameters, if given. */
 template <class Network, class NamedParameters>
 Shortening_report shorten_by_parameters(Network& network, const NamedParameters& np)
 {
@@ -36,7 +36,7 @@ Shortening_report shorten_by_parameters(Network& network, const NamedParameters&
   return shorten(network, stop_predicate_of(np), visitor.get());
 }
 
-/* The indices of vertices of the mesh, before edges are contracted. */
+/* Returns the indices of vertices of the mesh, before edges are contracted. */
 template <class Triangulation, class Vertex>
 std::vector<Vertex_index> mesh_indices(const Triangulation& triangulation, const std::vector<Vertex>& vertices)
 {
@@ -46,7 +46,7 @@ std::vector<Vertex_index> mesh_indices(const Triangulation& triangulation, const
   return result;
 }
 
-/* Adds a curve through vertices of the mesh. Returns whether there is one, or all vertices lie in one place. */
+/* Adds a curve through vertices of the mesh. Returns false if all vertices coincide, so that no curve results. */
 template <class Network>
 bool add_vertex_curve(Network& network, const std::vector<Vertex_index>& vertices, bool is_closed)
 {
@@ -57,7 +57,8 @@ bool add_vertex_curve(Network& network, const std::vector<Vertex_index>& vertice
   return true;
 }
 
-/* The same for many curves, of which those whose last vertex is their first are closed. */
+/* Adds a curve for each range of vertices, closed if its last vertex is its first. Returns whether each curve
+ * exists. */
 template <class Network, class Vertex>
 std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vector<Vertex>>& curves)
 {
@@ -72,7 +73,7 @@ std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vec
   return result;
 }
 
-/* Of `geodesic_path()`. */
+/* Computes the result of `geodesic_path()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
                                    Vertex_in<TriangleMesh> target, const NamedParameters& np)
@@ -85,7 +86,7 @@ Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleM
           mesh, source, target, np, stop_predicate_of(np), search_over});
 }
 
-/* Of `geodesic_loop()`. */
+/* Computes the result of `geodesic_loop()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<TriangleMesh>& vertices,
                                    const NamedParameters& np)
@@ -109,7 +110,7 @@ Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<T
   });
 }
 
-/* Of `geodesic_network()`. */
+/* Computes the result of `geodesic_network()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
                                                    const std::vector<Vertices_of<TriangleMesh>>& curves,

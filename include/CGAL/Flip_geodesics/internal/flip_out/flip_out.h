@@ -23,14 +23,14 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A wedge that was free when it was queued: its joint, told by both segments, since the one that arrives can get
- * another to follow it. The smallest angle comes first, then the older segment, then the left side. In 16 bytes, so
- * that the siblings of the heap share a cache line.
+ * A wedge that was free when it was queued. Its joint is identified by both segments, since the arriving one can get
+ * another successor. Wedges are ordered by angle, then by the age of the segment, then left before right. An object has
+ * 16 bytes, so that the siblings of the heap share a cache line.
  */
 class Queued_wedge
 {
 public:
-  /* A key that rounding has made negative counts as 0. */
+  /* A key that rounding errors have made negative counts as 0. */
   Queued_wedge(double key, const Joint& joint, Segment_index outgoing)
     : m_key(ordered_bits((std::max)(key, 0.0)))
     , m_segment_and_side(2 * static_cast<std::uint32_t>(joint.incoming.idx()) + (joint.side == Side::LEFT ? 0 : 1))
@@ -53,7 +53,7 @@ public:
 
   Segment_index outgoing() const { return m_outgoing; }
 
-  // Without branches: on symmetric meshes many keys are equal.
+  // Branch-free, because many keys are equal on symmetric meshes.
   static std::size_t is_before(const Queued_wedge& a, const Queued_wedge& b)
   {
     const std::size_t is_older = static_cast<std::size_t>(a.m_segment_and_side < b.m_segment_and_side);
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  std::uint64_t m_key; // the bits of the number
+  std::uint64_t m_key; // the bits of the key
   std::uint32_t m_segment_and_side;
   Segment_index m_outgoing;
 };
@@ -69,12 +69,12 @@ private:
 using Wedge_queue = Heap_of_four<Queued_wedge>;
 
 /*
- * The wedges of a network that are free and below pi, the smallest angle first, then the older segment, then the left
- * side, so that the order is determined by the input.
+ * The free wedges of a network with angles below pi, ordered by angle, then by the age of the segment, then left before
+ * right, so that the input determines the order.
  *
- * A wedge's angle does not change while its joint lives, since flips elsewhere keep the angle between two edges that
- * stay. So a key never goes stale. Whether the wedge is free does change: what comes out of the queue is to be looked
- * at again, and `EdgePathGraph::replace_joint()` names the wedges that may have become free.
+ * The angle of a wedge does not change while its joint exists, since flips elsewhere preserve the angle between two
+ * edges that stay. Keys are therefore always up to date. Whether the wedge is free can change: wedges must be checked
+ * again when they leave the queue, and `EdgePathGraph::replace_joint()` returns those that may have become free.
  */
 template <class Network>
 class Free_wedges
@@ -87,10 +87,11 @@ public:
 
   bool empty() const { return m_queue.empty() && m_held.empty(); }
 
-  /* Can another wedge be had? */
+  /* Returns whether the queue contains a wedge. */
   bool has_next() const { return !m_queue.empty(); }
 
-  /* Takes the first wedge out. It may not be free any more, nor its joint be there. \pre has_next() */
+  /* Removes and returns the first wedge, which may no longer be free and whose joint may no longer exist. \pre
+   * has_next() */
   Queued_wedge pop()
   {
     const Queued_wedge first = m_queue.top();
@@ -98,10 +99,10 @@ public:
     return first;
   }
 
-  /* Keeps a wedge that was taken out until `release()`. */
+  /* Sets a removed wedge aside until `release()`. */
   void hold(const Queued_wedge& wedge) { m_held.push_back(wedge); }
 
-  /* Queues what is held, and calls `function(wedge)` for each. */
+  /* Returns the wedges set aside to the queue and calls `function(wedge)` for each. */
   template <class Function>
   void release(Function function)
   {
@@ -114,17 +115,17 @@ public:
 
   bool is_free(const Joint& joint) const { return m_network.wedge(joint).state == Wedge_state::FREE; }
 
-  /* Is a wedge that was queued still free? Its angle is what it was, but strands may have come in. */
+  /* Returns whether a queued wedge is still free. Its angle is unchanged, but segments may have entered it. */
   bool is_still_free(const Joint& joint) const
   {
     const auto [a, b] = m_network.ends(joint);
     return !m_network.is_head_fixed(joint.incoming) && m_network.next_clockwise(a) == b;
   }
 
-  /* Looks at all joints of a curve, whatever was known of them. */
+  /* Examines all joints of a curve, regardless of earlier results. */
   void look_at_curve(Curve_index curve)
   {
-    // A fan of faces is a chain of loads, each waiting for the one before; these do not wait for each other.
+    // Walking through a fan of faces is a chain of dependent loads; these prefetches are independent of each other.
     m_network.for_each_segment(curve, [&](Segment_index s) {
       m_network.triangulation().prefetch_face(m_network.halfedge(s));
       m_network.triangulation().prefetch_face(Network::Triangulation::twin(m_network.halfedge(s)));
@@ -135,7 +136,7 @@ public:
     });
   }
 
-  /* Looks at joints that have been named, if they are there. */
+  /* Examines the named joints that still exist. */
   void look_at_all(const std::vector<Joint>& named)
   {
     for(const Joint& joint : named)
@@ -158,17 +159,17 @@ private:
   std::vector<Queued_wedge> m_held;
 };
 
-/* How far the shortening of a curve has come. */
+/* The state of the shortening of a curve. */
 struct Curve_state
 {
-  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; // or still to be shortened
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; // or not yet shortened
   double length = 0;
-  double shortest = 0; // up to what rounding makes of it
+  double shortest = 0; // up to rounding errors
   std::size_t steps_since_shortest = 0;
   std::size_t flips = 0;
 };
 
-/* How far the shortening of a network has come: all that a run leaves to the next one. */
+/* The state of the shortening of a network: everything that one run passes on to the next. */
 template <class Network>
 struct Shortening_state
 {
@@ -193,15 +194,14 @@ struct Shortening_state
 };
 
 /*
- * [SC20, Algorithm 2] for any network: while a wedge that is free has an angle below pi, take the smallest and flip it
- * out.
+ * [SC20, Algorithm 2] for any network: flips out the smallest free wedge with an angle below pi until none is left.
  */
 template <class Network, class StopPredicate, class Visitor>
 class Flip_out
 {
   using Triangulation = typename Network::Triangulation;
 
-  // With exact decisions every step shortens, whatever the rounded lengths say.
+  // With exact predicates every step shortens, whatever the rounded lengths are.
   static constexpr bool can_err = Triangulation::Traits::Has_drift::value;
 
 public:
@@ -217,7 +217,7 @@ public:
   {
   }
 
-  /* Goes on until there is no wedge left or it is told to end. */
+  /* Runs until no wedge is left or the shortening is stopped. */
   void run()
   {
     while(m_wedges.has_next() && !has_ended()) {
@@ -234,10 +234,10 @@ public:
     }
   }
 
-  /* Has it been told to end? */
+  /* Returns whether the shortening was stopped. */
   bool has_ended() const { return m_end != Shortening_status::LOCALLY_SHORTEST; }
 
-  /* The status of all curves that still have a wedge to flip out. \pre has_ended() */
+  /* Returns the status of all curves that still have a wedge to flip out. \pre has_ended() */
   Shortening_status end_status() const { return m_end; }
 
 private:
@@ -269,14 +269,14 @@ private:
     const bool is_longer = can_err && is_visible(change, curve) && change > 0;
     const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key(), curve, change);
     if(is_longer || decision != Stop_decision::CONTINUE) {
-      m_triangulation.rollback(start); // longer can only be wrong: the angle was below pi by rounding alone
+      m_triangulation.rollback(start); // an increase must be an error: rounding alone made the angle smaller than pi
       return obey(decision, candidate, curve);
     }
     apply(candidate.joint(), change);
     finish_step(curve);
   }
 
-  // Flips out a free wedge, whose outer arc goes to m_arc. Returns by how much the curve becomes longer.
+  // Flips out a free wedge and writes its outer arc to m_arc. Returns the increase of the curve's length.
   double flip_out(const Joint& joint)
   {
     m_arc.clear();
@@ -312,16 +312,17 @@ private:
     count_blind_step(curve);
   }
 
-  // Is the change larger than what rounding makes of the length?
+  // Returns whether the change exceeds the rounding errors of the length.
   bool is_visible(double change, Curve_index curve) const
   {
     return std::abs(change) > visible_length_change * m_curves[curve].length;
   }
 
   /*
-   * Every step shortens, but by less than doubles see where the angle is within 1e-7 of pi. Exact decisions end all the
-   * same; those of doubles could go round in circles, and a curve that has not become visibly shorter than ever before
-   * in so many steps is given up. As each round shortens it visibly, there are finitely many.
+   * Every step shortens, but if the angle is within 1e-7 of pi, the change is too small for doubles. With exact
+   * predicates the algorithm terminates nevertheless. With inexact ones it could cycle, so a curve is aborted if its
+   * length has not visibly fallen below its previous minimum for `patience` steps. Since each such period shortens it
+   * visibly, there are finitely many.
    */
   void count_blind_step(Curve_index curve)
   {
@@ -337,10 +338,10 @@ private:
   }
 
   /*
-   * A loop of one segment, [SC20, Appendix B], as one unit: move the loop over the face in its wedge, which lengthens
-   * it, flip out the wedge at the old node, and then shorten it back on the other side as long as that is possible.
-   * All of it happens in a flat annulus that holds no vertex and no other strand, and ends shorter than it began; the
-   * manual's section on termination has the proof.
+   * Shortens a loop of one segment, [SC20, Appendix B], as a compound step: move the loop over the face in its wedge,
+   * which lengthens it, flip out the wedge at the old node, and then shorten it back on the other side as long as
+   * possible. All of this happens in a flat annulus that contains neither a vertex nor another segment, and the loop
+   * ends up shorter than before; the manual's section on termination has the proof.
    */
   void shorten_single_segment_loop(const Queued_wedge& candidate)
   {
@@ -362,7 +363,7 @@ private:
             shorten_somewhere(curve, opposite_side(candidate.joint().side)))
       {
       }
-    } catch(...) { // of a face that is no triangle, or of the visitor
+    } catch(...) { // from a face that is not a triangle, or from the visitor
       take_back();
       throw;
     }
@@ -390,7 +391,7 @@ private:
     apply(old_node, flip_out(old_node));
   }
 
-  // One step at the first joint of a curve whose wedge on a side is free; false if there is none.
+  // Makes one step at the first joint of a curve whose wedge on the side is free; returns false if there is none.
   bool shorten_somewhere(Curve_index curve, Side side)
   {
     Segment_index found = null_index;
@@ -423,7 +424,7 @@ private:
                                   m_triangulation.memory_of_records()});
   }
 
-  // Does what a predicate has decided on a candidate, which waits for another run if it was refused.
+  // Applies a predicate's decision on a candidate, which is kept for another run if it was rejected.
   void obey(Stop_decision decision, const Queued_wedge& candidate, Curve_index curve)
   {
     if(decision != Stop_decision::CONTINUE)

@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Is the angle clockwise from one halfedge of a vertex to another below pi, with neither the border in between nor a
- * halfedge that `is_blocked`? Then `turn` is that angle. */
+/* Returns whether the angle clockwise from one halfedge of a vertex to another is below pi, with neither the border nor
+ * a halfedge that `is_blocked` in between. If so, sets `turn` to that angle. */
 template <class Triangulation, class IsBlocked>
 bool is_free_wedge(const Triangulation& triangulation, const typename Triangulation::Walker& a,
                    const typename Triangulation::Walker& c, typename Triangulation::Turn& turn,
@@ -28,16 +28,16 @@ bool is_free_wedge(const Triangulation& triangulation, const typename Triangulat
   return true;
 }
 
-/* So many edges of a wedge are flipped in order. */
+/* The number of edges of a wedge up to which they are flipped in order. */
 constexpr std::size_t few_flips_of_wedge = 64;
 
 /*
- * Flips every second edge of a wedge, of those that can be flipped, again and again while these are many. So the edges
- * end up in the manner of a balanced tree, about two for each round at a vertex. In order, all would end at one vertex,
- * and if that is the next to be flipped out, all go on to its neighbor, and so on: a quadratic number of flips.
+ * Repeatedly flips every second flippable edge of a wedge while the wedge has many edges. As in a balanced tree, each
+ * round then adds about two edges at a vertex. In order, all edges would end at one vertex and, if that is flipped out
+ * next, move on to its neighbor, and so on: a quadratic number of flips.
  *
- * Loop edges and what would become one are left alone, so that each flip takes one edge from the wedge. Linear, since a
- * round flips an eighth of the edges or is the last one.
+ * Loop edges and edges whose flip would create one are skipped, so that each flip removes one edge from the wedge. The
+ * function takes linear time, since every round except the last flips at least an eighth of the edges.
  */
 template <class Triangulation, class Flip>
 void flip_every_second_one(const Triangulation& triangulation, Halfedge_index a, Halfedge_index c, Flip flip)
@@ -67,11 +67,11 @@ void flip_every_second_one(const Triangulation& triangulation, Halfedge_index a,
 
 /*
  * [SC20, Algorithm 1]: flips the edges out of the wedge from halfedge a clockwise to halfedge c of one vertex, whose
- * angle is below pi, the first with beta < pi first; but not if they are more than `most_in_order`, since the order
- * makes no difference to the arc. `flip(h)` is to flip the edge of h. Then writes the outer arc, which leads from the
- * head of a to that of c with the wedge on its right, and returns its length.
+ * angle is below pi, always the first edge with beta < pi. If there are more than `most_in_order` edges, they are
+ * flipped in another order, which does not change the arc. `flip(h)` must flip the edge of h. Writes the outer arc,
+ * which leads from the head of a to that of c with the wedge on its right, and returns its length.
  *
- *            n_1 ------ n_2          spokes b -> a, n_1, ..., c are passed clockwise
+ *            n_1 ------ n_2          edges b -> a, n_1, ..., c are passed clockwise
  *           /   .     .   .
  *          /  beta  .      .         beta_j: the angle at n_j, inside the wedge
  *         a      . .        c
@@ -104,9 +104,9 @@ double flip_out_wedge(const Triangulation& triangulation, Halfedge_index a, Half
   double length = 0;
   arc.clear();
   spoke = first;
-  do { // a == c is all the way round
+  do { // a == c denotes the full turn
     const Walker outer = spoke.twin().previous().twin();
-    outer.prefetch_face(); // to be looked at when the curve lies on the arc
+    outer.prefetch_face(); // will be examined when the curve lies on the arc
     arc.push_back(outer.index());
     length += outer.length();
     spoke = spoke.clockwise();

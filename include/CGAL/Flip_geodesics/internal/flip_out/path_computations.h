@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Passes on only whether a computation is to continue: for steps that the caller's visitor is not to observe. */
+/* Forwards only the decision whether to continue, for steps that the caller's visitor does not observe. */
 struct Interrupting_visitor : Default_shortening_visitor
 {
   explicit Interrupting_visitor(Interruption& interruption_)
@@ -41,8 +41,8 @@ struct Interrupting_visitor : Default_shortening_visitor
   Interruption& interruption;
 };
 
-/* Passes all on to a visitor, in a computation that consists of several shortenings: none of them takes a step once the
- * visitor has stopped one, and it is not asked again. */
+/* Forwards all calls to a visitor in a computation that consists of several shortenings. Once the visitor has stopped
+ * one of them, no further step is taken and the visitor is not called again. */
 template <class Visitor>
 class Stop_remembering_visitor
 {
@@ -73,14 +73,14 @@ private:
   Interruption m_interruption;
 };
 
-/* Is a visitor to see the steps of a shortening, so that it starts from the path that is given? */
+/* Returns whether the visitor observes the steps of a shortening, which must then start from the given path. */
 template <class Visitor>
 constexpr bool observes_steps =
     !std::is_same<Visitor, Default_shortening_visitor>::value && !std::is_same<Visitor, Interrupting_visitor>::value;
 
 /*
- * Adds a path from which a geodesic between its ends is to be found, to an empty network: straightened, unless somebody
- * observes the steps that shorten it. Returns the number of edges flipped.
+ * Adds a path from which a geodesic between its ends is computed to an empty network. The path is first straightened by
+ * a funnel initialisation unless the steps that shorten it are observed. Returns the number of edges flipped.
  */
 template <bool IsObserved, class Network>
 std::size_t add_start(Network& network, const std::vector<Halfedge_index>& path)
@@ -91,14 +91,14 @@ std::size_t add_start(Network& network, const std::vector<Halfedge_index>& path)
   return 0;
 }
 
-/* Counts the flips of the start. */
+/* Adds the flips of the funnel initialisation to the report. */
 inline void count_start(Shortening_report& report, std::size_t flips)
 {
   report.flips += flips;
   report.curves.front().flips += flips;
 }
 
-/* Searches the edge path from which a geodesic is to start; there is none if the visitor stops the search. */
+/* Computes the edge path from which a geodesic starts; empty if the visitor stops the search. */
 template <class Search, class Visitor>
 std::vector<Halfedge_index> edge_path_between(Search& search, const std::vector<Vertex_index>& ends, Visitor& visitor)
 {
@@ -108,7 +108,7 @@ std::vector<Halfedge_index> edge_path_between(Search& search, const std::vector<
     return shortest_halfedges_through(search, ends, false, visitor);
 }
 
-/* The report of a path that a visitor stopped before there was one. */
+/* Returns the report of a search that a visitor stopped before there was a path. */
 inline Shortening_report report_of_stopped_search()
 {
   Shortening_report report;
@@ -117,7 +117,7 @@ inline Shortening_report report_of_stopped_search()
   return report;
 }
 
-/* Returns the points of a curve of a network in the form that the output takes; none of a loop that is a point. */
+/* Returns the points of a curve of a network in the output's value type; none for a loop contracted to a point. */
 template <class Form, class Network, class TriangleMesh>
 std::vector<Form> curve_forms(const Network& network, const TriangleMesh& mesh, Curve_index curve)
 {
@@ -156,8 +156,9 @@ Computed_output<Form> path_in_one_place(const Triangulation& triangulation, cons
 }
 
 /*
- * Computes a geodesic between two vertices of a mesh in a triangulation of it. What `search_over(triangulation)` returns
- * searches the edge path. With a visitor or a stop predicate, that path is shortened itself, so that they see all of it.
+ * Computes a geodesic between two vertices of a mesh in a triangulation of it. The object returned by
+ * `search_over(triangulation)` computes the initial edge path. With a visitor or a stop predicate, that edge path
+ * itself is shortened, so that they observe every step.
  */
 template <class Form, class TriangleMesh, class NamedParameters, class StopPredicate, class SearchOver>
 struct Path_computation
