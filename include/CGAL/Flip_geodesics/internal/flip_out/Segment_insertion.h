@@ -77,8 +77,8 @@ public:
 
   std::size_t number_of_flips() const { return m_flips; }
 
-  /* Returns the edges that the segment still crosses; there are none unless it passes a vertex, up to rounding
-   * errors. */
+  /* Returns the edges that the segment still crosses; up to rounding errors, there are none unless it passes a
+   * vertex. */
   std::vector<Halfedge_index> crossed() const
   {
     std::vector<Halfedge_index> result;

@@ -32,8 +32,8 @@ inline Literal opposite_if(bool condition, Literal a) { return condition ? oppos
 inline Literal constant(bool value) { return value ? true_literal : false_literal; }
 
 /*
- * Variables of which some are known to be equal, and some to be opposite: a disjoint-set forest with a parity at each
- * link. The representative of a class is its smallest variable, that of the known ones the constant.
+ * Boolean variables of which some are known to be equal and some to be opposite: a disjoint-set forest with a parity at
+ * each link. The representative of a class is its smallest variable; for variables of known value it is the constant.
  */
 class Parity_classes
 {
@@ -47,7 +47,7 @@ public:
 
   Index number_of_variables() const { return static_cast<Index>(m_parents.size()); }
 
-  /* The literal of the class's representative that equals `a`. */
+  /* Returns the literal of the class's representative that equals `a`. */
   Literal representative(Literal a)
   {
     for(Index v = variable(a); variable(m_parents[v]) != v; v = variable(a)) {
@@ -58,7 +58,7 @@ public:
     return a;
   }
 
-  /* Makes two literals equal; returns false, and does nothing, if they are known to be opposite. */
+  /* Makes two literals equal. Returns false and changes nothing if they are known to be opposite. */
   bool unite(Literal a, Literal b)
   {
     a = representative(a);
@@ -75,7 +75,7 @@ private:
   std::vector<Literal> m_parents;
 };
 
-/* Items 0, 1, ... sorted into buckets, in order within each; a negative key leaves an item out. */
+/* Items 0, 1, ... sorted stably into buckets; an item with a negative key is left out. */
 class Buckets
 {
 public:
@@ -117,19 +117,20 @@ private:
   std::vector<Index> m_items;
 };
 
-/* Linear equations modulo 2, brought into echelon form one by one. */
+/* Linear equations modulo 2, reduced to echelon form one by one. */
 class Parity_elimination
 {
 public:
-  /* The variables, in increasing order, sum up to `parity`. */
+  /* The equation that the variables, in increasing order, sum up to `parity`. */
   struct Row
   {
     std::vector<Index> variables;
     bool parity;
-    Vertex_index vertex; // where the equation comes from
+    Vertex_index vertex; // the origin of the equation
   };
 
-  /* The sparse rows can fill up. Beyond this number of entries written, equations are left out: 0.1 s. */
+  /* Elimination can fill the sparse rows. When more entries than this have been written, which takes 0.1 s, further
+   * equations are left out. */
   static constexpr std::size_t most_work = 20000000;
 
   /* Returns false if the equation contradicts the others. */
@@ -149,7 +150,7 @@ public:
     return !row.parity;
   }
 
-  /* By their first variables. */
+  /* The rows by their first variables. */
   const std::map<Index, Row>& rows() const { return m_rows; }
 
 private:

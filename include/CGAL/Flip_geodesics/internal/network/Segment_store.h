@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* All that a network is, apart from its triangulation, ids of segments included. */
+/* The complete state of a network apart from its triangulation, including the ids of segments. */
 struct Network_state
 {
   struct Segment
@@ -46,7 +46,7 @@ struct Network_state
   std::vector<Stack> stacks; // of the edges with several segments
 };
 
-/* What a network is. That the ends of paths are fixed goes without saying. */
+/* Returns the state of a network. The fixed ends of paths are implied and not recorded. */
 template <class Network>
 Network_state network_state(const Network& network)
 {
@@ -67,7 +67,7 @@ Network_state network_state(const Network& network)
   return state;
 }
 
-/* Where a segment lies in its stack: what is needed to put another one into its place. */
+/* The position of a segment in its bundle, which is needed to put another segment in its place. */
 struct Stack_place
 {
   Halfedge_index halfedge;
@@ -75,15 +75,16 @@ struct Stack_place
 };
 
 /*
- * Segments on halfedges of a triangulation, and what lies on each edge, its stack, from left to right as seen along its
- * first halfedge. The leftmost segment of each stack is kept by the place of the edge. The triangulation knows only that
- * the edge is held.
+ * Segments on halfedges of a triangulation and, for each edge, its bundle: the overlapping segments on the edge from
+ * left to right as seen along its first halfedge. The leftmost segment of each bundle is stored by the place of the
+ * edge. The triangulation only records that the edge is held.
  *
- * The invariant: a stack has segments on its edge only, each once, and an edge is held once if and only if its stack has
- * segments. All that are alive are in one, but those between `create()` and their being linked. Each has a payload, which means nothing here.
+ * Invariant: a bundle consists of segments on its edge only, each once, and an edge is held once if and only if its
+ * bundle has segments. Every live segment belongs to a bundle, except between `create()` and its linking. Each segment
+ * has a payload, which this class does not interpret.
  *
- * Ids are given once and never again. In which direction of its edge a halfedge points is as good as random, so that
- * what depends on it is chosen without a branch.
+ * Ids are never reused. The direction of a halfedge relative to its edge is practically random, so that choices that
+ * depend on it are made without branches.
  */
 template <class Triangulation, class Payload>
 class Edge_stacks
@@ -93,7 +94,7 @@ public:
 
   explicit Edge_stacks(Triangulation& triangulation)
     : m_triangulation(&triangulation)
-    , m_segments(1) // id 0 is no segment
+    , m_segments(1) // id 0 is not a segment
   {
   }
 
@@ -102,7 +103,7 @@ public:
 
   Triangulation& triangulation() const { return *m_triangulation; }
 
-  /* Says where the triangulation has been moved to. */
+  /* Must be called when the triangulation has been moved. */
   void set_triangulation(Triangulation& triangulation) { m_triangulation = &triangulation; }
 
   Payload& operator[](Segment_index s) { return m_segments[s].payload; }
@@ -112,10 +113,11 @@ public:
   bool is_alive(Segment_index s) const { return m_segments[s].halfedge != null_index; }
   Halfedge_index halfedge(Segment_index s) const { return m_segments[s].halfedge; }
 
-  /* A side of the edge of s. */
+  /* Returns the walker at a side of the edge of s. */
   Walker placed(Segment_index s, Halfedge_index h) const { return m_triangulation->walker(m_segments[s].place, h); }
 
-  /* The leftmost segment on the edge at which a walker stands, along the edge's first halfedge; none with id 0. */
+  /* Returns the leftmost segment, along the edge's first halfedge, on the edge at which a walker stands; the segment
+   * with id 0 if there is none. */
   Segment_index leftmost(const Walker& place) const
   {
     return place.edge_place() < m_leftmost.size() ? m_leftmost[place.edge_place()] : no_segment;
@@ -123,26 +125,27 @@ public:
 
   bool is_occupied(Halfedge_index h) const { return leftmost_on(h) != no_segment; }
 
-  /* The neighbour of s in its stack as seen along h, null_index if s is outermost. */
+  /* Returns the neighbor of s in its bundle as seen along h, or null_index if s is outermost. */
   Segment_index neighbor(Segment_index s, Halfedge_index h, Side side) const
   {
     const std::size_t i = side_along_first_halfedge(h, side);
     const Segment_index found = m_segments[s].beside[i];
-    if(found == s) // alone, as nearly always
+    if(found == s) // alone, the most frequent case
       return null_index;
-    return chosen(i, s, found) == leftmost(placed(s, h)) ? null_index : found; // the circle closes at the leftmost
+    return chosen(i, s, found) == leftmost(placed(s, h)) ? null_index : found; // the ring closes at the leftmost
   }
 
-  /* The outermost segment on a side of the edge of h, as seen along h. \pre there is one */
+  /* Returns the outermost segment on a side of the edge of h, as seen along h. \pre there is one */
   Segment_index outermost(Halfedge_index h, Side side) const { return outermost(h, leftmost_on(h), side); }
 
-  /* The same, with the leftmost segment on the edge. */
+  /* Returns the outermost segment on a side of the edge of h, as seen along h, given the leftmost segment on the
+   * edge. */
   Segment_index outermost(Halfedge_index h, Segment_index first, Side side) const
   {
     return chosen(side_along_first_halfedge(h, side), first, m_segments[first].beside[0]);
   }
 
-  /* The segments on edge e, from left to right as seen along its first halfedge. */
+  /* Returns the segments on edge e, from left to right as seen along its first halfedge. */
   std::vector<Segment_index> stack(Edge_index e) const
   {
     std::vector<Segment_index> result;
@@ -172,8 +175,8 @@ public:
     return {halfedge(s), neighbor(s, first, Side::LEFT), neighbor(s, first, Side::RIGHT)};
   }
 
-  /* Makes room for so many segments and one more, on edges that were touched: so one can always be created without
-   * memory being asked for, to take back what failed. */
+  /* Reserves memory for `number` segments and one more, on edges that were touched. One segment can then always be
+   * created without an allocation, which rolling back a failed operation requires. */
   void make_room(std::size_t number)
   {
     make_room_for_edges(m_triangulation->number_of_edge_places());
@@ -181,7 +184,7 @@ public:
       m_segments.reserve((std::max)(2 * m_segments.capacity(), m_segments.size() + number + 1));
   }
 
-  /* A segment on a halfedge, in no stack. */
+  /* Creates a segment on a halfedge, in no bundle. */
   Segment_index create(Halfedge_index h)
   {
     m_segments.emplace_back();
@@ -190,7 +193,7 @@ public:
     return s;
   }
 
-  /* The same with an id that was given before. \pre it is not alive */
+  /* Recreates a segment with a previously used id, in no bundle. \pre it is not alive */
   void revive(Segment_index s, Halfedge_index h)
   {
     const Walker place = m_triangulation->walker(h);
@@ -199,10 +202,10 @@ public:
     m_segments[s].place = place.place();
   }
 
-  /* Ids up to here are given, to no segment that is alive. \pre there are none */
+  /* Marks all smaller ids as used, though not by live segments. \pre there are no segments */
   void set_end_of_ids(Index end) { m_segments.resize(static_cast<std::size_t>(end)); }
 
-  /* All segments go, and no edge is held any more. Nothing else may be done then but `clear()`. */
+  /* Removes all segments and releases all edges. Only `clear()` may be called afterwards. */
   void release_edges()
   {
     for(Segment_index s(1); s.idx() < end_of_ids(); ++s)
@@ -210,14 +213,15 @@ public:
         release_edge(placed(s, halfedge(s)));
   }
 
-  /* All segments and ids go. */
+  /* Removes all segments and ids. */
   void clear()
   {
     release_edges();
     m_segments.resize(1);
   }
 
-  /* Puts s outermost on the right of its edge as seen along h. \pre it is in no stack, and on that edge */
+  /* Makes s the outermost segment on the right of its edge as seen along h. \pre it is on that edge, but in no
+   * bundle */
   void link_outermost(Segment_index s, Halfedge_index h)
   {
     const Walker place = placed(s, h);
@@ -233,7 +237,7 @@ public:
       first = s;
   }
 
-  /* Puts s next to another one on its edge, right of it as seen along the first halfedge. \pre s is in no stack */
+  /* Puts s immediately right of another segment on its edge as seen along the first halfedge. \pre s is in no bundle */
   void link_right_of(Segment_index s, Segment_index left)
   {
     const Segment_index right = m_segments[left].beside[1];
@@ -242,7 +246,7 @@ public:
     m_segments[right].beside[0] = s;
   }
 
-  /* Takes s out of its stack. */
+  /* Removes s from its bundle. */
   void unlink(Segment_index s)
   {
     const Walker place = placed(s, halfedge(s));
@@ -255,7 +259,7 @@ public:
       first = right;
   }
 
-  /* \pre s is in no stack */
+  /* \pre s is in no bundle */
   void kill(Segment_index s) { m_segments[s].halfedge = null_index; }
 
 private:
@@ -263,13 +267,13 @@ private:
 
   struct Segment
   {
-    Halfedge_index halfedge;             // none if it is dead
-    std::array<Segment_index, 2> beside; // by side, in the stack, circular, along the first halfedge
+    Halfedge_index halfedge;             // null_index if it is dead
+    std::array<Segment_index, 2> beside; // by side, in the circular bundle, along the first halfedge
     typename Walker::Place place = typename Walker::Place(); // of a side of its edge
     Payload payload;
   };
 
-  // Also of an edge that was never touched.
+  // Also valid for an edge that was never touched.
   Segment_index leftmost_on(Halfedge_index h) const
   {
     return m_triangulation->holds(Triangulation::edge(h)) > 0 ? leftmost(m_triangulation->walker(h)) : no_segment;
@@ -281,7 +285,7 @@ private:
       m_leftmost.resize(number, no_segment);
   }
 
-  // Of all its segments.
+  // Releases the edge of all its segments.
   void release_edge(const Walker& place)
   {
     Segment_index& first = m_leftmost[place.edge_place()];
@@ -291,7 +295,7 @@ private:
     place.release();
   }
 
-  // What is a side along h, along the first halfedge of its edge: 0 left, 1 right.
+  // Converts a side as seen along h to one as seen along the first halfedge of its edge: 0 left, 1 right.
   static std::size_t side_along_first_halfedge(Halfedge_index h, Side side)
   {
     return static_cast<std::size_t>((h.idx() & 1) ^ (side == Side::RIGHT ? 1 : 0));
@@ -313,16 +317,16 @@ struct Segment_links
   Segment_index next, previous;
   Curve_index curve;
   bool is_head_fixed = false;
-  mutable std::array<bool, 2> is_head_straight = {{false, false}}; // by side; what is known, not what is so
+  mutable std::array<bool, 2> is_head_straight = {{false, false}}; // by side; true only if known
 };
 
 /*
- * The curves of a network as segments: the chains that they are, and the stacks on the edges.
+ * The curves of a network as chains of segments, and the bundles of segments on the edges.
  *
- * The invariant, which each public function keeps: the segments of a curve are a chain from its first to its last one,
- * which comes back if the curve is closed; a stack has exactly the segments on its edge; and an angle that is known to
- * be straight is that of the joint between a segment and the one that follows it now. That the chains hang together in
- * the triangulation, and do not cross, is for the network to see to.
+ * Invariant, preserved by each public function: the segments of a curve form a chain from the first to the last one,
+ * which is cyclic if the curve is closed; a bundle consists of exactly the segments on its edge; and an angle known to
+ * be straight is that of the joint between a segment and its current successor. The network ensures that chains are
+ * connected in the triangulation and do not cross.
  */
 template <class Triangulation>
 class Segment_store : private Edge_stacks<Triangulation, Segment_links>
@@ -362,7 +366,7 @@ public:
   double initial_length(Curve_index curve) const { return m_curves[curve].initial_length; }
   void set_initial_length(Curve_index curve, double length) { m_curves[curve].initial_length = length; }
 
-  /* Calls `function(s)` for each segment of a curve, in order; it may not change the curve. */
+  /* Calls `function(s)` for each segment of a curve, in order; it must not change the curve. */
   template <class Function>
   void for_each_segment(Curve_index curve, Function function) const
   {
@@ -383,17 +387,18 @@ public:
   bool is_head_fixed(Segment_index s) const { return next(s) == null_index || links(s).is_head_fixed; }
   void set_head_fixed(Segment_index s, bool is_fixed) { links(s).is_head_fixed = is_fixed; }
 
-  /* By side of the joint at the head of s: is its angle known to be pi or more, or to hold the border? It stays so
-   * while the joint lives. */
+  /* Returns whether the joint at the head of s is known to have an angle of at least pi on a side, or the border there.
+   * This remains true while the joint exists. */
   bool is_known_straight(Segment_index s, Side side) const { return links(s).is_head_straight[number(side)]; }
   void note_straight(Segment_index s, Side side, bool is_straight) const
   {
     links(s).is_head_straight[number(side)] = is_straight;
   }
 
-  // ---------------------------------------------------------------- moves
+  // ---------------------------------------------------------------- modifications
 
-  /* A curve along halfedges, each segment rightmost on its edge as seen along its halfedge. \pre they are a chain */
+  /* Adds a curve along halfedges; each segment is rightmost on its edge as seen along its halfedge. \pre they form a
+   * chain */
   template <class HalfedgeRange>
   Curve_index add_curve(const HalfedgeRange& halfedges, bool is_closed)
   {
@@ -415,11 +420,11 @@ public:
 
   /*
    * Replaces the two segments at a joint by segments along `arc`, which leads from the head of the joint's first end to
-   * that of its second; each is outermost on its right. Returns the first new one in the direction of the curve,
-   * null_index if there is none: then the two nodes become one, which is fixed if one of them was.
+   * that of its second; each new segment is outermost on its right. Returns the first new one in the direction of the
+   * curve. If the arc is empty, returns null_index; the two nodes then become one, which is fixed if one of them was.
    *
-   * \pre the angles of the arc on its right, on which the joint was, are at least pi; so these are known, and those at
-   * its ends on that side have not become smaller
+   * \pre the angles of the arc on its right, where the joint was, are at least pi, so that they are known to be
+   * straight, and the angles at its ends on that side have not become smaller
    */
   Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc)
   {
@@ -449,8 +454,8 @@ public:
     return first;
   }
 
-  /* Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
-   * them, in their order. If it throws, nothing has changed. */
+  /* Moves the segments on the edge of h in their order to a chain of two halfedges from its tail to its head, with no
+   * vertex between chain and edge. Changes nothing if it throws. */
   void divide_stack(Halfedge_index h, const std::array<Halfedge_index, 2>& chain)
   {
     std::vector<Segment_index> segments = stack(Triangulation::edge(h));
@@ -469,8 +474,8 @@ public:
     }
   }
 
-  /* Replaces the one segment of a loop by two, along the other two edges of the face on the left of h, the segment's
-   * halfedge or its twin. Returns the one that arrives at the old node. */
+  /* Replaces the only segment of a loop by two, along the other two edges of the face on the left of h, which is the
+   * segment's halfedge or its twin. Returns the one that arrives at the old node. */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h)
   {
     const Halfedge_index hn = triangulation().next(h), hp = triangulation().next(hn);
@@ -490,7 +495,7 @@ public:
     return b;
   }
 
-  /* Replaces a closed curve by the one segment that it was when `place` was taken. */
+  /* Replaces a closed curve by the single segment that it was when `place` was recorded. */
   Segment_index restore_loop(Curve_index curve, const Stack_place& place)
   {
     std::vector<Segment_index> segments;
@@ -511,8 +516,9 @@ public:
 
   // ---------------------------------------------------------------- state
 
-  /* Puts a state into an empty store. Returns false if the state is none: ids or halfedges that do not exist or are
-   * used twice, chains that do not hang together, stacks of other segments. It is to be cleared then. */
+  /* Loads a state into an empty store. Returns false if the state is invalid: ids or halfedges that do not exist or are
+   * used twice, disconnected chains, or bundles with segments of other edges. The store must be cleared in that
+   * case. */
   bool restore(const Network_state& state)
   {
     Stacks::set_end_of_ids(state.end_of_segment_ids);
@@ -538,7 +544,8 @@ private:
     double initial_length;
   };
 
-  // Where segments are missing in a curve: between these two, of which the path has none at its ends.
+  // The place in a curve where segments are missing: between two segments, of which one is null_index at an end of a
+  // path.
   struct Gap
   {
     Curve_index curve;
@@ -553,7 +560,7 @@ private:
 
   // ---------------------------------------------------------------- chains
 
-  // A segment of a curve on a halfedge, in no chain and no stack.
+  // Creates a segment of a curve on a halfedge, in no chain and no bundle.
   Segment_index create(Curve_index curve, Halfedge_index h)
   {
     const Segment_index s = Stacks::create(h);
@@ -561,7 +568,7 @@ private:
     return s;
   }
 
-  // Puts t after s in their chain; either may be null_index.
+  // Makes t the successor of s in their chain; either may be null_index.
   void link(Segment_index s, Segment_index t)
   {
     if(s != null_index)
@@ -570,7 +577,7 @@ private:
       links(t).previous = s;
   }
 
-  // Puts a new segment at the end of its curve, and rightmost on its edge.
+  // Appends a new segment to its curve; it is rightmost on its edge.
   void append(Segment_index s)
   {
     Curve& curve = m_curves[this->curve(s)];
@@ -581,7 +588,7 @@ private:
       curve.first = s;
   }
 
-  // Segments along an arc, seen from a curve that has it on a side; the first and the last one.
+  // Creates segments along an arc for a curve that has the arc on the given side. Returns the first and the last one.
   std::pair<Segment_index, Segment_index> create_chain(Curve_index curve, const std::vector<Halfedge_index>& arc,
                                                        Side side)
   {
@@ -601,7 +608,7 @@ private:
     return {first, last};
   }
 
-  // Puts a chain into a gap; none, null_index twice, closes it.
+  // Inserts a chain into a gap; an empty one, given by null_index twice, closes the gap.
   void fill(const Gap& gap, Segment_index first, Segment_index last)
   {
     Curve& c = m_curves[gap.curve];
@@ -626,7 +633,7 @@ private:
       c.last = tail;
   }
 
-  // Puts a and b into the place of s, which is in no stack any more.
+  // Replaces s, which is no longer in a bundle, by a and b.
   void replace_in_curve(Segment_index s, Segment_index a, Segment_index b)
   {
     const Segment_links old = links(s);
@@ -649,7 +656,7 @@ private:
     Stacks::kill(s);
   }
 
-  // ---------------------------------------------------------------- what is read
+  // ---------------------------------------------------------------- reading
 
   bool restore_curve(const Network_state::Curve& curve)
   {

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The reason why the strands of curves have no order: they cross at v, or the search for an order along the edge from v
- * to w was given up. */
+/* The reason why overlapping segments have no order: their curves cross at v, or the search for an order along the edge
+ * from v to w was aborted. */
 struct Order_conflict
 {
   Vertex_index v = null_index, w = null_index;
@@ -41,7 +41,7 @@ struct Order_conflict
   }
 };
 
-/* The halfedges, of either direction, of all edges that curves use: each vertex's side by side. */
+/* Returns all halfedges, in both directions, of the edges that curves use; those of each vertex are consecutive. */
 template <class Network>
 std::vector<Halfedge_index> occupied_halfedges(const Network& network)
 {
@@ -72,8 +72,9 @@ void for_each_vertex(const Triangulation& triangulation, const std::vector<Halfe
 }
 
 /*
- * The unknowns: a variable for each two segments of one edge, namely whether the older segment is left of the younger
- * as seen along the edge's first halfedge; and after these one for each segment, see `Crossing_equations`.
+ * The unknowns: for each pair of segments on one edge a variable, namely whether the older segment is left of the
+ * younger as seen along the edge's first halfedge. They are followed by one variable for each segment, see
+ * `Crossing_equations`.
  */
 template <class Network>
 class Stack_pairs
@@ -97,14 +98,14 @@ public:
 
   const Network& network() const { return m_network; }
 
-  /* An edge with too many segments, if there is one; then there are no unknowns for it. */
+  /* An edge with too many segments, if any; it then has no unknowns. */
   const Order_conflict& conflict() const { return m_conflict; }
 
-  /* Edges with more than one segment are numbered; their segments by age. */
+  /* Edges with more than one segment are numbered; their segments are sorted by age. */
   Index number_of_stacks() const { return static_cast<Index>(m_edges.size()); }
   Edge_index edge(Index stack) const { return m_edges[stack]; }
   Buckets::Range segments(Index stack) const { return m_stacks[stack]; }
-  /* The stack of a segment, `null_index` if it has its edge to itself. */
+  /* Returns the bundle of a segment, or `null_index` if it is alone on its edge. */
   Index stack_of(Segment_index s) const { return m_stack_of[s]; }
 
   Index number_of_variables() const { return static_cast<Index>(m_pairs.size() + m_stack_of.size()); }
@@ -112,14 +113,15 @@ public:
   const Segment_pair& segments_of_pair(Index v) const { return m_pairs[v]; }
   Literal segment_literal(Segment_index s) const { return 2 * (end_of_pairs() + s.idx()); }
 
-  /* Is s left of t as seen along the first halfedge of their edge? \pre they are on one edge, and differ */
+  /* Returns the literal that s is left of t as seen along the first halfedge of their edge. \pre s and t differ and are
+   * on one edge */
   Literal is_left(Segment_index s, Segment_index t) const
   {
     const Index i = (std::min)(m_rank[s], m_rank[t]), j = (std::max)(m_rank[s], m_rank[t]);
     return opposite_if(s > t, 2 * (m_first_pair[m_stack_of[s]] + j * (j - 1) / 2 + i));
   }
 
-  /* Is s left of t as seen along halfedge h? \pre they are on the edge of h, and differ */
+  /* Returns the literal that s is left of t as seen along halfedge h. \pre s and t differ and are on the edge of h */
   Literal is_left(Halfedge_index h, Segment_index s, Segment_index t) const
   {
     return opposite_if(!is_first_side(h), is_left(s, t));
@@ -152,15 +154,15 @@ private:
   }
 
   const Network& m_network;
-  std::vector<Edge_index> m_edges; // by stack
-  std::vector<Index> m_first_pair; // by stack
+  std::vector<Edge_index> m_edges; // by bundle
+  std::vector<Index> m_first_pair; // by bundle
   Indexed_by<Segment_index, std::vector<Index>> m_stack_of, m_rank;
   std::vector<Segment_pair> m_pairs; // by variable
   Buckets m_stacks;
   Order_conflict m_conflict;
 };
 
-/* Variables whose sum modulo 2 is `parity`, after the cancelling of those that occur twice or are known. */
+/* Variables whose sum modulo 2 is `parity`; variables that are known or occur twice have been eliminated. */
 struct Parity_sum
 {
   std::array<Index, 4> variables{};
@@ -184,22 +186,22 @@ struct Parity_sum
 };
 
 /*
- * What must hold around the vertices so that nothing crosses, as linear equations modulo 2.
+ * The conditions around the vertices under which no curves cross, as linear equations modulo 2.
  *
- * Cut the cyclic order of ends around a vertex open, at the border if there is one. Of two joints (a, b) and (c, d),
+ * Cut the cyclic order of ends around a vertex open, at the border if there is one. Two joints (a, b) and (c, d)
  *
  *        a   c   b   d             cross if and only if [a<c] + [a<d] + [b<c] + [b<d] is odd,
  *     ---+---+---+---+--->
  *
  * and the end x of a curve is between a and b if and only if [a<x] + [b<x] is odd. The order of two ends is known if
- * they are on different spokes, and one of the variables of `Stack_pairs` if not. So two strands that run together from
- * one spoke to another have the same order before and after, an equation in two variables; those that part have a known
- * order; and where a strand turns back beside another, the sides that its two segments have are opposite, as seen along
- * the curve. All ends, and the border, must lie on one side of a joint: the variable of the segment that arrives says
- * whether they lie between a and b.
+ * they are on different incident edges; otherwise it is one of the variables of `Stack_pairs`. Two curves that run
+ * together from one incident edge to another therefore have the same order before and after, which is an equation in
+ * two variables, and curves that part have a known order. If a curve turns back beside another one, the latter lies on
+ * opposite sides of its two segments, as seen along the curve. All ends, and the border, must lie on one side of a
+ * joint: the variable of the arriving segment specifies whether they lie between a and b.
  *
- * Equations in one or two variables merge classes, so that a whole run becomes one unknown. Only turns within one spoke
- * give longer equations: two of them on one spoke, or one beside an end.
+ * Equations in one or two variables merge classes, so that a whole run of overlapping segments becomes one unknown.
+ * Only turns within one incident edge give longer equations: two of them on one edge, or one beside an end.
  */
 template <class Network>
 class Crossing_equations
@@ -229,7 +231,7 @@ public:
   }
 
   const Stack_pairs<Network>& pairs() const { return m_pairs; }
-  /* The first contradiction that was found, after which equations are left out. */
+  /* The first contradiction found, after which equations are left out. */
   const Order_conflict& conflict() const { return m_conflict; }
   Parity_classes& classes() { return m_classes; }
   const std::vector<Equation>& long_equations() const { return m_long_equations; }
@@ -285,7 +287,7 @@ private:
 
   bool is_head(const Strand_end& end) const { return end.halfedge != m_network.halfedge(end.segment); }
 
-  // The end that a joint, if not fixed, connects with this one.
+  // The end that a joint connects with this one, unless the node is fixed.
   Strand_end mate(const Strand_end& end) const
   {
     const Segment_index x = is_head(end) ? end.segment : m_network.previous(end.segment);
@@ -295,7 +297,7 @@ private:
     return is_head(end) ? at_y : at_x;
   }
 
-  // The joint that two ends belong to: do the single ends of its vertex lie between the two?
+  // Returns, for the joint of two ends, the literal that the single ends of its vertex lie between the two.
   Literal contains_single_ends(const Strand_end& a, const Strand_end& b) const
   {
     return m_pairs.segment_literal(is_head(a) ? a.segment : b.segment);
@@ -308,7 +310,7 @@ private:
     return constant(m_position[a.halfedge] < m_position[b.halfedge]);
   }
 
-  // A joint and the single ends on other spokes than its own.
+  // Adds the equations of a joint and the single ends on incident edges other than its own.
   void add_joint(const Strand_end& a)
   {
     const Strand_end b = mate(a);
@@ -323,7 +325,7 @@ private:
       add_equation({contains_single_ends(a, b)});
   }
 
-  // Two ends on one spoke, with what they are connected to.
+  // Adds the equation of two ends on one incident edge and the ends connected to them.
   void add_neighbors(const Strand_end& a, const Strand_end& c)
   {
     const Strand_end b = mate(a), d = mate(c);
@@ -352,7 +354,7 @@ private:
       add_equation({is_before(a, c), is_before(a, d), is_before(b, c), is_before(b, d)});
   }
 
-  // The sum of the literals, of which those left out are false, is even.
+  // Requires that the sum of the literals is even; omitted literals are false.
   void add_equation(const std::array<Literal, 4>& literals)
   {
     const Equation equation = {literals, m_vertex};
@@ -367,7 +369,7 @@ private:
       m_conflict.v = v;
   }
 
-  // Merges the classes that an equation says are equal; returns false if it has more than two variables.
+  // Merges the classes that are equal by an equation; returns false if it has more than two variables.
   bool merge(const Equation& equation)
   {
     const Parity_sum s = sum(equation);
@@ -379,7 +381,7 @@ private:
     return true;
   }
 
-  // Merges what classes have become known since make short enough.
+  // Merges the equations that have become short because more classes are known.
   void substitute()
   {
     std::size_t size = 0;
@@ -391,7 +393,7 @@ private:
     } while(m_long_equations.size() < size);
   }
 
-  // Merges what sums of long equations say; returns whether there is any.
+  // Merges classes by sums of long equations; returns whether any such merge was possible.
   bool merge_combinations()
   {
     Parity_elimination elimination;
@@ -422,10 +424,10 @@ private:
   std::vector<Equation> m_long_equations;
   Order_conflict m_conflict;
 
-  // Of the vertex being looked at.
+  // of the vertex being processed
   Vertex_index m_vertex = null_index;
   bool m_has_border = false;
-  Indexed_by<Halfedge_index, Lazy_array<Index>> m_position; // of a spoke, clockwise from the cut
+  Indexed_by<Halfedge_index, Lazy_array<Index>> m_position; // of an incident edge, clockwise from the cut
   std::vector<Index> m_single_ends_before;                  // by position
 };
 

@@ -17,17 +17,18 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Gives the classes of `Crossing_equations` values, so that the long equations hold too and each stack has an order:
- * that no three segments are each left of the next.
+ * Assigns values to the classes of `Crossing_equations` such that the long equations hold as well and each bundle has
+ * an order, that is, no three segments are cyclically left of each other.
  *
- * Classes that share a stack or an equation form a problem of their own. In each the defaults are tried all together,
- * which is all there is to do for copies of curves. If they do not fit, classes are given their defaults one by one,
- * each followed by what it implies; at a contradiction the last default that has not yet been taken back is. After some
- * retries the search starts again, with the classes first that had no value left.
+ * Classes that share a bundle or an equation form a subproblem. In each, all defaults are tried together first, which
+ * suffices for copies of curves. If they contradict each other, classes are set to their defaults one by one, each
+ * followed by its implications; a contradiction reverses the last default that has not been reversed yet. After some
+ * retries the search restarts, beginning with the classes that had no value left.
  *
- * Linear in the pairs if the defaults fit, and if they do not, at most in the pairs times the size of the largest stack
- * for each retry. Retries need turns back that interlock: of 13 000 networks of random walks of up to 30 steps on
- * meshes of 3 to 10 vertices, 36 needed any, and at most 64; of 3000 with up to 100 steps, one was given up.
+ * The search takes time linear in the number of pairs if the defaults fit. Otherwise each retry takes at most the
+ * number of pairs times the size of the largest bundle. Retries require interlocking turns: of 13 000 networks of
+ * random walks of up to 30 steps on meshes of 3 to 10 vertices, 36 needed any, and at most 64; of 3000 with up to 100
+ * steps, one was aborted.
  */
 template <class Network>
 class Stack_order_search
@@ -36,7 +37,7 @@ class Stack_order_search
   using Equation = typename Crossing_equations<Network>::Equation;
 
 public:
-  /* How many segments one problem may take looking at, 1 s, before no choice is taken back any more. */
+  /* The number of segments examined for one subproblem, about 1 s, after which no choice is reversed any more. */
   static constexpr std::size_t default_most_work = 200000000;
 
   explicit Stack_order_search(Crossing_equations<Network>& equations, std::size_t most_work = default_most_work)
@@ -52,7 +53,7 @@ public:
     find_equations();
   }
 
-  /* Returns what is in the way of an order, if there is anything. */
+  /* Returns the conflict that prevents an order, if there is one. */
   Order_conflict run()
   {
     find_problems();
@@ -70,7 +71,7 @@ public:
     return {};
   }
 
-  /* The segments of a stack from left to right. \pre `run()` has found no conflict */
+  /* Returns the segments of a bundle from left to right. \pre `run()` has found no conflict */
   std::vector<Segment_index> order(Index stack) const
   {
     const auto segments = m_pairs.segments(stack);
@@ -85,9 +86,9 @@ private:
 
   struct Choice
   {
-    std::size_t trail_size; // before it
+    std::size_t trail_size; // before the choice
     Index choice;
-    bool is_second; // has the default failed?
+    bool is_second; // whether the default has failed
   };
 
   /// \name The classes
@@ -110,7 +111,7 @@ private:
     m_members = Buckets(m_pairs.number_of_variables(), keys);
   }
 
-  // Four items for each equation, one for each literal.
+  // Four items for each equation, one per literal.
   void find_equations()
   {
     std::vector<Index> keys;
@@ -131,7 +132,7 @@ private:
   bool is_left(Segment_index s, Segment_index t) const { return is_true(m_pairs.is_left(s, t)); }
 
   /// @}
-  /// \name What follows from what
+  /// \name Implications
   /// @{
 
   // Returns false if the opposite is known.
@@ -160,7 +161,7 @@ private:
     return propagate(true);
   }
 
-  // Orders s and t if some u is known to lie between them; looks at 64 of these at a time.
+  // Orders s and t if some u is known to lie between them; examines 64 such u at a time.
   bool imply_in_stack(Index stack)
   {
     const auto segments = m_pairs.segments(stack);
@@ -197,7 +198,7 @@ private:
     return false;
   }
 
-  // Returns false if the values contradict each other. The orders of the stacks can be left out of it.
+  // Returns false if the values contradict each other. The orders of the bundles can be ignored.
   bool propagate(bool uses_orders)
   {
     for(; m_propagated < m_trail.size(); ++m_propagated) {
@@ -257,7 +258,7 @@ private:
     return count;
   }
 
-  // No three segments are each left of the next if and only if the numbers of those on the left are all different.
+  // No three segments are cyclically left of each other if and only if the numbers of segments to the left all differ.
   bool is_ordered(Index stack) const
   {
     const auto segments = m_pairs.segments(stack);
@@ -272,10 +273,10 @@ private:
   }
 
   /// @}
-  /// \name The problems
+  /// \name The subproblems
   /// @{
 
-  // Problems are numbered by their representatives.
+  // Subproblems are numbered by their representatives.
   void find_problems()
   {
     Parity_classes problems(m_pairs.number_of_variables());
@@ -300,9 +301,10 @@ private:
     find_choices(problem_of);
   }
 
-  // The unknown classes, by the oldest segments they are about, with their defaults: the older is on the left as seen
-  // along it, or the other way if its curve has turned back an odd number of times. So the oldest of those that nothing
-  // else orders is outermost, and what turns back lies beside itself, on one side of all that is younger.
+  // The unknown classes, ordered by the oldest segments involved, with their defaults: the older segment is on the left
+  // as seen along it, or on the right if its curve has turned back an odd number of times. Among segments that nothing
+  // else orders, the oldest is then outermost, and a curve that turns back lies beside itself, on one side of all
+  // younger ones.
   template <class ProblemOf>
   void find_choices(const ProblemOf& problem_of)
   {
@@ -326,13 +328,13 @@ private:
     m_choices_of = Buckets(m_pairs.number_of_variables(), problem);
   }
 
-  // The halfedge of each segment, or its twin if the curve has turned back an odd number of times before it.
+  // The halfedge of each segment, or its twin if the curve has turned back an odd number of times before.
   std::vector<Halfedge_index> initial_headings() const
   {
     const Network& network = m_pairs.network();
     std::vector<Halfedge_index> result(static_cast<std::size_t>(network.end_of_segment_ids()));
     for(Curve_index c : descriptors<Curve_index>(network.number_of_curves())) {
-      Halfedge_index last; // the initial heading of the segment before
+      Halfedge_index last; // the initial heading of the previous segment
       network.for_each_segment(c, [&](Segment_index s) {
         const Halfedge_index h = network.halfedge(s);
         const Segment_index p = network.previous(s);
@@ -344,7 +346,7 @@ private:
     return result;
   }
 
-  // Gives the defaults to the problems they fit, and returns whether these are all.
+  // Assigns the defaults to the subproblems in which they fit; returns whether these are all subproblems.
   bool have_fitting_defaults()
   {
     bool do_all_fit = true;
@@ -372,15 +374,14 @@ private:
     m_work = 0;
     constexpr std::size_t first_most = 20;
     std::size_t retries_left = first_most;
-    for(std::size_t most = first_most;; retries_left = most += most / 2)
-    { // from the start, with the queue as it is now
+    for(std::size_t most = first_most;; retries_left = most += most / 2) { // restart with the current queue
       const Search_outcome outcome = search_queue(retries_left);
       if(outcome != Search_outcome::OUT_OF_RETRIES)
         return outcome == Search_outcome::FOUND;
     }
   }
 
-  // First the choices in most equations, for the others seldom matter.
+  // The choices in most equations come first, since the others seldom matter.
   void make_queue(Index problem)
   {
     const auto choices = m_choices_of[problem];
@@ -392,7 +393,7 @@ private:
 
   enum class Search_outcome { FOUND, CONFLICT, OUT_OF_RETRIES };
 
-  // All choices are taken back when no retries are left.
+  // When no retries are left, all choices are reversed.
   Search_outcome search_queue(std::size_t retries_left)
   {
     m_made.clear();
@@ -415,8 +416,9 @@ private:
     return Search_outcome::FOUND;
   }
 
-  // Takes choices back until one has another value left, and gives it that. Those that had none come first from now on,
-  // so that the search finds out soon whether they still have none. Returns false if there is none, or too much work.
+  // Reverses choices until one has another value left, and assigns it. Those without another value come first from now
+  // on, so that the search soon detects whether they still have none. Returns false if no choice is left or the work
+  // limit is reached.
   bool retry()
   {
     for(; !m_made.empty() && m_made.back().is_second; m_made.pop_back()) {
@@ -447,16 +449,16 @@ private:
 
   std::vector<Literal> m_class; // by variable
   Buckets m_members;            // the pairs of an unknown class
-  Buckets m_equation_items;     // its places in long equations, four to an equation
+  Buckets m_equation_items;     // its positions in long equations, four per equation
 
   std::vector<Value> m_value;   // of a class
-  std::vector<Index> m_trail;   // the classes that were given values, in order
-  std::size_t m_propagated = 0; // how many of them have been followed up
-  Order_conflict m_conflict;    // the last one; choices can be left that avoid it
+  std::vector<Index> m_trail;   // the classes that have been assigned values, in order
+  std::size_t m_propagated = 0; // the number of those whose implications have been drawn
+  Order_conflict m_conflict;    // the last one; other choices may avoid it
 
   std::vector<Literal> m_choices;
-  Buckets m_choices_of, m_stacks_of; // by problem
-  std::vector<Index> m_queue;        // the choices of a problem
+  Buckets m_choices_of, m_stacks_of; // by subproblem
+  std::vector<Index> m_queue;        // the choices of a subproblem
   std::vector<Choice> m_made;
   std::size_t m_work = 0;
 };

@@ -21,9 +21,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Moves a joint of a network over its wedge, and tells which joints are to be looked at again: those of the new
- * segments, and the pair of ends that become neighbours where the old ones go. The manual's section on the queue has
- * the reasons.
+ * Moves a joint of a network over its wedge and returns the joints that must be examined again: those of the new
+ * segments, and the pair of ends that become neighbors where the old ones are removed. The manual's section on the
+ * queue gives the reasons.
  */
 template <class Network>
 class Joint_replacement
@@ -32,14 +32,14 @@ class Joint_replacement
   using Segments = Segment_store<Triangulation>;
 
 public:
-  /* Of a network and its segments. */
+  /* For a network and its segments. */
   Joint_replacement(const Network& network, Segments& segments)
     : m_network(network)
     , m_segments(segments)
   {
   }
 
-  /* As Edge_path_network::replace_joint(). */
+  /* See Edge_path_network::replace_joint(). */
   Segment_index operator()(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected)
   {
     const std::pair<Strand_end, Strand_end> old = m_network.ends(joint);
@@ -62,8 +62,8 @@ public:
   }
 
 private:
-  // The first end clockwise after two neighbours, `first` and `second`, that is of other segments. Most often there is
-  // none, and then the wedge between the two is not walked through.
+  // The first end clockwise after two neighboring ends `first` and `second` that belongs to other segments. Usually
+  // there is none, and the wedge between the two is then not traversed.
   Strand_end survivor_clockwise(const Strand_end& first, const Strand_end& second) const
   {
     Strand_end end = m_network.next_clockwise(second);
@@ -72,7 +72,7 @@ private:
     return end == first ? Strand_end{} : end;
   }
 
-  // The joint at the head of `upstream`, whose next segment is another one since two have cancelled.
+  // The joint at the head of `upstream`, which has a new successor because two segments have cancelled.
   void collect_merged_joint(Segment_index upstream, std::vector<Joint>& affected) const
   {
     if(upstream == null_index || m_segments.next(upstream) == null_index)
@@ -82,7 +82,7 @@ private:
   }
 
   // The joints of `count` new segments that follow `upstream`. Between two of them the angle on the wedge's side is at
-  // least pi; where they begin and end, the angle on the other side has grown.
+  // least pi; at the first and the last joint, the angle on the other side has grown.
   void collect_new_joints(Segment_index upstream, Segment_index first, std::size_t count, Side side,
                           std::vector<Joint>& affected) const
   {
@@ -99,14 +99,14 @@ private:
     collect(s, opposite_side(side), affected);
   }
 
-  // A side of the joint at the head of a segment, unless its angle is known to be at least pi.
+  // Adds a side of the joint at the head of a segment, unless its angle is known to be at least pi.
   void collect(Segment_index incoming, Side side, std::vector<Joint>& affected) const
   {
     if(!m_segments.is_known_straight(incoming, side))
       affected.push_back({incoming, side});
   }
 
-  // The pair that has become adjacent: an end and the one before it clockwise, if they belong to one joint.
+  // Adds the pair that has become adjacent: an end and its predecessor clockwise, if they belong to one joint.
   void collect_if_adjacent(const Strand_end& b, std::vector<Joint>& affected) const
   {
     if(b.is_none())
@@ -127,7 +127,7 @@ private:
   Segments& m_segments;
 };
 
-/* Inserts points into the triangulation of a network, and divides the segments on edges that are split. */
+/* Inserts points into the triangulation of a network and divides the segments on the edges that are split. */
 template <class Triangulation>
 class Segment_division
 {
@@ -155,7 +155,7 @@ public:
   }
 
 private:
-  // As Segment_store::divide_stack(); \throws Occupied_triangulation_error if another network holds the edge
+  // See Segment_store::divide_stack(). \throws Occupied_triangulation_error if another network holds the edge
   template <class Edge_halves>
   void divide_stack(const Edge_halves& halves)
   {
@@ -169,7 +169,7 @@ private:
   Segment_store<Triangulation>& m_segments;
 };
 
-/* The invariant of Edge_path_network, checked through its public members alone. */
+/* Checks the invariant of Edge_path_network through its public members alone. */
 template <class Network>
 class Network_validity
 {
@@ -193,7 +193,7 @@ public:
     return true;
   }
 
-  /* Are the curves chains, and the stacks those of their edges? Curves may cross. */
+  /* Returns whether the curves are chains and the bundles consist of the segments on their edges. Curves may cross. */
   bool has_valid_chains() const
   {
     for(Curve_index c : descriptors<Curve_index>(m_network.number_of_curves()))
@@ -250,7 +250,7 @@ private:
            m_network.outermost(first_side(e), Side::RIGHT) == stack.back();
   }
 
-  // The end that a joint, if not fixed, connects with this one.
+  // The end that a joint connects with this one, unless the node is fixed.
   Strand_end partner(const Strand_end& end) const
   {
     const Segment_index s = end.segment;
@@ -263,8 +263,9 @@ private:
                                       : Strand_end{m_network.halfedge(m_network.next(s)), m_network.next(s)};
   }
 
-  // Clockwise from an end, which comes first after the border if there is one: matched ends nest like brackets, and
-  // single ends, like the border, all lie at one depth outside every bracket, or inside one and the same.
+  // Traverses clockwise from an end, which comes first after the border if there is one. Matched ends must nest like
+  // brackets, and single ends, like the border, must all lie at one depth, either outside all brackets or inside the
+  // same one.
   bool is_non_crossing_from(const Strand_end& start, bool has_border) const
   {
     std::vector<Strand_end> open;
@@ -293,7 +294,8 @@ private:
   const Triangulation& m_triangulation;
 };
 
-/* Throws Invalid_curve_error unless the halfedges of a triangulation are a chain, and what touching its faces throws. */
+/* Throws Invalid_curve_error unless the halfedges of a triangulation form a chain; also throws what touching their
+ * faces throws. */
 template <class Triangulation, class HalfedgeRange>
 void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfedges, bool is_closed)
 {
