@@ -30,18 +30,18 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Foresees whether the vertices that refinement may insert suffice to mend the thin faces in its queue.
+ * Predicts whether the vertices that refinement may still insert suffice to remove the thin faces in its queue.
  *
- * A face of area A with shortest side s takes about A / s^2 vertices where faces cannot grow away from that side: on a
- * tube as thin as s, or between curves as close. Elsewhere they can, a few vertices do, and the *need*, the sum of
- * A / s^2 over the bad faces, falls by half or more in a generation, in which as many faces are treated as there were
- * at its start. So where the need is many times what is allowed, and has not fallen for two generations, the bounds are
- * out of reach.
+ * A face of area A with shortest side s takes about A / s^2 vertices if faces cannot grow away from that side, as on a
+ * tube as thin as s or between curves as close. Elsewhere they can, a few vertices suffice, and the *need*, the sum of
+ * A / s^2 over the bad faces, falls by half or more per generation, in which as many faces are treated as were queued
+ * at its start. If the need is many times the number of allowed vertices and has not fallen for two generations, the
+ * bounds are therefore considered out of reach.
  */
 class Refinement_outlook
 {
 public:
-  /* What a face adds to the need. */
+  /* Returns the contribution of a face to the need. */
   static double need(const std::array<double, 3>& lengths, double sine_of_smallest_angle)
   {
     const double shortest = (std::min)({lengths[0], lengths[1], lengths[2]});
@@ -50,14 +50,14 @@ public:
     return 0.5 * sine_of_smallest_angle * (longest / shortest) * (middle / shortest);
   }
 
-  /* A face enters the queue. */
+  /* Adds a face that enters the queue. */
   void add(double need)
   {
     m_need += need;
     ++m_size;
   }
 
-  /* A face leaves the queue. */
+  /* Removes a face that leaves the queue. */
   void remove(double need)
   {
     m_need -= need;
@@ -66,7 +66,7 @@ public:
       --m_left_of_generation;
   }
 
-  /* Are the bounds out of reach with so many more vertices? To be asked before each face. */
+  /* Returns whether the bounds are out of reach with `allowed` more vertices. Must be called before each face. */
   bool is_hopeless(std::size_t allowed)
   {
     if(m_left_of_generation > 0)
@@ -78,12 +78,12 @@ public:
     return m_stagnant_generations >= 2;
   }
 
-  /* Of a face in the queue. */
+  /* Returns the mean need of the faces in the queue. */
   double mean_need() const { return m_need / static_cast<double>((std::max)(m_size, std::size_t(1))); }
 
 private:
-  static constexpr double most_kept = 0.9; // of the need, over a generation, if there is hope
-  static constexpr double certainty = 16;  // how many times the need must be what is allowed, since it is an estimate
+  static constexpr double most_kept = 0.9; // of the need over a generation, if the bounds are in reach
+  static constexpr double certainty = 16;  // required ratio of the need, an estimate, to the allowed number
 
   double m_need = 0;
   double m_need_before = std::numeric_limits<double>::infinity();
@@ -92,8 +92,8 @@ private:
 };
 
 /*
- * Makes the faces around a new vertex Delaunay. Each flip makes an edge at the vertex, and none of those is flipped
- * again, but for a few ties and what wrong flips left; so there are few, and they are not interrupted.
+ * Makes the faces around a new vertex Delaunay. Each flip creates an edge at the vertex, and such edges are not flipped
+ * again, except in a few ties or after wrong flips. Flips are therefore few and cannot be interrupted.
  */
 template <class Triangulation>
 class Star_flips
@@ -105,7 +105,7 @@ public:
   {
   }
 
-  /* Returns false, and leaves the faces as they were, if flips were wrong. The visitor is told of each flip. */
+  /* Returns false and leaves the faces unchanged if flips were wrong. The visitor observes each flip. */
   template <class Visitor>
   bool flip_around(Vertex_index x, Visitor& visitor)
   {
@@ -119,7 +119,7 @@ public:
       if(!recorder.has_lost_its_way() &&
          std::all_of(m_flipped.begin(), m_flipped.end(), [this](Halfedge_index h) { return has_right_word(h); }))
         return true;
-    } catch(const Insertion_error&) { // a word does not lead from end to end
+    } catch(const Insertion_error&) { // an edge sequence does not lead from end to end
     }
     m_triangulation.rollback(before);
     return false;
@@ -128,11 +128,11 @@ public:
   /* The halfedges that were flipped around the last vertex. */
   const std::vector<Halfedge_index>& flipped() const { return m_flipped; }
 
-  /* The number of all flips, those taken back included. */
+  /* Returns the number of all flips, including those rolled back. */
   std::size_t flips() const { return m_flips; }
 
 private:
-  // Notes flips, passes them on, and ends them if they are wrong.
+  // Records flips, forwards them to the visitor, and stops if they are wrong.
   template <class Visitor>
   struct Recorder
   {
@@ -151,7 +151,8 @@ private:
     }
   };
 
-  // Throws or returns false if flips were wrong: the words of flipped edges lead from end to end, inside the surface.
+  // Returns false or throws if flips were wrong: the sequence of a flipped edge must lead from end to end inside the
+  // surface.
   bool has_right_word(Halfedge_index h) const
   {
     const Crossing_word word = m_triangulation.crossing_word(h);
@@ -168,7 +169,7 @@ private:
   std::size_t m_flips = 0;
 };
 
-/* Is a type a model of CurveNetwork, rather than a triangulation? Told by the curves of one. */
+/* Detects models of CurveNetwork, as opposed to triangulations, by their curves. */
 template <class T, class = void>
 struct Is_curve_network : std::false_type
 {
@@ -181,7 +182,7 @@ struct Is_curve_network<T,
 {
 };
 
-/* The edges that a network holds, each once, in increasing order. */
+/* Returns the edges that a network holds, each once, in increasing order. */
 template <class Network>
 std::vector<Edge_index> edges_under_curves(const Network& network)
 {
@@ -194,7 +195,7 @@ std::vector<Edge_index> edges_under_curves(const Network& network)
   return edges;
 }
 
-/* Does a curve lie on the edge of h, or is it on the border? */
+/* Returns whether the edge of h carries a curve or lies on the border. */
 template <class Triangulation>
 bool is_constrained_edge(const Triangulation& triangulation, Halfedge_index h)
 {
@@ -202,7 +203,7 @@ bool is_constrained_edge(const Triangulation& triangulation, Halfedge_index h)
          triangulation.is_border(Triangulation::twin(h));
 }
 
-/* Lengths and angles of an intrinsic face, rounded. Side i leads from corner i to corner i + 1; side 0 is h. */
+/* The rounded lengths and angles of an intrinsic face. Side i leads from corner i to corner i + 1; side 0 is h. */
 template <class Triangulation>
 class Face_shape
 {
@@ -223,10 +224,10 @@ public:
 
   const std::array<double, 3>& lengths() const { return m_lengths; }
 
-  /* The angle at corner i. */
+  /* Returns the angle at corner i. */
   double angle(int i) const
   {
-    // By half-angles [Kahan]: accurate whatever the shape is, if differences are taken in this order.
+    // The half-angle formula [Kahan] is accurate for every shape if differences are evaluated in this order.
     const double a = m_lengths[(i + 1) % 3], b = (std::max)(m_lengths[i], m_lengths[(i + 2) % 3]),
                  c = (std::min)(m_lengths[i], m_lengths[(i + 2) % 3]);
     const double rest = c >= a ? a - (b - c) : c - (b - a);
@@ -234,7 +235,7 @@ public:
     return 2 * std::atan2(std::sqrt(low), std::sqrt(high));
   }
 
-  /* The cosine of the angle opposite to side 0. */
+  /* Returns the cosine of the angle opposite to side 0. */
   double cosine_opposite() const { return std::cos(angle(2)); }
 
   int smallest_corner() const
@@ -248,10 +249,10 @@ public:
   double shortest() const { return (std::min)({m_lengths[0], m_lengths[1], m_lengths[2]}); }
   double longest() const { return (std::max)({m_lengths[0], m_lengths[1], m_lengths[2]}); }
 
-  /* The shortest side. */
+  /* Returns the shortest side. */
   Halfedge_index shortest_side() const { return m_sides[(smallest_corner() + 1) % 3]; }
 
-  /* The spoke with the smallest corner on its left. */
+  /* Returns the side with the smallest corner at its tail. */
   Halfedge_index spoke_of_smallest_corner() const { return m_sides[smallest_corner()]; }
 
 private:
@@ -259,12 +260,12 @@ private:
   std::array<double, 3> m_lengths;
 };
 
-/* The vertices by which refinement has split edges that were constrained at first, the *segments*. */
+/* The vertices at which refinement has split initially constrained edges, the *segments*. */
 template <class Triangulation>
 class Segment_points
 {
 public:
-  /* On a segment: its ends, and how far they are. */
+  /* A point on a segment: the ends of the segment and the distances to them. */
   struct Point
   {
     std::array<Vertex_index, 2> ends;
@@ -278,7 +279,7 @@ public:
 
   void add(Vertex_index v, const Point& point) { m_points[v] = point; }
 
-  /* What a vertex will be that is to split the edge of h, as far from its tail as `length`. */
+  /* Returns the point of a vertex that would split the edge of h at distance `length` from its tail. */
   Point point(Halfedge_index h, double length) const
   {
     const std::array<Vertex_index, 2> at = {m_triangulation.tail(h), m_triangulation.head(h)};
@@ -298,7 +299,8 @@ public:
     return result;
   }
 
-  /* Does h lead from one segment to another that shares an end with it, at equal distances from there? */
+  /* Returns whether h leads from one segment to another one with a common end, at about equal distances from that
+   * end. */
   bool spans_small_angle(Halfedge_index h) const
   {
     const auto p = m_points.find(m_triangulation.tail(h)), q = m_points.find(m_triangulation.head(h));
@@ -314,7 +316,7 @@ public:
   }
 
 private:
-  // The end of the point's segment that does not lie towards vertex v, another vertex of the segment.
+  // The end of the point's segment away from v, which is another vertex of the segment.
   int end_beyond(const Point& point, Vertex_index v) const
   {
     const auto found = m_points.find(v);
@@ -329,10 +331,10 @@ private:
 };
 
 /*
- * Tells where the angle about a vertex between constrained edges, or all round, is less than 60 degrees: a *sharp
- * sector*. Flips and insertions do not change that, so sharp sectors are noted at their spokes, and not measured again:
- * a spoke, as long as its version lasts, costs constant time on average, however many there are in the sector. Other
- * sectors are measured only until they have 60 degrees.
+ * Determines the *sharp sectors*: the sectors between constrained edges at a vertex, or the full angle around it, that
+ * are smaller than 60 degrees. Flips and insertions do not change these angles, so that sharp sectors are recorded at
+ * their halfedges and not measured again. A halfedge takes constant amortized time while its version lasts, however
+ * many of them the sector contains. Other sectors are measured only until they reach 60 degrees.
  */
 template <class Triangulation>
 class Sharp_sectors
@@ -343,7 +345,7 @@ public:
   {
   }
 
-  /* Is the corner at the tail of h, in the face on its left, in a sharp sector? */
+  /* Returns whether the corner at the tail of h, in the face on its left, is in a sharp sector. */
   bool operator()(Halfedge_index h)
   {
     m_walked.assign(1, h);
@@ -364,7 +366,7 @@ public:
 private:
   static constexpr double sharp = boost::math::constants::pi<double>() / 3;
 
-  // Returns whether the sector is noted there.
+  // Returns whether the sector is recorded there.
   bool walk_over(Halfedge_index g, double& sum)
   {
     m_walked.push_back(g);
@@ -394,20 +396,21 @@ private:
   bool is_constrained(Halfedge_index h) const { return is_constrained_edge(m_triangulation, h); }
 
   const Triangulation& m_triangulation;
-  std::vector<Index> m_versions; // by halfedge: of its edge, when its sector was found sharp
+  std::vector<Index> m_versions; // by halfedge: the version of its edge when its sector was found sharp
   std::vector<Halfedge_index> m_walked;
 };
 
 /*
- * Delaunay refinement [Chew 1993, Ruppert 1995, Shewchuk 1997] on an intrinsic triangulation [SSC19, section 4.3]: bad
- * faces, worst first, get a vertex at their circumcentre. If a constrained edge is in the way, or the vertex would see
- * one under an angle above 120 degrees, then that edge is split instead, and the vertex taken back by the log.
+ * Delaunay refinement [Chew 1993, Ruppert 1995, Shewchuk 1997] of an intrinsic triangulation [SSC19, section 4.3]: a
+ * vertex is inserted at the circumcenter of each bad face, the worst first. If a constrained edge is in the way, or if
+ * the vertex would see one under an angle above 120 degrees, that edge is split instead and the vertex is rolled back
+ * by the log.
  *
- * Where the vertices that are allowed cannot suffice by far, the faces that ask for the most of them are given up, and
- * what is left is mended until it does not get less either.
+ * If the allowed vertices are far too few, the faces with the greatest need are abandoned, and the others are refined
+ * until their need does not decrease any more either.
  *
  * \tparam Splitter inserts points and splits edges: of a triangulation, or of a network with its curves
- * \tparam Visitor is asked before each face, and told of each flip and each vertex
+ * \tparam Visitor is called before each face, for each flip and for each vertex
  */
 template <class Triangulation, class Splitter, class Visitor>
 class Delaunay_refiner
@@ -470,19 +473,20 @@ public:
 
   const Counts& counts() const { return m_counts; }
 
-  /* The number of flips, those taken back included. */
+  /* Returns the number of flips, including those rolled back. */
   std::size_t flips() const { return m_star.flips(); }
 
-  /* The vertices inside faces and on constrained edges. */
+  /* Returns the number of vertices inserted into faces and constrained edges. */
   std::size_t number_of_new_vertices() const
   {
     return static_cast<std::size_t>(m_triangulation.number_of_vertices() - m_number_of_old_vertices);
   }
 
   /*
-   * How bad a face is; 0 if it is good or exempt. A small angle is no reason where no insertion could mend it: between
-   * constrained edges that meet under less than 60 degrees, or about a vertex with less than that in all; also where
-   * the shortest side spans such an angle between points at equal distances from the vertex [Shewchuk 2002].
+   * Returns the badness of a face; 0 if it is good or exempt. A face is exempt from the bound on angles if no insertion
+   * could enlarge its smallest angle: between constrained edges that meet at less than 60 degrees, around a vertex with
+   * a smaller total angle, or if the shortest side spans such an angle between points at equal distances from the
+   * vertex [Shewchuk 2002].
    */
   double badness(Halfedge_index h)
   {
@@ -495,7 +499,7 @@ public:
 
   bool is_exempt(Halfedge_index h) { return is_exempt(Shape(m_triangulation, h)); }
 
-  /* Was a bad face left as it is since the vertices that are allowed cannot suffice? */
+  /* Returns whether a bad face was abandoned because the allowed vertices cannot suffice. */
   bool is_given_up(Halfedge_index h) const { return is_given_up(Shape(m_triangulation, h).lengths()); }
 
 private:
@@ -505,7 +509,7 @@ private:
   struct Bad_face
   {
     double badness, need;
-    Halfedge_index halfedge; // the smallest of the face
+    Halfedge_index halfedge; // the smallest halfedge of the face
     Lengths lengths;
 
     bool operator<(const Bad_face& other) const
@@ -541,7 +545,7 @@ private:
 
   bool is_full() const { return number_of_new_vertices() >= m_limits.insertions; }
 
-  // What a thin face asks for, as the outlook sees it.
+  // The contribution of a thin face to the need.
   double need(const Shape& shape) const
   {
     return is_too_long(shape.lengths()) ? 0
@@ -560,8 +564,8 @@ private:
     return *std::min_element(lengths.begin(), lengths.end()) <= m_finest_side && !is_too_long(lengths);
   }
 
-  // By the sides of the faces that need the most: so small ones are not mended, here or elsewhere, or else those faces
-  // would be taken up bit by bit from their ends.
+  // Abandons faces by the length of their shortest sides, up to that of the faces with the greatest need. Smaller faces
+  // are not refined anywhere, since otherwise the abandoned faces would be refined step by step from their ends.
   void give_up()
   {
     const double many = m_outlook.mean_need() / 2;
@@ -574,7 +578,7 @@ private:
     }
   }
 
-  // Is the face still there?
+  // Returns whether the face still exists.
   bool is_current(const Bad_face& bad) const
   {
     if(bad.halfedge.idx() >= m_triangulation.number_of_halfedges() || m_triangulation.is_border(bad.halfedge))
@@ -582,7 +586,7 @@ private:
     if(Shape::first_halfedge(m_triangulation, bad.halfedge) != bad.halfedge)
       return false;
     const std::array<double, 3> lengths = Shape(m_triangulation, bad.halfedge).lengths();
-    for(int i = 0; i < 3; ++i) // a face may have been laid out afresh
+    for(int i = 0; i < 3; ++i) // the face may have been recomputed from the input
       if(std::abs(lengths[i] - bad.lengths[i]) > same_shape * bad.lengths[i])
         return false;
     return true;
@@ -595,7 +599,8 @@ private:
 
   // ---------------------------------------------------------------- one face
 
-  // The face on the left of `halfedge`, from its tail at the origin and its head on the real axis, has the point.
+  // A point in the face on the left of `halfedge`, whose tail is the origin and whose head lies on the positive real
+  // axis.
   struct Place
   {
     Halfedge_index halfedge;
@@ -627,8 +632,8 @@ private:
     return true;
   }
 
-  // A new vertex; null where numbers are too coarse, or one is there already. Points are found from corners of their
-  // input faces, as if each were inserted by itself, until that costs too much.
+  // Inserts a vertex. Returns null_index if numbers are too coarse or there is a vertex already. Points are located
+  // from corners of their input faces, as if each were inserted alone, until that becomes too expensive.
   Vertex_index insert(const Place& center)
   {
     constexpr std::size_t letters_per_point = 512;
@@ -646,7 +651,7 @@ private:
     }
   }
 
-  // The point was exactly there: then the edge was split, and with it a curve.
+  // The point was exactly on the edge, which was therefore split, and a curve with it.
   bool is_on_constrained_edge(Vertex_index x) const
   {
     bool result = false;
@@ -657,7 +662,7 @@ private:
     return result;
   }
 
-  // Are weights in the input face fine enough for edges as short as `distance`?
+  // Returns whether weights in the input face are fine enough for edges of length `distance`.
   bool has_room(const Surface_location& location, double distance) const
   {
     double longest = 0;
@@ -675,11 +680,12 @@ private:
     const std::optional<Complex> center = circumcenter(p);
     if(!center)
       return {};
-    for(int i = 0; i < 3 && is_left(p[0], p[1], *center); ++i) { // turn to the side where the way leaves the first face
+    for(int i = 0; i < 3 && is_left(p[0], p[1], *center); ++i) { // turn to the side through which the line leaves the
+                                                                 // first face
       h = m_triangulation.next(h);
       p = {p[1], p[2], p[0]};
     }
-    // Of two sides that the centre is beyond, the way crosses one.
+    // If the circumcenter is beyond two sides, the line to it crosses one of them.
     if(!is_left(p[0], p[1], *center) && !is_between(start, *center, p[0], p[1])) {
       const bool is_next = !is_left(p[1], p[2], *center);
       h = is_next ? m_triangulation.next(h) : m_triangulation.previous(h);
@@ -694,7 +700,7 @@ private:
       p = laid_out(h, p[1], p[0]);
       const bool is_inside = is_left(p[1], p[2], *center) && is_left(p[2], p[0], *center);
       if(is_inside)
-        continue; // the next step returns, for the centre is on the left of h as well
+        continue; // the next step would return, since the center is on the left of h as well
       const bool is_apex_left = is_left(start, *center, p[2]);
       h = is_apex_left ? m_triangulation.next(h) : m_triangulation.previous(h);
       p = is_apex_left ? std::array<Complex, 3>{p[1], p[2], p[0]} : std::array<Complex, 3>{p[2], p[0], p[1]};
@@ -752,8 +758,9 @@ private:
   }
 
   /*
-   * In the middle; but if one end is an old vertex, at a power of two from it, so that constrained edges that meet
-   * there are split at equal distances and their halves do not go on encroaching on one another [Ruppert 1995].
+   * Returns the midpoint or, if one end is an old vertex, a power of two as the distance from it. Constrained edges
+   * that meet there are then split at equal distances, and their halves do not keep encroaching upon each other
+   * [Ruppert 1995].
    */
   double split_position(Halfedge_index h) const
   {
@@ -766,7 +773,7 @@ private:
     return is_tail_old ? t : 1 - t;
   }
 
-  // Of edges; is one split?
+  // Splits edges; returns whether any was split.
   bool split_all(const std::vector<Edge_index>& edges)
   {
     bool result = false;
@@ -811,7 +818,7 @@ private:
   Sharp_sectors<Triangulation> m_is_in_sharp_sector;
   Segment_points<Triangulation> m_points;
   Refinement_outlook m_outlook;
-  double m_finest_side = 0;         // thin faces with a side no longer than that are given up
+  double m_finest_side = 0;         // thin faces with a side no longer than this are abandoned
   std::size_t m_letters = 0x200000; // that the search for points may pass
   Index m_number_of_old_vertices;
   std::priority_queue<Bad_face> m_queue;

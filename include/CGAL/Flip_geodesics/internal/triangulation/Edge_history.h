@@ -30,12 +30,12 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Values that were computed for the edges that flips created, by the version of the edge: one more than the position of
- * its flip in the log. The least recently used values are dropped when all take too much memory, so that the same calls
- * drop the same values. A value is stored with the number of bytes that it owns besides its own size.
+ * Values computed for the edges that flips created, by the version of the edge: one more than the position of its flip
+ * in the log. The least recently used values are dropped when all of them take too much memory, so that identical calls
+ * drop identical values. A value is stored with the number of bytes that it owns in addition to its own size.
  *
- * As `std::list` and `std::unordered_map`, which are as fast for what they hold. But their nodes would take most of the
- * memory, so that the same limit would hold fewer values, and long histories would be derived again and again.
+ * `std::list` and `std::unordered_map` would be as fast for what they hold. Their nodes, however, would take most of
+ * the memory; the same limit would then hold fewer values, and long histories would be derived repeatedly.
  */
 template <class Value>
 class Version_cache
@@ -48,7 +48,7 @@ class Version_cache
   };
 
 public:
-  /* The value of a version, null if there is none. Valid until it is dropped or erased. */
+  /* Returns the value of a version, or null if there is none. Valid until it is dropped or erased. */
   Value* find(Index version)
   {
     if(slot(version) == null_index)
@@ -78,7 +78,7 @@ public:
     return entry(i).value;
   }
 
-  /* Forgets the last version. What it held goes to `recycle`. \pre no later one is known */
+  /* Removes the last version and passes its value to `recycle`. \pre no later version has a value */
   template <class Recycle>
   void forget(Index version, const Recycle& recycle)
   {
@@ -89,7 +89,7 @@ public:
     m_slots.pop_back();
   }
 
-  /* Drops the values that have not been asked for longest until all take at most so many bytes. */
+  /* Drops the least recently used values until all of them take at most `most_bytes`. */
   template <class Recycle>
   void shrink(std::size_t most_bytes, const Recycle& recycle)
   {
@@ -145,32 +145,33 @@ private:
     (e.older == null_index ? m_oldest : entry(e.older).newer) = e.newer;
   }
 
-  Block_array<Index> m_slots;   // by position in the log: which entry is the version's
-  Block_array<Entry> m_entries; // whose values stay where they are
+  Block_array<Index> m_slots;   // by position in the log: the entry of the version
+  Block_array<Entry> m_entries; // whose values do not move
   Index m_newest = null_index, m_oldest = null_index;
-  Index m_free = null_index; // the first entry without a value; the others follow as older ones
+  Index m_free = null_index; // the first entry without a value, head of a list
   std::size_t m_bytes = 0;
 };
 
 /*
- * The crossing words of an intrinsic triangulation's edges, by combinatorics alone, so that they are exact whatever the
- * numbers do. Those of the edges that are there now are read off the triangulation; where that cannot be, and for edges
- * that flips have replaced, they are derived from the flip log.
+ * The edge sequences of an intrinsic triangulation's edges, that is, the input edges that they cross in order, computed
+ * by combinatorics alone and therefore exact whatever rounding does. Those of current edges are traced in the
+ * triangulation; if that is impossible, and for edges that flips have replaced, they are derived from the flip log.
  *
- * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the
- * free reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what
- * touches k or l at the ends. The words of edges at an inserted point are given when it is inserted. Only the edges
- * that the asked ones descend from are visited: about as many as the curve had segments, not as there were flips.
+ * The diagonal kl created by a flip is the path k, i, l moved off i across the flipped edge ij. Its edge sequence is
+ * therefore the free reduction of the edge sequence of ki, the input edges crossed by the turn around i, and the edge
+ * sequence of il, minus the crossings that touch k or l at the ends. The edge sequences of edges at an inserted point
+ * are given when it is inserted. Only the edges from which the requested ones descend are visited: their number is
+ * about that of the segments of the curve, not of the flips.
  *
- * Words can be as long as there are faces. So those of flips are kept in memory proportional to the number of flips,
- * as long as they are asked for, and derived again if need be. What numbers are derived from is kept for each flip, is
- * found without words nearly always, and does not depend on which of them are there.
+ * Words can be as long as the number of faces. Those of flips are therefore kept in memory proportional to the number
+ * of flips, as long as they are used, and derived again on demand. The data from which numbers are derived is stored
+ * for each flip, is nearly always found without edge sequences, and does not depend on which edge sequences are stored.
  */
 template <class Triangulation>
 class Crossing_words
 {
 public:
-  /* An edge of the input, or one as a flip or split made it, with a direction. */
+  /* An edge of the input, or an edge as created by a flip or split, with a direction. */
   struct Edge_version
   {
     Halfedge_index halfedge;
@@ -178,22 +179,23 @@ public:
   };
 
   /*
-   * Of the diagonal kl that a flip made: how many input edges the turn about i from ik to il crosses, how many lie between
-   * the first faces of ki and of kl about k, and between those of li and of lk about l.
+   * The turns of the diagonal kl created by a flip: the number of input edges crossed by the turn around i from ik to
+   * il, the number of those between the first faces of ki and of kl around k, and the number of those between li and lk
+   * around l.
    */
   struct Spokes
   {
     Index at_joint, at_tail, at_head;
-    // Are vectors to be derived along with the word? Where it is so short, it is faster to unfold it.
+    // Whether vectors are derived along with the edge sequence; a very short edge sequence is unfolded faster.
     bool are_many;
   };
 
   /*
-   * The word of halfedge h, from tail to head.
+   * Returns the edge sequence of halfedge h, from tail to head.
    *
-   * An edge whose ends and the points that it passes lie on one input edge has a word only if it is straight, which
-   * rounded flips need not see to where points are closer to each other than numbers can tell. Then the number of
-   * crossings, which flips keep right whatever they do, is another one.
+   * An edge whose ends and whose passed points lie on one input edge has an edge sequence only if it is straight.
+   * Rounded flips can violate this if points are too close to each other to be distinguished by numbers. The edge
+   * sequence then has another number of crossings than the triangulation, whose numbers stay correct under all flips.
    */
   Crossing_word operator()(const Triangulation& triangulation, Halfedge_index h)
   {
@@ -209,8 +211,8 @@ public:
   }
 
   /*
-   * The word of halfedge h by the triangulation alone, without a look at what is kept; returns false if that cannot be.
-   * For several threads at once.
+   * Computes the edge sequence of halfedge h from the triangulation alone, without the stored edge sequences; returns
+   * false if that is impossible. Can be called by several threads simultaneously.
    */
   static bool read_off(const Triangulation& triangulation, Halfedge_index h, Crossing_word& word)
   {
@@ -225,15 +227,15 @@ public:
     return true;
   }
 
-  /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made.
-   */
+  /* Stores the edge sequence of the edge of h, from tail to head, that a split of log position `version - 1`
+   * created. */
   void store(Halfedge_index h, Index version, const Crossing_word& word)
   {
     m_words_of_splits.emplace(key(Triangulation::edge(h), version), is_first_side(h) ? word : word.reversed());
     m_bytes_of_splits += bytes_of_split(word);
   }
 
-  /* The word of an edge as a flip or split made it; from the log if it is not there. */
+  /* Returns the edge sequence of an edge as created by a flip or split; derives it from the log if it is not stored. */
   Crossing_word word(const Triangulation& triangulation, const Edge_version& wanted)
   {
     derive(triangulation, wanted);
@@ -243,8 +245,8 @@ public:
   }
 
   /*
-   * From numbers of crossings alone: the input edges in the triangle that the flip made of k, i, l are those that start at
-   * its corners, and those that cut one off. \pre a flip made the edge
+   * Computed from numbers of crossings alone: the input edges in the triangle that the flip made of k, i, l are those
+   * that start at its corners and those that cut one off. \pre a flip created the edge
    */
   Spokes spokes(const Triangulation& triangulation, Index version) const
   {
@@ -255,20 +257,21 @@ public:
     return {corners.emanating[1], corners.emanating[0], corners.emanating[2], kl > few_crossings};
   }
 
-  /* Was it a split that made the edge? */
+  /* Returns whether a split created the edge. */
   bool is_of_split(const Edge_version& wanted) const { return word_of_split(wanted) != nullptr; }
 
-  /* Drops words that have not been asked for long. To be called when none is being used. */
+  /* Drops the least recently used edge sequences. Must be called while none is in use. */
   void shrink(std::size_t number_of_records)
   {
     m_words.shrink(few_bytes + bytes_per_record * number_of_records,
                    [this](Crossing_word&& word) { recycle(std::move(word)); });
   }
 
-  /* In bytes. */
+  /* Returns the memory in bytes. */
   std::size_t memory() const { return m_words.memory() + m_bytes_of_splits; }
 
-  /* Forgets the word of an edge that a flip or split made, since that is taken back. \pre so is all that came later */
+  /* Removes the edge sequence of an edge that a flip or split created, since that is rolled back. \pre so is everything
+   * after it */
   void forget(Edge_index e, Index version)
   {
     m_words.forget(version, [this](Crossing_word&& word) { recycle(std::move(word)); });
@@ -279,10 +282,10 @@ public:
 private:
   using Flip_record = typename Triangulation::Flip_record;
 
-  // Words are kept in so much memory.
+  // The memory in which edge sequences are kept.
   static constexpr std::size_t few_bytes = 1 << 20, bytes_per_record = 4;
   static constexpr std::size_t most_spare_letters = 1 << 10;
-  // How many crossings are unfolded faster than vectors are derived.
+  // The number of crossings up to which unfolding is faster than deriving vectors.
   static constexpr Index few_crossings = 4;
 
   [[noreturn]] static void fail(const Triangulation& triangulation, const Crossing_word& word)
@@ -295,7 +298,7 @@ private:
                           {static_cast<std::size_t>(h.idx())});
   }
 
-  // A word, and whether it is that of the other direction.
+  // An edge sequence, and whether it belongs to the opposite direction.
   struct Directed_word
   {
     const Crossing_word& word;
@@ -307,7 +310,7 @@ private:
 
   static std::size_t position(Index version) { return static_cast<std::size_t>(version) - 1; }
 
-  // Tells edges and the split that made them.
+  // Identifies an edge and the split that created it.
   static std::uint64_t key(Edge_index e, Index version)
   {
     return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e.idx());
@@ -329,7 +332,7 @@ private:
     return (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
   }
 
-  // How many input edges it crosses; 0 if it lies along one.
+  // The number of input edges that it crosses; 0 if it lies along one.
   Index crossings(const Triangulation& triangulation, const Edge_version& e) const
   {
     if(e.version == 0)
@@ -339,7 +342,7 @@ private:
     return (std::max)(triangulation.flip_record(position(e.version)).number, 0);
   }
 
-  // The word of an edge that is there; `input_edge` holds that of one of the input.
+  // Returns the stored edge sequence of an edge; `input_edge` provides the storage for that of an input edge.
   Directed_word directed_word(const Triangulation& triangulation, const Edge_version& wanted, Crossing_word& input_edge)
   {
     const Halfedge_index h = wanted.halfedge;
@@ -385,7 +388,8 @@ private:
     return sizeof(Crossing_word) + of_node + bytes_of_letters(word.crossed.size());
   }
 
-  // Reads the word of an edge as it is now off the triangulation, and keeps it. Returns false if it cannot.
+  // Traces the edge sequence of an edge in the current triangulation and stores it. Returns false if that is
+  // impossible.
   bool trace(const Triangulation& triangulation, const Edge_version& wanted)
   {
     if(has_inserted_vertices(triangulation))
@@ -398,7 +402,7 @@ private:
     return true;
   }
 
-  // From one end or the other.
+  // Traces from either end.
   static bool trace_first_side(const Triangulation& triangulation, Halfedge_index h, Crossing_word& traced)
   {
     if(has_inserted_vertices(triangulation))
@@ -412,7 +416,7 @@ private:
     return true;
   }
 
-  // Derives the word of an edge, and those that it descends from as far as they are not there. Depth first.
+  // Derives the edge sequence of an edge, and depth-first those from which it descends if they are not stored.
   void derive(const Triangulation& triangulation, const Edge_version& wanted)
   {
     m_pending.assign(1, wanted);
@@ -434,7 +438,7 @@ private:
     }
   }
 
-  // The diagonal that a flip made. \pre the words of ki and il are there
+  // Derives the edge sequence of the diagonal created by a flip. \pre the edge sequences of ki and il are stored
   Crossing_word join(const Triangulation& triangulation, Index version, const Edge_version& ki, const Edge_version& il)
   {
     Crossing_word input_ki, input_il;
@@ -447,7 +451,7 @@ private:
     path.turn(i.vertex, turn > 0 ? head_anchor(triangulation, i) : null_index, turn);
     path.cross(second.word, second.is_reversed);
     Crossing_word kl = path.finish(l.vertex, head_anchor(triangulation, l));
-    if(is_first_side(triangulation.flip_record(position(version)).h)) // it leaves h = l->k and its twin k->l
+    if(is_first_side(triangulation.flip_record(position(version)).h)) // the flip leaves h = l->k and its twin k->l
       kl.reverse();
     return kl;
   }
@@ -477,25 +481,25 @@ private:
   std::unordered_map<std::uint64_t, Crossing_word> m_words_of_splits;
   std::size_t m_bytes_of_splits = 0;
   std::vector<Edge_version> m_pending;
-  std::array<std::vector<Input_halfedge_index>, 64> m_spares; // memory for letters
+  std::array<std::vector<Input_halfedge_index>, 64> m_spares; // memory for crossed edges
   std::size_t m_number_of_spares = 0;
 };
 
 /*
- * What is derived of an intrinsic triangulation's edges from its flip log: crossing words; and, for the decisions that
- * doubles leave open, vectors of about 100 bits. Also the input's faces in the numbers of these and of exact decisions.
+ * The data derived for an intrinsic triangulation's edges from its flip log: edge sequences and, after filter failures,
+ * double-double vectors. It also contains the input's faces in double-double and exact arithmetic.
  *
- * Vectors are derived as the words are: the diagonal kl that a flip made is ki, turned on at i by the input corners
- * that the log tells, and il. So an edge takes constant time, however many edges it crosses. Where too many digits
- * cancel, which takes needles, the edge is unfolded from the input instead. Edges with an end at an inserted vertex
- * have no bound.
+ * Vectors are derived like edge sequences: the diagonal kl created by a flip is the sum of ki and il, the latter
+ * rotated at i by the input corners recorded in the log. An edge therefore takes constant time, however many edges it
+ * crosses. If too many digits cancel, which requires needle-shaped faces, the edge is unfolded from the input instead.
+ * Edges with an end at an inserted vertex have no error bound.
  *
- * Both are kept until they are taken back, or for as long as there is room: in memory proportional to the log's.
- * Derived again, they are the same bit for bit.
+ * Both are kept until they are rolled back or space runs out, in memory proportional to that of the log. Derived again,
+ * they are bitwise identical.
  *
- * Members that are const can be called by several threads at once. One of them derives edges at a time; another one that
- * wants a word meanwhile reads it off the triangulation if that is possible. The faces of the input have a lock of their
- * own, since they are looked up while edges are derived.
+ * The const members can be called by several threads simultaneously. Only one of them derives edges at a time; another
+ * one that needs an edge sequence meanwhile traces it in the triangulation if possible. The faces of the input have a
+ * separate lock, since they are accessed while edges are derived.
  */
 template <class Triangulation>
 class Edge_history
@@ -506,7 +510,7 @@ class Edge_history
   using Flip_record = typename Triangulation::Flip_record;
 
 public:
-  /* The word of halfedge h, from tail to head. */
+  /* Returns the edge sequence of halfedge h, from tail to head. */
   Crossing_word word(const Triangulation& triangulation, Halfedge_index h) const
   {
     std::unique_lock<Short_lock> lock(m_lock, std::try_to_lock);
@@ -521,10 +525,10 @@ public:
     return found;
   }
 
-  /* As Crossing_words::store(). */
+  /* See Crossing_words::store(). */
   void store_word(Halfedge_index h, Index version, const Crossing_word& word) { m_words.store(h, version, word); }
 
-  /* The edge of halfedge h, from its tail to its head. */
+  /* Returns the edge of halfedge h, from tail to head. */
   Precise_edge edge(const Triangulation& triangulation, Halfedge_index h) const
   {
     const std::lock_guard<Short_lock> guard(m_lock);
@@ -536,14 +540,14 @@ public:
     return found;
   }
 
-  /* The face on the left of input halfedge h, which is kept for good. */
+  /* Returns the face on the left of input halfedge h, which is stored permanently. */
   const Exact_face& exact_face(const Triangulation& triangulation, Input_halfedge_index h) const
   {
     const std::lock_guard<Short_lock> guard(m_lock_of_input);
     return m_exact_faces(triangulation, h);
   }
 
-  /* The input halfedge h, with the direction of the next one, which is kept for good. */
+  /* Returns the input halfedge h with the direction of the next one, which is stored permanently. */
   const Precise_halfedge& input_halfedge(const Triangulation& triangulation, Input_halfedge_index h) const
   {
     const std::lock_guard<Short_lock> guard(m_lock_of_input);
@@ -558,14 +562,14 @@ public:
     return m_halfedges.emplace(h, face[0]).first->second;
   }
 
-  /* Forgets the edge that a flip or split made, since that is taken back. */
+  /* Removes an edge that a flip or split created, since that is rolled back. */
   void forget(Edge_index e, Index version)
   {
     m_words.forget(e, version);
     m_edges.forget(version, [](Precise_edge&&) {});
   }
 
-  /* About how many bytes it takes. */
+  /* Returns the approximate memory in bytes. */
   std::size_t memory() const
   {
     constexpr std::size_t of_node = 32;
@@ -575,10 +579,10 @@ public:
   }
 
 private:
-  // Vectors are kept in so much memory. Along a lantern of 60 000 faces, in a megabyte each is derived three times.
+  // The memory in which vectors are kept. Along a lantern of 60 000 faces, one megabyte would derive each three times.
   static constexpr std::size_t few_bytes = 3 << 20, bytes_per_record = 12;
 
-  // \pre it is known
+  // \pre it is stored
   Precise_edge known_edge(const Triangulation& triangulation, const Edge_version& wanted) const
   {
     const Halfedge_index h = wanted.halfedge;
@@ -601,7 +605,7 @@ private:
     return wanted.version == 0 || m_edges.contains(wanted.version) || m_words.is_of_split(wanted);
   }
 
-  // Depth first, as in Crossing_words.
+  // Depth-first, as in Crossing_words.
   void derive(const Triangulation& triangulation, const Edge_version& wanted) const
   {
     m_pending.assign(1, wanted);
@@ -657,7 +661,7 @@ private:
             il.head_reference};
     turn_clockwise(triangulation, turn, spokes.at_head + il.first_corner);
 
-    // The first face is farther counterclockwise about k than that of ki.
+    // The first face is farther counterclockwise around k than that of ki.
     Turn back = {{{1, 0}, {}}, 0, ki.tail_reference};
     for(Index i = 0; i < spokes.at_tail; ++i)
       back.spoke = twin_index(input.next(input.next(back.spoke)));
@@ -671,7 +675,7 @@ private:
     return result;
   }
 
-  // The direction of a spoke, an input halfedge.
+  // The direction of an outgoing input halfedge.
   struct Turn
   {
     Double_double_vector direction;
@@ -692,10 +696,10 @@ private:
   mutable Words m_words;
   mutable Version_cache<Precise_edge> m_edges;
   mutable std::vector<Edge_version> m_pending;
-  mutable Short_lock m_lock; // of these
+  mutable Short_lock m_lock; // guards these members
   mutable std::unordered_map<Input_halfedge_index, Precise_halfedge> m_halfedges;
   mutable Exact_face_cache m_exact_faces;
-  mutable Short_lock m_lock_of_input; // of these two
+  mutable Short_lock m_lock_of_input; // guards these two
 };
 
 } // namespace internal

@@ -21,8 +21,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Measures edges of a triangulation, and the wedges between them, afresh from the input: of what flips computed, only
- * integers enter. Curves, chains of halfedges and paths of a tree are as straight as their edges and joints are.
+ * Measures edges of a triangulation, and the wedges between them, from the input: of the results of flips, only
+ * integers are used. The straightness of curves, chains of halfedges and paths of a tree is that of their edges and
+ * joints.
  */
 template <class Triangulation>
 class Edge_straightness
@@ -41,8 +42,8 @@ public:
     return measured(h, word, Strip<Triangulation>(m_triangulation, word));
   }
 
-  /* The same, and whether it is straight if that is asked. A word that is not one of a strip between the ends of
-   * h is not measured. */
+  /* Measures the edge of h and, if requested, determines whether it is straight. An edge sequence that is not that of a
+   * strip between the ends of h is not measured. */
   Measured_edge certified(Halfedge_index h, bool is_asked, Decision_statistics& statistics) const
   {
     const Crossing_word word = m_triangulation.crossing_word(h);
@@ -57,7 +58,7 @@ public:
     return result;
   }
 
-  /* Is what is said to be the word of h one of a strip from its tail to its head? */
+  /* Returns whether the given edge sequence of h is that of a strip from its tail to its head. */
   bool is_strip(Halfedge_index h, const Crossing_word& word) const
   {
     Decision_statistics none;
@@ -65,7 +66,7 @@ public:
            Straight_strip<Triangulation>(m_triangulation, none).is_strip(word);
   }
 
-  /* The angle clockwise from one halfedge of a vertex to another. */
+  /* Returns the angle clockwise from one halfedge of a vertex to another. */
   Wedge_angle clockwise(const Edge_end& from, const Edge_end& to) const
   {
     if(from.direction.reference == null_index || to.direction.reference == null_index)
@@ -74,7 +75,7 @@ public:
     return wedge_angle(m_triangulation, from.direction, to.direction, steps);
   }
 
-  /* Is such an angle below pi, exactly? */
+  /* Returns whether such an angle is below pi, exactly. */
   bool is_below_straight(const Edge_end& from, const Edge_end& to, const Wedge_angle& angle,
                          Decision_statistics& statistics) const
   {
@@ -85,7 +86,7 @@ public:
     return quick == SMALLER;
   }
 
-  /* As the function of that name. */
+  /* See the free function of the same name. */
   static bool refresh_wedge(Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
   {
     return internal::refresh_wedge(triangulation, from, to);
@@ -108,8 +109,8 @@ private:
 
 } // namespace internal
 
-/* What measures the edges of a triangulation. It comes with the triangulation: what shortens curves finds it by the
- * type of its argument, and need not know of exact arithmetic. */
+/* Returns the object that measures the edges of a triangulation. Functions that shorten curves find this overload by
+ * argument-dependent lookup and do not depend on exact arithmetic. */
 template <class Triangulation>
 internal::Edge_straightness<Triangulation> edge_straightness(const Triangulation& triangulation)
 {

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The third corner of a triangle on the left of the segment from p to q, by lengths: from q to it, and from it to p. */
+/* Returns the third corner of a triangle on the left of the segment from p to q, by its distances from q and from p. */
 inline std::complex<double> apex_of(const std::complex<double>& p, const std::complex<double>& q, double from_q,
                                     double to_p)
 {
@@ -33,7 +33,8 @@ inline std::complex<double> apex_of(const std::complex<double>& p, const std::co
   return p + (q - p) / length * std::complex<double>(x, y);
 }
 
-/* A location in the input face, or on its border, that a gap of the word of an intrinsic halfedge lies in. */
+/* A surface point in the input face, or on its border, that corresponds to a gap in the edge sequence of an intrinsic
+ * halfedge. */
 struct Point_at_piece
 {
   Surface_location location;
@@ -42,12 +43,13 @@ struct Point_at_piece
 };
 
 /*
- * Points of an intrinsic face as locations on the input: which part of which input face they lie in, and where.
+ * Maps points of an intrinsic face to surface points of the input: the input face that contains them and the position
+ * in it.
  *
  * The face of h = A->B lies in the plane with A at the origin and B on the positive real axis. Side i leads from corner
- * i + 1 to corner i + 2; side 0 is h. The input edges that pass cut the face into parts, each by the sides of which it
- * has a piece; a part is mapped into its input face by the motion that takes its two remotest vertices there, so that
- * errors are relative to the part.
+ * i + 1 to corner i + 2; side 0 is h. The input edges that pass cut the face into parts, each given by the sides of
+ * which it has a piece. A part is mapped into its input face by the motion that takes its two most distant vertices
+ * there, so that errors are relative to the size of the part.
  */
 template <class Triangulation>
 class Face_chart
@@ -70,7 +72,7 @@ public:
       measure(side);
   }
 
-  /* A point of the plane, which lies in the face, up to rounding; none if its location cannot be told. */
+  /* Locates a point of the plane that lies in the face up to rounding errors; returns nothing if this fails. */
   std::optional<Point_at_piece> locate(const Complex& z) const
   {
     const Part part = part_of(z);
@@ -93,7 +95,7 @@ private:
   {
     Halfedge_index halfedge;
     Crossing_word word;
-    std::vector<double> along, on_input; // of each crossing, as by the strip
+    std::vector<double> along, on_input; // of each crossing, as computed by the strip
   };
 
   // A vertex of a part, with its weights in the part's input face.
@@ -104,7 +106,7 @@ private:
     Input_halfedge_index face;
   };
 
-  // Told by a side and a gap of its word, in which it has a piece of that side.
+  // Given by a side and a gap in its edge sequence, in which the part has a piece of that side.
   struct Part
   {
     Halfedge_index halfedge;
@@ -157,7 +159,7 @@ private:
     return part;
   }
 
-  // Input edges emanate from corner i.
+  // Finds the part at corner i, from which input edges emanate.
   Part part_of_fan(int i, const Triangle_crossings& passing, const Complex& z) const
   {
     Index gap = passing.cutting[(i + 1) % 3];
@@ -171,7 +173,7 @@ private:
     return part;
   }
 
-  // With the piece of side i in a gap of its word.
+  // The part with the piece of side i in a gap of its edge sequence.
   Part part_at(int i, std::size_t gap) const
   {
     Part part = {m_sides[i].halfedge, gap, {}};
@@ -179,7 +181,7 @@ private:
     return part;
   }
 
-  // The ends of the piece of side i in a gap of its word.
+  // Adds the ends of the piece of side i in a gap of its edge sequence.
   void add_piece(int i, std::size_t gap, Part& part) const
   {
     const Crossing_word& word = m_sides[i].word;
@@ -227,7 +229,7 @@ private:
     result.weights[0] = 1 - result.weights[1] - result.weights[2];
     for(double& weight : result.weights) {
       if(!(std::abs(weight) < 2))
-        return {}; // a face without area
+        return {}; // a degenerate face
       weight = weight < zero_layout_weight ? 0 : weight;
     }
     return result;
@@ -238,7 +240,7 @@ private:
   std::array<Complex, 3> m_corners;
 };
 
-/* A point on an intrinsic edge: its location on the input, and the gap of the edge's word that it lies in. */
+/* A point on an intrinsic edge: its surface point on the input, and the gap of the edge sequence that contains it. */
 struct Point_on_edge
 {
   Surface_location location;
@@ -246,8 +248,9 @@ struct Point_on_edge
 };
 
 /*
- * A point at about `t` along halfedge h, from 0 at the tail to 1 at the head: inside an input face if the edge is,
- * therefore a little aside where it crosses an input edge. None if there is no room.
+ * Returns a point at about `t` along halfedge h, from 0 at the tail to 1 at the head. It lies inside an input face if
+ * the edge does, and is therefore shifted slightly where the edge crosses an input edge. Returns nothing if the piece
+ * is too short.
  */
 template <class Triangulation>
 std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, Halfedge_index h, double t)

@@ -27,32 +27,32 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A hint to the cache that an address will be read soon. */
+/* Hints to the cache that an address will be read soon. */
 inline void prefetch(const void* address)
 {
 #ifdef __GNUC__
   __builtin_prefetch(address);
-  asm volatile(""); // without it, g++ takes what only prefetches for a function without effect, and drops its calls
+  asm volatile(""); // prevents g++ from dropping calls of functions that only prefetch, as if they had no effect
 #else
   static_cast<void>(address);
 #endif
 }
 
-/* Where a triangulation keeps a halfedge, with its twin beside it. */
+/* The position at which a triangulation stores a halfedge, next to its twin. */
 enum class Slot : Index { NONE = 0 };
 
 inline Slot twin_slot(Slot s) { return static_cast<Slot>(static_cast<Index>(s) ^ 1); }
 
-/* The slot of h, given that of h or its twin. */
+/* Returns the slot of h, given that of h or its twin. */
 inline Slot side_slot(Slot s, Halfedge_index h)
 {
   return static_cast<Slot>((static_cast<Index>(s) & ~1) | (h.idx() & 1));
 }
 
 /*
- * What a triangulation keeps of a halfedge, and half of what it keeps of its edge: the first side has the crossings and
- * the version, the second how often it is held and which edge it is. A record as it is made is a side of an input edge
- * whose face is not known yet. With two doubles of geometry it takes 32 bytes, so that an edge is a cache line.
+ * The data that a triangulation stores for a halfedge, and half of that for its edge: the first side has the crossings
+ * and the version, the second the number of holds and the index of the edge. A new record is a side of an input edge
+ * whose face is not known yet. With two doubles of geometry it takes 32 bytes, so that an edge fills a cache line.
  */
 template <class Halfedge_geometry>
 struct Halfedge_record
@@ -60,8 +60,8 @@ struct Halfedge_record
   static constexpr Index border = -1;
 
   Index encoded_next; // border, or the slot of the next halfedge
-  Vertex_index tail;  // none as long as the face is not known; of a face of the input, it is written last
-  Index of_edge[2];   // crossings, one more, and version; or holds, and first halfedge, one more if a side is kept
+  Vertex_index tail;  // null_index until the face is known; for a face of the input, it is written last
+  Index of_edge[2];   // crossings + 1 and version; or holds and first halfedge, + 1 if a side is outgoing
   Halfedge_geometry geometry;
 
   bool is_known() const { return load_acquire(tail) != null_index; }
@@ -76,14 +76,15 @@ struct Halfedge_record
 };
 
 /*
- * The halfedges of a triangulation, and a halfedge per vertex: those of the input, each face copied when it is first
- * touched, and those that are added. So nothing is read or written of what is not touched; and what was touched
- * together lies together, since the halfedges have slots in that order. Links between halfedges are slots, so that only
- * the way in, from a halfedge that is given by its index, goes through the table of slots.
+ * The halfedges of a triangulation and an outgoing halfedge per vertex: those of the input, each face copied when it is
+ * first touched, and those that are added. Untouched elements are thus neither read nor written, and elements touched
+ * together lie close together, since slots are assigned in that order. Links between halfedges are slots; only access
+ * by the index of a halfedge uses the table of slots.
  *
- * Several threads may read at once, and copy faces as they do. What is copied is written while the lock is held, at places
- * that no thread reads before it finds there a slot, the tail of a halfedge or the halfedge of a vertex, which is
- * written after the rest. Memory is reserved beforehand, so that nothing moves. All other members are for one thread.
+ * Several threads may read simultaneously, which can copy faces. Copies are written while the lock is held, at
+ * addresses that no thread reads before it has read a slot, the tail of a halfedge or the halfedge of a vertex, each of
+ * which is written last. Memory is reserved beforehand, so that nothing moves. All other members must be called by one
+ * thread at a time.
  */
 template <class Input_mesh_, class Traits_, class Metric_>
 class Halfedge_store
@@ -110,7 +111,7 @@ public:
     m_outgoing.resize(m_vertex_slots.number_of_slots(), Slot::NONE);
   }
 
-  // The numbers of elements that are left of the other one do not matter.
+  // The numbers of elements in the moved-from object do not matter.
   Halfedge_store(Halfedge_store&&) noexcept = default;
   Halfedge_store& operator=(Halfedge_store&&) noexcept = default;
 
@@ -121,20 +122,22 @@ public:
   Index number_of_vertices() const { return m_number_of_vertices; }
   Index number_of_edges() const { return m_number_of_halfedges / 2; }
 
-  /* The record of a slot as it is; if the face is known, so are the two others of the face. */
+  /* Returns the record of a slot as it is; if the face is known, so are the two other halfedges of the face. */
   Record& operator[](Slot s) { return m_records[static_cast<std::size_t>(s)]; }
   const Record& operator[](Slot s) const { return m_records[static_cast<std::size_t>(s)]; }
 
-  /* The slot of a halfedge; one with a record of zeros, not to be written, if its edge was never touched. */
+  /* Returns the slot of a halfedge. If its edge was never touched, the slot has a record of zeros that must not be
+   * written. */
   Slot slot(Halfedge_index h) const { return static_cast<Slot>(m_slots[h.idx()]); }
 
-  /* The halfedge with a slot that is taken. */
+  /* Returns the halfedge of a slot in use. */
   Halfedge_index halfedge(Slot s) const
   {
     return Halfedge_index((load_relaxed(second_side(s).of_edge[1]) & ~1) | (static_cast<Index>(s) & 1));
   }
 
-  /* The record of a halfedge, or of a slot that is taken, as in each step of a walk; its face is copied if need be. */
+  /* Returns the record of a halfedge, or of a slot in use as in each step of a walk, and copies its face first if
+   * necessary. */
   Record& known(Halfedge_index h)
   {
     Record& record = (*this)[slot(h)];
@@ -147,7 +150,7 @@ public:
     return record.is_known() ? record : imported(halfedge(s));
   }
 
-  /* The slot of a halfedge, which takes one if it has none. */
+  /* Returns the slot of a halfedge, after assigning one if it has none. */
   Slot taken(Halfedge_index h)
   {
     if(!m_slots.has_slot(h.idx())) {
@@ -157,7 +160,7 @@ public:
     return slot(h);
   }
 
-  /* Calls the two other sides of the face of a slot into the cache, if the face is known. */
+  /* Prefetches the two other sides of the face of a slot, if the face is known. */
   void prefetch_face(Slot s) const
   {
     const Record& record = (*this)[s];
@@ -174,7 +177,7 @@ public:
   Index version(Slot s) const { return first_side(s).of_edge[1]; }
   Index crossings(Slot s) const { return crossings_plus_one(s) - 1; }
 
-  /* How many networks hold the edge of a slot, and all edges together. */
+  /* Returns the number of networks that hold the edge of a slot. */
   Index holds(Slot s) const { return second_side(s).of_edge[0]; }
   std::size_t number_of_holds() const { return m_number_of_holds; }
 
@@ -192,10 +195,10 @@ public:
     --m_number_of_holds;
   }
 
-  /* The slots of an edge are two that follow each other: half the first one is a number of the edge. */
+  /* An edge has two consecutive slots; half of the first one is a number of the edge. */
   std::size_t number_of_edge_places() const { return m_slots.number_of_slots() / 2; }
 
-  /* A halfedge that starts at v, null_index at an isolated vertex. */
+  /* Returns a halfedge that starts at v, or null_index for an isolated vertex. */
   Halfedge_index outgoing(Vertex_index v)
   {
     const Slot s = outgoing_slot(v);
@@ -213,14 +216,14 @@ public:
       store_relaxed(second_side(s).of_edge[1], load_relaxed(second_side(s).of_edge[1]) | 1);
   }
 
-  /* If `from` is the halfedge that is kept for v, keeps `to` instead. */
+  /* If `from` is the outgoing halfedge stored for v, stores `to` instead. */
   void move_outgoing(Vertex_index v, Slot from, Slot to)
   {
     if(outgoing_slot(v) == from)
       set_outgoing(v, to);
   }
 
-  /* The same for both sides of an edge, which all leave their vertices v and w. Mostly neither is kept. */
+  /* Does the same for both sides of an edge, which leave their vertices v and w. Usually neither of them is stored. */
   void move_outgoing(Slot s, Slot instead_of_s, Slot instead_of_twin)
   {
     Index& is_kept = second_side(s).of_edge[1];
@@ -238,7 +241,7 @@ public:
     (*this)[c].set_next(a);
   }
 
-  /* Sets the vectors of the face on the left of h, from it on. \pre it is known */
+  /* Sets the vectors of the face on the left of h, starting with h. \pre the face is known */
   void set_face_geometry(Halfedge_index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
                          const Halfedge_geometry& at_hp)
   {
@@ -249,7 +252,7 @@ public:
     (*this)[second.next()].geometry = at_hp;
   }
 
-  /* If it throws, as the next but one, nothing has changed. */
+  /* Changes nothing if it throws; neither does add_edge(). */
   void add_vertex()
   {
     m_vertex_slots.grow(static_cast<std::size_t>(m_number_of_vertices) + 1);
@@ -265,7 +268,7 @@ public:
       set_outgoing(v, Slot::NONE);
   }
 
-  /* An edge whose sides are in no face yet; all may move. Returns its first slot. */
+  /* Adds an edge whose sides have no face yet, which can move all records. Returns its first slot. */
   Slot add_edge()
   {
     m_slots.grow(static_cast<std::size_t>(m_number_of_halfedges) + 2);
@@ -287,7 +290,7 @@ private:
   using Halfedge_slots = Slot_table<8, true>;
   using Vertex_slots = Slot_table<16, true>;
 
-  // For some more elements than there are.
+  // Leaves room for some additional elements.
   template <class Slots>
   static std::size_t room_for(const Slots& slots)
   {
@@ -304,7 +307,7 @@ private:
     return load_acquire(m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])]);
   }
 
-  // Gives h a slot, unless it has one. The lock is held.
+  // Assigns a slot to h, unless it has one. \pre the lock is held
   BOOST_NOINLINE void take(Halfedge_index h)
   {
     if(m_slots.has_slot(h.idx()))
@@ -317,7 +320,7 @@ private:
     m_slots.add(h.idx());
   }
 
-  // The record of a halfedge whose face may not be known.
+  // Returns the record of a halfedge whose face may be unknown.
   BOOST_NOINLINE Record& imported(Halfedge_index h)
   {
     const std::lock_guard<Short_lock> guard(m_lock);
@@ -325,7 +328,7 @@ private:
     return (*this)[slot(h)];
   }
 
-  // The first that is kept for a vertex of the input, as an added vertex has one.
+  // Sets the first outgoing halfedge of a vertex of the input; added vertices have one from the start.
   BOOST_NOINLINE Halfedge_index first_outgoing(Vertex_index v)
   {
     const Halfedge_index h = as_intrinsic(m_input.outgoing(v));
@@ -339,14 +342,14 @@ private:
     return halfedge(outgoing_slot(v));
   }
 
-  // Copies the face of a halfedge, unless it is known. The lock is held.
+  // Copies the face of a halfedge, unless it is known. \pre the lock is held
   void copy_face(Halfedge_index wanted)
   {
     if((*this)[slot(wanted)].is_known())
       return;
     const Input_halfedge_index h = as_input(wanted);
     if(m_input.is_border(h)) {
-      check_has_face(m_input, h); // only there its length is kept
+      check_has_face(m_input, h); // the length is stored only on a side with a face
       take(wanted);
       Record& record = (*this)[slot(wanted)];
       record.encoded_next = Record::border;
@@ -357,7 +360,7 @@ private:
     const Input_halfedge_index hn = m_input.next(h), hp = m_input.next(hn);
     if(hn == h)
       throw_no_triangle(m_input, h);
-    // From the smallest side on, so that the bits do not depend on which side is touched first.
+    // Starts with the smallest side, so that results are bitwise independent of the side that is touched first.
     const Input_halfedge_index first = (std::min)({h, hn, hp});
     const Input_halfedge_index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
     const auto geometry = m_metric.face_geometry(m_input, first, m_traits);
@@ -370,7 +373,7 @@ private:
       (*this)[slots[i]].geometry = geometry[i];
     }
     link_face(slots[0], slots[1], slots[2]);
-    for(int i = 0; i < 3; ++i) { // each tail is written when all three sides are known but for their tails
+    for(int i = 0; i < 3; ++i) { // tails are written last, when all three sides are otherwise complete
       const Vertex_index v = m_input.tail(sides[i]);
       store_release((*this)[slots[i]].tail, v);
       if(outgoing_slot(v) == Slot::NONE)
@@ -386,14 +389,14 @@ private:
   Halfedge_slots m_slots;
   Vertex_slots m_vertex_slots;
   std::vector<Record, boost::alignment::aligned_allocator<Record, 64>> m_records;
-  std::vector<Slot> m_outgoing; // NONE where none is known
+  std::vector<Slot> m_outgoing; // NONE if unknown
   Short_lock m_lock;
 };
 
 /*
- * How the input edges pass through one intrinsic triangle, from the numbers of crossings of its three edges alone
- * [GSC21, section 3]. An input edge in the triangle either cuts a corner, from side to side, or emanates from a corner
- * to the opposite side; a side that lies along an input edge has no crossings.
+ * The passage of input edges through one intrinsic triangle, computed from the numbers of crossings of its three edges
+ * alone [GSC21, section 3]. An input edge in the triangle either cuts a corner, from side to side, or emanates from a
+ * corner to the opposite side; a side that lies along an input edge has no crossings.
  *
  * Corner 0 lies opposite side 0.
  */
@@ -405,7 +408,7 @@ struct Triangle_crossings
   Triangle_crossings(Index opposite_0, Index opposite_1, Index opposite_2)
   {
     const Index a = (std::max)(opposite_0, 0), b = (std::max)(opposite_1, 0), c = (std::max)(opposite_2, 0);
-    // Of the three excesses one is positive at most: from the corner opposite the side that is too long, edges emanate.
+    // At most one of the three excesses is positive: edges emanate from the corner opposite the side that is too long.
     const Index excess_a = a - b - c, excess_b = b - c - a, excess_c = c - a - b;
     emanating[0] = (std::max)(excess_a, 0);
     emanating[1] = (std::max)(excess_b, 0);
@@ -417,8 +420,9 @@ struct Triangle_crossings
 };
 
 /*
- * What the crossings of five edges of a quad i, l, j, k with diagonal ij say of a flip; -1 marks an edge that lies along
- * an input edge. In closed forms of the numbers that `Triangle_crossings` has.
+ * Derives the effect of a flip from the numbers of crossings of five edges: the sides of the quad i, l, j, k and its
+ * diagonal ij. The number -1 marks an edge that lies along an input edge. The numbers of `Triangle_crossings` are used
+ * in closed form.
  */
 class Quad_crossings
 {
@@ -431,11 +435,12 @@ public:
   }
 
   /*
-   * The crossings of the other diagonal, kl.
+   * Returns the number of crossings of the other diagonal, kl.
    *
    * Input edges that do not reach ij cross kl once, unless they cut i or j off. Along ij, from i to j, the triangle of
-   * k sends first those that cut i, then those that emanate from k, then those that cut j; so does the triangle of l.
-   * One that cuts i on one side and j on the other crosses kl; one that emanates from k and ends at l lies along it.
+   * k first sends those that cut i, then those that emanate from k, then those that cut j; the triangle of l does the
+   * same. One that cuts i on one side and j on the other crosses kl; one that emanates from k and ends at l lies along
+   * it.
    */
   Index other_diagonal() const
   {
@@ -450,10 +455,10 @@ private:
   struct Half
   {
     Index cutting_i; // input edges that cut the corner at i off
-    Index end;       // they, and those that emanate from the corner opposite ij
+    Index end;       // these and those that emanate from the corner opposite ij
     Index past;      // those that do not reach ij and pass between i and j
 
-    // With o opposite ij.
+    // The vertex o is opposite ij.
     Half(Index along_ij, Index along_oi, Index along_jo)
     {
       const Index c = (std::max)(along_ij, 0), j = (std::max)(along_oi, 0), i = (std::max)(along_jo, 0);
@@ -471,10 +476,10 @@ private:
 };
 
 /*
- * What was done to the halfedges of a triangulation since the input, each step with what it overwrote. Flips and faces
- * laid out afresh are done here; of points that are inserted the log knows when it was.
+ * The steps that have changed the halfedges of a triangulation, each with the data that it overwrote. Flips and
+ * recomputed faces are performed here; of inserted points, only their position in the log is recorded.
  *
- * The invariant: the records, taken back from the last on, restore the store that they were made of, bit for bit.
+ * Invariant: rolled back from the last one on, the records restore the original store bitwise.
  */
 template <class Store>
 class Flip_log
@@ -488,17 +493,17 @@ public:
   std::size_t size() const { return m_records.size(); }
   const Record& operator[](std::size_t i) const { return m_records[i]; }
   const Record& back() const { return m_records.back(); }
-  /* In bytes. */
+  /* Returns the memory in bytes. */
   std::size_t memory() const { return m_records.memory(); }
 
   /*
-   * Flips the edge of a halfedge, as `Intrinsic_triangulation::flip()`. Returns the halfedges that have new vectors. If
-   * it throws, nothing has changed.
+   * Flips the edge of a halfedge, see `Intrinsic_triangulation::flip()`. Returns the halfedges that have new vectors.
+   * Changes nothing if it throws.
    */
   std::array<Slot, 4> flip(Store& halfedges, Halfedge_index h)
   {
     const Slot s = halfedges.taken(h), t = twin_slot(s);
-    Halfedge_record &at_h = halfedges.known(s), &at_t = halfedges.known(t); // from here on both faces are known
+    Halfedge_record &at_h = halfedges.known(s), &at_t = halfedges.known(t); // now both faces are known
     const Slot hn = at_h.next(), tn = at_t.next();
     CGAL_precondition_msg(hn != t && tn != s, "an edge at a vertex of degree 1 cannot be flipped");
     CGAL_precondition_msg(halfedges.holds(s) == 0, "a curve lies on the edge that is flipped");
@@ -533,7 +538,7 @@ public:
     return {{s, t, tn, tp}};
   }
 
-  /* Replaces the vectors of the face on the left of a halfedge, from it on. */
+  /* Replaces the vectors of the face on the left of a halfedge, starting with that halfedge. */
   template <class Face_geometry>
   void lay_out(Store& halfedges, Halfedge_index h, const Face_geometry& geometry)
   {
@@ -544,7 +549,7 @@ public:
     halfedges.set_face_geometry(h, geometry[0], geometry[1], geometry[2]);
   }
 
-  /* Notes that the edge of h, or the face on its left, is to be split at a gap, by the insertion of a number. */
+  /* Records that the edge of h, or the face on its left, will be split at a gap by the insertion with a number. */
   void note_insertion(const Store& halfedges, Halfedge_index h, bool is_on_edge, Index gap, Index number)
   {
     const Slot s = halfedges.slot(h);
@@ -553,7 +558,7 @@ public:
                          Geometry()});
   }
 
-  /* Takes the last step back. Of an insertion the halfedges must have been taken back before. */
+  /* Rolls the last step back. If it is an insertion, its halfedges must have been restored before. */
   void take_back(Store& halfedges)
   {
     const Record& last = m_records.back();

@@ -37,8 +37,8 @@ void for_each_edge_in_star(const Triangulation& triangulation, Vertex_index v, F
 }
 
 /*
- * Lawson's algorithm on a set of edges, or on all: flips those that are not locally Delaunay, first come, first served,
- * and looks again at the four edges around. Edges with a label, under curves, stay.
+ * Lawson's algorithm on a set of edges, or on all: flips edges that are not locally Delaunay in the order of a queue,
+ * and then examines the four edges around each again. Labeled edges, which lie under curves, are not flipped.
  */
 template <class Triangulation>
 class Lawson_flips
@@ -47,7 +47,7 @@ class Lawson_flips
                 "faces that err are laid out afresh from the input, with which the triangulation does not correspond");
 
 public:
-  /* On the edges that are allowed then, or on all, of which those that are looked at are queued. */
+  /* Works on the edges admitted later or, if `allows_all`, on all edges; edges are queued when they are examined. */
   explicit Lawson_flips(Triangulation& triangulation, bool allows_all = false)
     : m_triangulation(triangulation)
     , m_allows_all(allows_all)
@@ -61,7 +61,7 @@ public:
       m_queue.push_back(e);
   }
 
-  /* Forgets what was flipped and what is queued. */
+  /* Clears the list of flipped edges and the queue. */
   void clear()
   {
     m_edges.clear();
@@ -80,7 +80,8 @@ public:
     m_queue.push_back(e);
   }
 
-  /* Flips until nothing is left to flip, so many flips are done, or the visitor says no. Returns how many were. */
+  /* Flips until no edge remains, `maximum` flips are done, or the visitor stops the process. Returns the number of
+   * flips. */
   template <class Visitor>
   std::size_t flip(std::size_t maximum, Visitor& visitor)
   {
@@ -110,7 +111,7 @@ public:
     return flips;
   }
 
-  /* Has the visitor ended the last call of flip()? */
+  /* Returns whether the visitor stopped the last call of flip(). */
   bool is_stopped() const { return m_is_stopped; }
 
 private:
@@ -129,7 +130,7 @@ private:
     m_queue.push_back(e);
   }
 
-  // An edge that was flipped 32, 64, ... times is decided from the input, before drift can make it go round in circles.
+  // An edge that was flipped 32, 64, ... times is examined from the input, before rounding errors can lead to a cycle.
   bool is_still_to_flip(const Edge& edge, Halfedge_index h)
   {
     if constexpr(Triangulation::Traits::Has_drift::value)

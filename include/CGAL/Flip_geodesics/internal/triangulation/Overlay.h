@@ -30,27 +30,27 @@ struct Overlay_halfedge_element
   static constexpr const char* letter = "overlay h";
 };
 
-/* The elements of an overlay, which are neither the input's nor the triangulation's. */
+/* The elements of an overlay; they are distinct from those of the input and of the triangulation. */
 using Overlay_vertex = Descriptor<Overlay_vertex_element>;
 using Overlay_halfedge = Descriptor<Overlay_halfedge_element>;
 
-/* One value for each of them. */
+/* One value per element. */
 template <class T>
 using Per_overlay_vertex = Indexed_by<Overlay_vertex, std::vector<T>>;
 template <class T>
 using Per_overlay_halfedge = Indexed_by<Overlay_halfedge, std::vector<T>>;
 
 /*
- * The input mesh and an intrinsic triangulation laid over each other: a polygon mesh whose edges are the pieces into
- * which the edges of each are cut by the other's. It is built by integers alone: how many input edges pass through an
- * intrinsic triangle, and how, follows from the numbers of crossings of its sides [GSC21, section 3]; which ones, from
- * the crossing words. So the order of crossings along input edges is exact, and the result a manifold, whatever
- * rounding does to positions.
+ * The common subdivision of the input mesh and an intrinsic triangulation: a polygon mesh whose edges are the pieces
+ * into which the edges of either are cut by those of the other. It is constructed from integers alone: the number of
+ * input edges that pass through an intrinsic triangle, and how they do, follows from the numbers of crossings of its
+ * sides [GSC21, section 3]; which edges these are follows from the edge sequences. The order of crossings along input
+ * edges is therefore exact, and the result is a manifold, whatever rounding does to positions.
  *
  * Vertices: those of the triangulation, with their indices, then the crossings, edge by edge, each along halfedge 2e.
  * Edge k has the halfedges 2k and 2k+1. First come the pieces of intrinsic edges, edge by edge, then the *arcs*, the
  * pieces of input edges inside intrinsic triangles. Each polygon lies in one input face. Halfedges on the border have
- * no next one.
+ * no successor.
  *
  * Afterwards edges can be dissolved, doubled (cut open), split and added (diagonals of polygons).
  */
@@ -74,7 +74,7 @@ public:
   Index number_of_vertices() const { return m_number_of_vertices; }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
 
-  /* Those that there are now. */
+  /* The current vertices. */
   auto vertices() const { return descriptors<Overlay_vertex>(m_number_of_vertices); }
   auto halfedges() const { return descriptors<Overlay_halfedge>(number_of_halfedges()); }
 
@@ -84,43 +84,43 @@ public:
   Overlay_vertex origin(Overlay_halfedge h) const { return m_origin[h]; }
   Overlay_vertex target(Overlay_halfedge h) const { return m_origin[twin(h)]; }
   bool is_border(Overlay_halfedge h) const { return m_next[h] == null_index; }
-  /* False once the edge of h is dissolved. */
+  /* Returns false once the edge of h is dissolved. */
   bool is_alive(Overlay_halfedge h) const { return m_origin[h] != null_index; }
 
-  /* The intrinsic halfedge that h runs along, null_index if there is none. */
+  /* Returns the intrinsic halfedge along which h runs, or null_index if there is none. */
   Halfedge_index intrinsic_halfedge(Overlay_halfedge h) const { return oriented(m_intrinsic[edge(h)], h); }
-  /* The input halfedge that h runs along, null_index if there is none. */
+  /* Returns the input halfedge along which h runs, or null_index if there is none. */
   Input_halfedge_index input_halfedge(Overlay_halfedge h) const { return oriented(m_input[edge(h)], h); }
 
-  /* Is vertex v a crossing, and not a vertex of the triangulation? */
+  /* Returns whether v is a crossing, and not a vertex of the triangulation. */
   bool is_crossing(Overlay_vertex v) const
   {
     return v.idx() >= m_triangulation->number_of_vertices() && v.idx() < m_end_of_crossings;
   }
 
-  /* Was vertex v added by split()? */
+  /* Returns whether v was added by split(). */
   bool is_midpoint(Overlay_vertex v) const { return v.idx() >= m_end_of_crossings; }
 
-  /* Is vertex v one of the input's, and not a crossing or inserted? */
+  /* Returns whether v is a vertex of the input, and neither a crossing nor inserted. */
   bool is_input_vertex(Overlay_vertex v) const { return v.idx() < m_triangulation->input().number_of_vertices(); }
 
-  /* The number of crossings of intrinsic edge e. */
+  /* Returns the number of crossings of intrinsic edge e. */
   Index crossings(Edge_index e) const { return m_first_crossing[e.idx() + 1] - m_first_crossing[e.idx()]; }
 
-  /* Crossing i of intrinsic edge e along halfedge 2e, as a vertex. */
+  /* Returns crossing i of intrinsic edge e along halfedge 2e, as a vertex. */
   Overlay_vertex crossing_vertex(Edge_index e, Index i) const
   {
     return Overlay_vertex(m_triangulation->number_of_vertices() + m_first_crossing[e.idx()] + i);
   }
 
-  /* The input halfedge crossed at a crossing, by the first halfedge of the intrinsic edge, as a side of the face left.
-   */
+  /* Returns the input halfedge crossed at a crossing by the first halfedge of the intrinsic edge, as a side of the face
+   * that it leaves. */
   Input_halfedge_index crossed_halfedge(Overlay_vertex v) const
   {
     return m_letters[v.idx() - m_triangulation->number_of_vertices()];
   }
 
-  /* Piece i of intrinsic halfedge h, of crossings(edge) + 1. */
+  /* Returns piece i of intrinsic halfedge h, out of crossings(edge) + 1. */
   Overlay_halfedge piece(Halfedge_index h, Index i) const
   {
     const Edge_index e = Triangulation::edge(h);
@@ -128,8 +128,8 @@ public:
     return Overlay_halfedge(is_first_side(h) ? 2 * (first + i) : 2 * (first + crossings(e) - i) + 1);
   }
 
-  /* Calls function(p) for the parts of piece i of intrinsic halfedge h, in its direction: two if it was split, and each
-   * on the side of its polygon, also where the edge was cut. */
+  /* Calls function(p) for the parts of piece i of intrinsic halfedge h, in its direction: two if it was split. Each
+   * part is on the side of its polygon, even if the edge was cut. */
   template <class Function>
   void for_each_part(Halfedge_index h, Index i, Function function) const
   {
@@ -142,7 +142,8 @@ public:
     function(with_face(is_first_side(p) ? second : p));
   }
 
-  /* The continuation of an input edge through a crossing: the arc after arc h. \pre the target of h is a crossing */
+  /* Returns the continuation of an input edge through a crossing: the arc after arc h. \pre the target of h is a
+   * crossing */
   Overlay_halfedge next_arc(Overlay_halfedge h) const { return next(twin(next(h))); }
 
   /* Calls function(h) for one halfedge of each polygon, the first. */
@@ -170,8 +171,8 @@ public:
   }
 
   /*
-   * For each halfedge the smallest halfedge of the input face that its polygon lies in; null_index on the border.
-   * Where no side of a polygon lies along an input edge, the polygon shares a face with its neighbours.
+   * Returns for each halfedge the smallest halfedge of the input face that contains its polygon; null_index on the
+   * border. If no side of a polygon lies along an input edge, the polygon lies in the same face as its neighbors.
    */
   Per_overlay_halfedge<Input_halfedge_index> input_faces() const
   {
@@ -205,7 +206,7 @@ public:
     m_origin[h] = m_origin[t] = null_index;
   }
 
-  /* Joins h and next(h), parts of one input edge between which nothing else ends, to one edge, h. */
+  /* Joins h and next(h), parts of one input edge between which no other edge ends, into one edge, h. */
   void join(Overlay_halfedge h)
   {
     const Overlay_halfedge g = next(h), t = twin(h), s = twin(g);
@@ -213,14 +214,14 @@ public:
     if(!is_border(t))
       link(previous(s), t);
     m_origin[t] = m_origin[s];
-    m_intrinsic[edge(h)] = null_index; // longer than any one intrinsic edge
+    m_intrinsic[edge(h)] = null_index; // longer than any single intrinsic edge
     m_origin[g] = m_origin[s] = null_index;
   }
 
-  /* Is the target of h an end of no other edges than h and next(h)? \pre it is not on the border */
+  /* Returns whether h and next(h) are the only edges at the target of h. \pre it is not on the border */
   bool has_two_edges_at_target(Overlay_halfedge h) const { return next(twin(next(h))) == twin(h); }
 
-  /* Adds the diagonal from the origin of a to the origin of b, two sides of one polygon; next comes b. */
+  /* Adds the diagonal from the origin of a to the origin of b, two sides of one polygon; its successor is b. */
   Overlay_halfedge add_diagonal(Overlay_halfedge a, Overlay_halfedge b)
   {
     const Overlay_halfedge d = next_new_halfedge();
@@ -234,8 +235,8 @@ public:
   }
 
   /*
-   * Splits the edge of h, between two triangles or on the border, at a new vertex, which is joined to the opposite
-   * corners. The first half of an edge's first halfedge keeps its name. Returns the second half of that.
+   * Splits the edge of h, between two triangles or on the border, at a new vertex, which is connected to the opposite
+   * corners. The first half of an edge's first halfedge keeps its index. Returns the second half of that halfedge.
    */
   Overlay_halfedge split(Overlay_halfedge h)
   {
@@ -259,7 +260,8 @@ public:
     return k;
   }
 
-  /* Edges, by their first halfedges, that have both ends in common with another edge, and that other. Linear. */
+  /* Returns the edges, by their first halfedges, that share both ends with another edge, together with that other edge.
+   * Takes linear time. */
   std::vector<Overlay_halfedge> parallel_edges() const
   {
     Per_overlay_vertex<Overlay_halfedge> first(static_cast<std::size_t>(m_number_of_vertices)); // edge at a smaller end
@@ -287,7 +289,7 @@ public:
   }
 
   /* Doubles the edge of h, so that both of its sides lie on the border. The vertices stay; see split_vertices(). \pre
-   * neither of them lies there yet */
+   * neither side lies on the border */
   void cut(Overlay_halfedge h)
   {
     const Overlay_halfedge t = twin(h), doubled = next_new_halfedge();
@@ -299,8 +301,8 @@ public:
   }
 
   /*
-   * Gives each fan of polygons around a vertex a vertex of its own, where cuts have separated them; the first keeps it.
-   * Returns the vertex that each vertex was before.
+   * Gives each fan of polygons around a vertex its own vertex if cuts have separated them; the first fan keeps the old
+   * one. Returns the original of each vertex.
    */
   Per_overlay_vertex<Overlay_vertex> split_vertices()
   {
@@ -325,7 +327,7 @@ private:
   static std::size_t edge(Overlay_halfedge h) { return static_cast<std::size_t>(h.idx() >> 1); }
   static Overlay_halfedge first_of_edge(Overlay_halfedge h) { return is_first_side(h) ? h : twin(h); }
 
-  // What add_edge() will make.
+  // The halfedge that add_edge() will create next.
   Overlay_halfedge next_new_halfedge() const { return Overlay_halfedge(number_of_halfedges()); }
 
   Overlay_halfedge with_face(Overlay_halfedge h) const
@@ -334,7 +336,7 @@ private:
     return found == m_doubles.end() ? h : found->second;
   }
 
-  // The side of an edge that h runs along, if its first halfedge runs along `along`.
+  // The side of an edge along which h runs, if its first halfedge runs along `along`.
   template <class Halfedge>
   static Halfedge oriented(Halfedge along, Overlay_halfedge h)
   {
@@ -450,7 +452,7 @@ private:
     return crossing_vertex(e, is_first_side(h) ? i : crossings(e) - 1 - i);
   }
 
-  // The input halfedge that leads from there to the left.
+  // The crossed input halfedge that leads from there to the left.
   Input_halfedge_index letter_on(Halfedge_index h, Index i) const
   {
     const Input_halfedge_index letter = crossed_halfedge(vertex_on(h, i));
@@ -498,9 +500,9 @@ private:
   std::vector<Input_halfedge_index> m_letters;
   Per_overlay_halfedge<Overlay_halfedge> m_next, m_previous;
   Per_overlay_halfedge<Overlay_vertex> m_origin;
-  std::vector<Halfedge_index> m_intrinsic;   // per edge: what its first halfedge runs along
-  std::vector<Input_halfedge_index> m_input; // the same on the input
-  // For first halfedges of edges that were split; and what took the place of a halfedge that a cut put on the border.
+  std::vector<Halfedge_index> m_intrinsic;   // per edge: along which its first halfedge runs
+  std::vector<Input_halfedge_index> m_input; // likewise for the input
+  // The second halves of split edges' first halfedges, and the replacements of halfedges that a cut put on the border.
   std::unordered_map<Overlay_halfedge, Overlay_halfedge> m_second_halves, m_doubles;
 };
 

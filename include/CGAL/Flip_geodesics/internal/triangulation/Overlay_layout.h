@@ -26,11 +26,11 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Where the vertices of an overlay lie, rounded: crossings along their two edges, and the corners of polygons in their
- * input faces.
+ * The rounded positions of the vertices of an overlay: crossings along their two edges, and the corners of polygons in
+ * their input faces.
  *
- * Crossings are measured in the strip of their intrinsic edge, each for itself, so that rounding may exchange two that
- * lie close together on one edge of the input. The overlay knows their order, and the positions are raised to it.
+ * Crossings are measured in the strip of their intrinsic edge, each separately, so that rounding errors may exchange
+ * two close ones on one input edge. The overlay has their exact order, to which the positions are made monotone.
  */
 template <class Triangulation>
 class Overlay_layout
@@ -40,7 +40,7 @@ public:
   using Weights = std::array<double, 3>;
   using Point_2 = std::array<double, 2>;
 
-  /* Measures an overlay from which nothing is dissolved yet. */
+  /* Measures an overlay in which no edge is dissolved yet. */
   explicit Overlay_layout(const Overlay& overlay)
     : m_overlay(&overlay)
     , m_faces(overlay.input_faces())
@@ -54,28 +54,31 @@ public:
         m_weights[h] = measure_corner(h);
   }
 
-  /* The position of a crossing on its input edge, from 0 at the tail of `crossed_halfedge(v)` to 1 at the head. */
+  /* Returns the position of a crossing on its input edge, from 0 at the tail of `crossed_halfedge(v)` to 1 at the
+   * head. */
   double on_input(Overlay_vertex v) const { return m_crossings[number(v)].on_input; }
-  /* The position of a crossing on its intrinsic edge, from 0 at the tail of the first halfedge to 1 at the head. */
+  /* Returns the position of a crossing on its intrinsic edge, from 0 at the tail of the first halfedge to 1 at the
+   * head. */
   double on_intrinsic(Overlay_vertex v) const { return m_crossings[number(v)].on_intrinsic; }
 
-  /* The first halfedge of that intrinsic edge. */
+  /* Returns the first halfedge of that intrinsic edge. */
   Halfedge_index intrinsic_halfedge(Overlay_vertex v) const { return m_crossings[number(v)].intrinsic_halfedge; }
 
-  /* The smallest halfedge of the intrinsic face that the polygon of h lies in, null_index if polygons were merged. */
+  /* Returns the smallest halfedge of the intrinsic face that contains the polygon of h, or null_index if polygons were
+   * merged. */
   Halfedge_index intrinsic_face(Overlay_halfedge h) const
   {
     return m_intrinsic_faces.empty() ? Halfedge_index() : m_intrinsic_faces[h];
   }
-  /* To be called when polygons of different intrinsic faces are merged. */
+  /* Must be called when polygons of different intrinsic faces are merged. */
   void forget_intrinsic_faces() { m_intrinsic_faces.clear(); }
 
-  /* The smallest halfedge of the input face that the polygon of h lies in. */
+  /* Returns the smallest halfedge of the input face that contains the polygon of h. */
   Input_halfedge_index face(Overlay_halfedge h) const { return m_faces[h]; }
-  /* The origin of h in that face: barycentric coordinates for the tails of that halfedge and the next two. */
+  /* Returns the origin of h in that face: barycentric coordinates for the tails of that halfedge and the next two. */
   const Weights& weights(Overlay_halfedge h) const { return m_weights[h]; }
 
-  /* Takes notice of a diagonal that was added to the overlay from the origin of a to that of b. */
+  /* Accounts for a diagonal that was added to the overlay from the origin of a to that of b. */
   void add_diagonal(Overlay_halfedge a, Overlay_halfedge b)
   {
     m_faces.insert(m_faces.end(), 2, m_faces[a]);
@@ -85,10 +88,10 @@ public:
     m_weights.insert(m_weights.end(), {from, to});
   }
 
-  /* Takes notice of h and the edge after it before they are joined. */
+  /* Accounts for the joining of h and the edge after it. Must be called beforehand. */
   void join(Overlay_halfedge h) { m_weights[Overlay::twin(h)] = m_weights[Overlay::twin(m_overlay->next(h))]; }
 
-  /* Takes notice of an edge that was cut: the new edge stands for t, the twin of h. */
+  /* Accounts for an edge that was cut: the new edge replaces t, the twin of h. */
   void add_cut(Overlay_halfedge t)
   {
     m_faces.insert(m_faces.end(), {m_faces[t], null_index});
@@ -99,8 +102,8 @@ public:
   }
 
   /*
-   * Splits the edge of h, between two triangles or on the border, in the middle, as the overlay does. For an overlay
-   * that is triangulated, and whose vertices have not been split yet.
+   * Splits the edge of h, between two triangles or on the border, at its midpoint, as the overlay does. \pre the
+   * overlay is triangulated, and its vertices have not been split yet
    */
   void split(Overlay& overlay, Overlay_halfedge h)
   {
@@ -120,8 +123,8 @@ public:
         add_edge(side.face, side.middle, side.face, side.apex);
   }
 
-  /* A vertex that was added by split(), with the first halfedge of the intrinsic edge that it lies on, and where; the
-   * halfedge is null if there is none. */
+  /* A vertex added by split(), with the first halfedge of the intrinsic edge that contains it and its position there;
+   * the halfedge is null if there is none. */
   struct Midpoint
   {
     Surface_point on_input;
@@ -131,7 +134,7 @@ public:
 
   const Midpoint& midpoint(Overlay_vertex v) const { return m_midpoints[number(v) - m_crossings.size()]; }
 
-  /* The corners of an input face in the plane, the tail of f at the origin. */
+  /* The corners of an input face in the plane, with the tail of f at the origin. */
   std::array<Point_2, 3> corners(Input_halfedge_index f) const
   {
     const auto vectors = input_face_geometry(triangulation(), f);
@@ -150,7 +153,7 @@ private:
     Halfedge_index intrinsic_halfedge;
   };
 
-  // What an edge that is split has on one side.
+  // The elements on one side of an edge that is split.
   struct Side
   {
     Input_halfedge_index face;
@@ -235,8 +238,9 @@ private:
     }
   }
 
-  // Where a vertex of the triangulation is on the input edge that it starts or divides, from 0 at the tail of the
-  // edge's first halfedge. Locations are told from that, unless it is on the border, where there are no crossings.
+  // The position of a vertex of the triangulation on the input edge that it starts or divides, from 0 at the tail of
+  // the edge's first halfedge. Surface points refer to that halfedge unless it is on the border, where there are no
+  // crossings.
   double position_on_side(Vertex_index v) const
   {
     if(!triangulation().is_inserted(v))
@@ -245,7 +249,8 @@ private:
     return at.weights[1] / (at.weights[0] + at.weights[1]);
   }
 
-  // The origin of h lies on a side of the input face, which follows from what h runs along, or is an inserted vertex.
+  // The origin of h lies on a side of the input face, which follows from the edge along which h runs, or is an inserted
+  // vertex.
   Weights measure_corner(Overlay_halfedge h) const
   {
     const auto& input = triangulation().input();
@@ -262,7 +267,7 @@ private:
     const double t = on_input(v);
     if(along != null_index)
       return on_side(m_faces[h], along, along == crossed ? t : 1 - t);
-    const bool is_entering = is_first_side(m_overlay->intrinsic_halfedge(h)); // the face beyond crossed
+    const bool is_entering = is_first_side(m_overlay->intrinsic_halfedge(h)); // the face beyond the crossed edge
     return on_side(m_faces[h], is_entering ? twin_index(crossed) : crossed, is_entering ? 1 - t : t);
   }
 
@@ -300,11 +305,11 @@ private:
 };
 
 /*
- * Triangulates the polygons of an overlay, which are convex up to rounding, by diagonals: of all triangulations the one
- * whose worst triangle is best, by dynamic programming [Klincsek, Minimal Triangulations of Polygonal Domains].
+ * Triangulates the polygons of an overlay, which are convex up to rounding errors, by diagonals. Dynamic programming
+ * finds the triangulation whose worst triangle is best [Klincsek, Minimal Triangulations of Polygonal Domains].
  *
- * No diagonal joins two vertices of one straight line, that is, of a run of sides along one edge. That is decided by
- * labels and not by positions, so that the result has no double edges whatever rounding does.
+ * No diagonal connects two vertices of one straight line, that is, of a run of sides along one edge. Labels decide
+ * this, not positions, so that the result has no double edges, whatever the rounding errors are.
  */
 template <class Triangulation>
 class Polygon_triangulator
@@ -320,7 +325,7 @@ public:
   {
   }
 
-  /* Triangulates all polygons. Cubic in the sides of each, of which there are rarely more than six. */
+  /* Triangulates all polygons in time cubic in the number of sides of each, which is rarely more than six. */
   void operator()()
   {
     std::vector<Overlay_halfedge> polygons;
@@ -330,7 +335,7 @@ public:
   }
 
 private:
-  // Beyond this, polygons are halved first: so many vertices lie on straight lines.
+  // Larger polygons are halved first; their many vertices lie on straight lines.
   static constexpr std::size_t largest = 32;
 
   void triangulate(Overlay_halfedge h)
@@ -358,7 +363,7 @@ private:
            (intrinsic != null_index && intrinsic == m_overlay.intrinsic_halfedge(other));
   }
 
-  // How many sides from each on lie on one line.
+  // Computes for each side the number of consecutive sides on one line, starting with it.
   void find_runs(const std::vector<Overlay_halfedge>& sides)
   {
     const std::size_t n = sides.size();
@@ -409,7 +414,7 @@ private:
       }
   }
 
-  // Twice the area over the squares of the sides; negative if rounding has turned the triangle over.
+  // Twice the area over the sum of the squared sides; negative if rounding errors have turned the triangle over.
   double quality(std::size_t i, std::size_t j, std::size_t k) const
   {
     const auto difference = [](const Point_2& p, const Point_2& q) { return Point_2{q[0] - p[0], q[1] - p[1]}; };
@@ -419,7 +424,7 @@ private:
     return sum > 0 ? (u[0] * v[1] - u[1] * v[0]) / sum : 0;
   }
 
-  // Sides i to j - 1 and `closing`, which leads from vertex j to vertex i, are a polygon of the overlay.
+  // Sides i to j - 1 and `closing`, which leads from vertex j to vertex i, form a polygon of the overlay.
   void add_diagonals(const std::vector<Overlay_halfedge>& sides, std::size_t i, std::size_t j, Overlay_halfedge closing)
   {
     if(j - i < 2)
@@ -446,8 +451,8 @@ private:
 };
 
 /*
- * Builds a MutableFaceGraph from an overlay, link by link, so that nothing has to be searched for, and edges that share
- * both end vertices are no matter. The elements of the mesh are created in the order of the overlay's.
+ * Constructs a MutableFaceGraph from an overlay, link by link, so that no searches are needed and edges with common end
+ * vertices are supported. The elements of the mesh are created in the order of those of the overlay.
  */
 template <class Triangulation, class OutputMesh>
 class Overlay_to_mesh
@@ -472,13 +477,13 @@ public:
     link_border();
   }
 
-  /* The mesh's vertex for a vertex of the overlay, the null vertex if it was dissolved. */
+  /* Returns the mesh's vertex for a vertex of the overlay, or the null vertex if it was dissolved. */
   vertex_descriptor vertex(Overlay_vertex v) const { return m_vertices[v]; }
-  /* The mesh's halfedge for a halfedge of the overlay, the null halfedge if it was dissolved. */
+  /* Returns the mesh's halfedge for a halfedge of the overlay, or the null halfedge if it was dissolved. */
   halfedge_descriptor halfedge(Overlay_halfedge h) const { return m_halfedges[h]; }
 
 private:
-  // All but the crossings and inserted vertices that were dissolved.
+  // Creates all but the crossings and inserted vertices that were dissolved.
   void create_vertices()
   {
     Per_overlay_vertex<char> is_used(m_vertices.size(), 0);
@@ -518,13 +523,13 @@ private:
     });
   }
 
-  // Vertices on the border refer to a halfedge there, as `Surface_mesh` wants it.
+  // Vertices on the border refer to a halfedge there, as `Surface_mesh` requires.
   void link_border()
   {
     for(Overlay_halfedge h : m_overlay.halfedges()) {
       if(!m_overlay.is_alive(h) || !m_overlay.is_border(h))
         continue;
-      Overlay_halfedge after = Overlay::twin(h); // turns about the target of h
+      Overlay_halfedge after = Overlay::twin(h); // turns around the target of h
       while(!m_overlay.is_border(after))
         after = Overlay::twin(m_overlay.previous(after));
       set_face(m_halfedges[h], Graph::null_face(), m_mesh);

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A point that was inserted: where it is on the input, and what was changed of the edge or face that was split. */
+/* An inserted point: its position on the input, and the former data of the edge or face that was split. */
 template <class Halfedge_geometry>
 struct Inserted_point
 {
@@ -42,8 +42,9 @@ struct Inserted_point
 };
 
 /*
- * What an insertion may do to a triangulation, which makes it of its parts: log what there is and add a vertex, and
- * then add edges, link faces and lay them out. All of it can be taken back from when `begin()` has returned.
+ * The operations that an insertion applies to a triangulation, which constructs this object from its parts: log the old
+ * data and add a vertex, then add edges, link faces and set their vectors. Everything can be rolled back once `begin()`
+ * has returned.
  */
 template <class Triangulation, class Store>
 class Insertion_editor
@@ -61,7 +62,7 @@ public:
   {
   }
 
-  /* Logs what there is, and adds the vertex. If it throws, nothing has changed. */
+  /* Logs the old data and adds the vertex. Changes nothing if it throws. */
   Vertex_index begin(const Located_point& place, const Surface_location& location)
   {
     const Triangulation& t = m_triangulation;
@@ -80,7 +81,7 @@ public:
     return Vertex_index(t.number_of_vertices() - 1);
   }
 
-  /* A new edge, whose sides are in no face yet; the halfedge with the word. */
+  /* Adds an edge whose sides have no face yet; returns the halfedge to which the edge sequence belongs. */
   Halfedge_index add_edge(const Crossing_word& word)
   {
     const Slot s = m_halfedges.add_edge();
@@ -90,7 +91,7 @@ public:
     return m_halfedges.halfedge(s);
   }
 
-  /* Moves the tail of h: the word is that from its new tail on. */
+  /* Moves the tail of h; the edge sequence is that from the new tail on. */
   void shorten_edge(Halfedge_index h, const Crossing_word& word)
   {
     m_halfedges[m_halfedges.slot(h)].tail = word.tail;
@@ -102,26 +103,26 @@ public:
     m_halfedges.link_face(m_halfedges.slot(a), m_halfedges.slot(b), m_halfedges.slot(c));
   }
 
-  /* Says that h has no face. */
+  /* Marks h as a border halfedge. */
   void put_on_border(Halfedge_index h) { m_halfedges[m_halfedges.slot(h)].encoded_next = Store::Record::border; }
 
-  /* Keeps h for the new vertex, at which it starts. */
+  /* Stores h, which starts at the new vertex, as its outgoing halfedge. */
   void set_outgoing(Vertex_index x, Halfedge_index h) { m_halfedges.set_outgoing(x, m_halfedges.slot(h)); }
 
-  /* If `from` is the halfedge that is kept for v, keeps `to` instead. */
+  /* If `from` is the outgoing halfedge stored for v, stores `to` instead. */
   void move_outgoing(Vertex_index v, Halfedge_index from, Halfedge_index to)
   {
     m_halfedges.move_outgoing(v, m_halfedges.slot(from), m_halfedges.slot(to));
   }
 
-  /* Sets the vectors of the face on the left of h, from it on. */
+  /* Sets the vectors of the face on the left of h, starting with h. */
   template <class Face_geometry>
   void lay_out(Halfedge_index h, const Face_geometry& geometry)
   {
     m_halfedges.set_face_geometry(h, geometry[0], geometry[1], geometry[2]);
   }
 
-  /* Takes the last insertion back. \pre nothing was logged after it */
+  /* Rolls the last insertion back. \pre nothing was logged after it */
   void take_back()
   {
     const auto& log = m_log.back();
@@ -138,7 +139,7 @@ public:
       const Slot s = m_halfedges.slot(record.faces[i]);
       const Vertex_index v = m_halfedges[s].tail;
       m_halfedges[s].geometry = record.geometry[i];
-      if(m_halfedges.outgoing(v).idx() >= m_triangulation.number_of_halfedges()) // of an edge that is gone
+      if(m_halfedges.outgoing(v).idx() >= m_triangulation.number_of_halfedges()) // of an edge that no longer exists
         m_halfedges.set_outgoing(v, s);
     }
     m_points.pop_back();
@@ -188,7 +189,7 @@ private:
   Edge_history<Triangulation>& m_history;
 };
 
-/* Can the traits lay out a part of an input face in their own numbers? */
+/* Detects traits that can represent a part of an input face in their own numbers. */
 template <class Traits, class = void>
 struct Has_exact_subfaces : std::false_type
 {
@@ -200,34 +201,34 @@ struct Has_exact_subfaces<Traits, std::void_t<typename Traits::Construct_subface
 {
 };
 
-/* What has become of an edge that was split: its halfedge, which is shorter now, and the one that leads on from it. */
+/* The two halves of a split edge: its old halfedge, which is shorter now, and the one that continues it. */
 struct Edge_halves
 {
   Halfedge_index first = null_index, second = null_index;
 };
 
 /*
- * Puts a new vertex x where a point was located: into a face, with three new edges, or onto an edge, with one new edge
- * for its other half and one into each of its faces.
+ * Inserts a new vertex x at a located point: into a face, with three new edges, or onto an edge, with one new edge for
+ * its other half and one into each of its faces.
  *
- *          o                    o
- *         /|.                  /|.            The words of the new edges come from the side's word: the input face of
- *        / | .                / | .           the point is a gap of it, so that the letters before the gap lead back
- *       /  |  .              /  |  .          to a and those after it on to b, and a turn about b within the face
- *      /  _x_  .            a---x---b         leads over to the word of bo.
- *     / /     . .            .  |  /
- *    a-----------b            . | /
- *                               p
+ *         o                    o
+ *        /|.                  /|.            The edge sequences of the new edges derive from the side's: the input
+ *       / | .                / | .           face of the point is a gap of it, so that the crossings before the gap
+ *      /  |  .              /  |  .          lead back to a and those after it on to b, and a turn around b within
+ *     /  _x_  .            a---x---b         the face continues to the edge sequence of bo.
+ *    / /     . .            .  |  /
+ *   a-----------b            . | /
+ *                              p
  *
- * The triangulation's log has the record of the split already, so that an exception leaves nothing that could not be
- * taken back.
+ * The triangulation's log already contains the record of the split, so that everything can be rolled back after an
+ * exception.
  */
 template <class Triangulation, class Editor>
 class Point_insertion
 {
   using Traits = typename Triangulation::Traits;
 
-  // A halfedge of the old triangulation and the gap of its word whose input face holds the point.
+  // A halfedge of the old triangulation and the gap of its edge sequence whose input face contains the point.
   struct Place
   {
     Halfedge_index h;
@@ -272,7 +273,7 @@ private:
   static Halfedge_index twin(Halfedge_index h) { return Triangulation::twin(h); }
   Halfedge_index next(Halfedge_index h) const { return m_triangulation.next(h); }
 
-  // ---------------------------------------------------------------- words
+  // ---------------------------------------------------------------- edge sequences
 
   // A path that starts at x in the input face of the gap.
   Word_path<Triangulation> path_from(const Place& place) const
@@ -296,7 +297,7 @@ private:
     return path.finish(place.word.tail, tail_anchor(m_triangulation, place.word));
   }
 
-  // To the apex of the face on the left, over the head.
+  // From x to the apex of the face on the left, over the head.
   Crossing_word word_to_apex(const Place& place) const
   {
     const Halfedge_index hn = next(place.h);
@@ -306,7 +307,7 @@ private:
     return path.finish(word.head, head_anchor(m_triangulation, word));
   }
 
-  // From x along the edge to its head, and about that through the face on the left.
+  // From x along the edge to its head, and around the head through the face on the left.
   Word_path<Triangulation> path_over_head(const Place& place) const
   {
     const Halfedge_index hn = next(place.h);
@@ -320,7 +321,7 @@ private:
 
   // ---------------------------------------------------------------- connectivity
 
-  // With h = a->b, which keeps its id from a to x.
+  // With h = a->b, which keeps its index from a to x.
   Edge_halves split_border_edge()
   {
     const Halfedge_index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn);
@@ -356,8 +357,8 @@ private:
   }
 
   /*
-   * The face of h = a->b is glued to itself along h and its twin, so that b has degree 1: both halves of the edge and a
-   * loop from x about b, and one edge from x on the side of h to the face's corner after the twin.
+   * The face of h = a->b is glued to itself along h and its twin, so that b has degree 1. Creates both halves of the
+   * edge, a loop from x around b, and an edge from x, on the side of h, to the face's corner after the twin.
    */
   Edge_halves split_edge_to_degree_one()
   {
@@ -437,8 +438,8 @@ private:
   Vertex_index m_x;
 };
 
-/* Makes a located point a vertex of a triangulation, of which there is an editor. If an edge is split, `on_split` gets
- * its halves; if that throws, it must have changed nothing. Then, and if anything else throws, nothing has changed. */
+/* Makes a located point a vertex of a triangulation, given an editor for it. If an edge is split, `on_split` receives
+ * its halves; it must change nothing if it throws. If anything throws, nothing has changed. */
 template <class Triangulation, class Editor, class OnSplit>
 Vertex_index insert_point(Triangulation& triangulation, Editor editor, Located_point place,
                           const Surface_location& location, const OnSplit& on_split)

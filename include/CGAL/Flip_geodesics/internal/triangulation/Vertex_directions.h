@@ -16,9 +16,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The directions at a vertex as angles, in radians, counterclockwise from an input halfedge, measured from the input:
- * what flips computed does not enter. On the border the angles start at the border. At a non-manifold vertex they are
- * those of one umbrella.
+ * The directions at a vertex as angles in radians, counterclockwise from an input halfedge and measured on the input,
+ * independently of the results of flips. On the border the angles start at the border. At a non-manifold vertex they
+ * are those of one umbrella.
  */
 template <class Triangulation>
 class Vertex_directions
@@ -34,7 +34,7 @@ public:
       m_fan = umbrella_of(triangulation, start);
   }
 
-  /* In the umbrella of an input halfedge that starts at the vertex. */
+  /* For the umbrella of an input halfedge that starts at the vertex. */
   Vertex_directions(const Triangulation& triangulation, Input_halfedge_index in_umbrella)
     : m_triangulation(triangulation)
     , m_vertex(triangulation.input().tail(in_umbrella))
@@ -42,18 +42,18 @@ public:
   {
   }
 
-  /* The sum of the input angles at the vertex. */
+  /* Returns the sum of the input angles at the vertex. */
   double total() const { return m_fan.total(); }
   bool has_border() const { return m_fan.has_border(); }
 
-  /* Is an input halfedge one of the umbrella? */
+  /* Returns whether an input halfedge belongs to the umbrella. */
   bool has(Input_halfedge_index h) const { return m_fan.has(h); }
 
-  /* The angle at which an input halfedge starts at the vertex.
-   * \throws Invalid_mesh_error if it is one of another umbrella */
+  /* Returns the angle at which an input halfedge starts at the vertex.
+   * \throws Invalid_mesh_error if it belongs to another umbrella */
   double of_input(Input_halfedge_index h) const { return m_fan.angle_of(h, m_vertex); }
 
-  /* The angle of a strip that starts at the vertex. */
+  /* Returns the angle of a strip that starts at the vertex. */
   double operator()(const Strip<Triangulation>& strip) const
   {
     if(!m_is_inside_face)
@@ -62,17 +62,17 @@ public:
     return angle < 0 ? angle + total() : angle;
   }
 
-  /* The angle of a halfedge of the triangulation that starts at the vertex. */
+  /* Returns the angle of a halfedge of the triangulation that starts at the vertex. */
   double operator()(Halfedge_index h) const
   {
     return (*this)(Strip<Triangulation>(m_triangulation, m_triangulation.crossing_word(h)));
   }
 
-  /* The angle counterclockwise from one direction to another; infinite if the border intervenes. */
+  /* Returns the angle counterclockwise from one direction to another; infinite if the border intervenes. */
   double counterclockwise(double from, double to) const { return m_fan.counterclockwise(from, to); }
 
 private:
-  // An inserted point: flat, with one direction of reference inside a face, and two along an edge.
+  // An inserted point is flat, with one reference direction inside a face and two along an edge.
   void start_at(const Surface_location& location)
   {
     const Input_halfedge_index h = location.halfedge;

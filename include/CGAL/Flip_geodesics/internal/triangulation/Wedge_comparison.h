@@ -21,22 +21,23 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Compares angles with pi: the sign of the exact real number that the input defines. In stages: strips in double,
- * unless a filter as good as them has failed; points in one plane, or on walls; edges as vectors of about 100 bits;
- * arithmetic in the field of all roots. Where words are long, vectors come before points.
+ * Compares angles with pi by the sign of the exact real number that the input defines. The stages are: strips in
+ * doubles, unless a filter of the same precision has failed; points in one plane or on developable regions with
+ * parallel rulings; edges as double-double vectors; arithmetic in the field of all square roots. For long edge
+ * sequences, vectors precede points.
  */
 template <class Triangulation>
 class Wedge_comparison
 {
 public:
-  /* The wedge clockwise from one halfedge of a vertex to another; all the way round if they are the same. */
+  /* The wedge clockwise from one halfedge of a vertex to another; the full turn if they are the same. */
   struct Wedge
   {
     Halfedge_index from, to;
   };
 
-  /* If a filter has failed, the angles that are left, or their sum, are known to be strictly between 0 and 2 pi where
-   * no face is without area. */
+  /* If a filter has failed, the remaining angles, or their sum, are known to be strictly between 0 and 2 pi unless a
+   * face is degenerate. */
   Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics, bool is_filtered = false)
     : m_triangulation(triangulation)
     , m_statistics(statistics)
@@ -65,7 +66,7 @@ public:
     return quick != EQUAL ? quick : comparison(exact_sine({words}));
   }
 
-  /* Of words that need not be edges of the triangulation; not about a point inside a face. */
+  /* Compares for edge sequences that need not be edges of the triangulation; not around a point inside a face. */
   Comparison_result operator()(const Wedge_words& words) const
   {
     const Comparison_result quick = counted(wedge_angle(m_triangulation, words).compare_with_straight());
@@ -75,7 +76,7 @@ public:
     return comparison(is_in_plane(words, sine) ? sine : exact_sine({words}));
   }
 
-  /* The sum of two angles, each at most pi, after a filter has failed. */
+  /* Compares the sum of two angles, each at most pi, after a filter failure. */
   Comparison_result compare_sum(const Wedge& a, const Wedge& b) const
   {
     const Comparison_result quick = by_vectors({a, b});
@@ -86,7 +87,7 @@ public:
   }
 
 private:
-  // The sum of angles; EQUAL if the errors hide the sign.
+  // Compares the sum of the angles; EQUAL if the errors hide the sign.
   Comparison_result by_vectors(const std::vector<Wedge>& wedges) const
   {
     Precise_angle_sum<Triangulation> sum;
@@ -113,13 +114,13 @@ private:
     return by_strip;
   }
 
-  // Near pi, and wherever the angle is between 0 and 2 pi, the sine's sign is that of pi - angle.
+  // For angles between 0 and 2 pi, the sine has the sign of pi - angle.
   static Comparison_result comparison(Sign sine)
   {
     return sine == POSITIVE ? SMALLER : (sine == ZERO ? EQUAL : LARGER);
   }
 
-  // Does it take longer to look at the words of two edges than to derive their vectors?
+  // Returns whether examining the edge sequences of two edges takes longer than deriving their vectors.
   bool have_long_words(Halfedge_index from, Halfedge_index to) const
   {
     constexpr Index many_letters = 16;

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* At the head of a word, of its other direction. */
+/* At the head of an edge sequence, for its reverse direction. */
 template <class Triangulation>
 Word_angle head_angle(const Triangulation& triangulation, const Strip<Triangulation>& strip, const Crossing_word& word)
 {
@@ -43,8 +43,8 @@ struct Seen_word
   Crossing_word seen() const { return is_from_tail ? word : word.reversed(); }
 };
 
-/* Where one straight line is from another in one corner: CLOCKWISE of it, COUNTERCLOCKWISE, or COLLINEAR, in one
- * direction with it. If the face is a half plane without area, they can be opposite. Exact. */
+/* Returns the exact position of one straight line relative to another in one corner: CLOCKWISE, COUNTERCLOCKWISE, or
+ * COLLINEAR if they have the same direction. In a degenerate face that is a half plane, they can be opposite. */
 template <class Triangulation>
 Orientation order_in_one_corner(const Triangulation& triangulation, Decision_statistics& statistics,
                                 const Seen_word& from, const Seen_word& to)
@@ -62,15 +62,15 @@ Orientation order_in_one_corner(const Triangulation& triangulation, Decision_sta
   return sine == POSITIVE || (sine == ZERO && turn > 0) ? CLOCKWISE : COUNTERCLOCKWISE;
 }
 
-/* How an angle compares with pi, exactly, and the angle, rounded. */
+/* The exact comparison of an angle with pi, and the angle, rounded. */
 struct Compared_angle
 {
   Comparison_result with_straight;
   double value;
 };
 
-/* The angle clockwise from one straight line to another about a vertex of the input; LARGER if the border is in
- * between, 0 if they have one direction. */
+/* Computes the angle clockwise from one straight line to another around a vertex of the input; LARGER if the border is
+ * in between, 0 if the lines have the same direction. */
 template <class Triangulation>
 Compared_angle compared_angle_clockwise(const Triangulation& triangulation, Decision_statistics& statistics,
                                         const Seen_word& from, const Seen_word& to)

@@ -19,17 +19,18 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A path on the input surface as the sequence of input edges that it crosses, put together of pieces; pulled straight
- * without passing a vertex, it has the word that `finish()` gives: the free reduction, less the letters that touch the
- * ends. An input vertex touches the edges that start there, a point of an edge that edge, a point inside a face none.
+ * A path on the input surface as the sequence of input edges that it crosses, composed of pieces. Shortened without
+ * passing a vertex, it has the edge sequence returned by `finish()`: the free reduction, minus the crossed edges that
+ * touch the ends. An input vertex touches its incident edges, a point of an edge that edge, a point inside a face none.
  *
- * A letter is an input halfedge, or more than that: a type that is made from one and converts to it.
+ * A crossed edge (`Letter`) is an input halfedge, or a type that is made from one, converts to it and carries more
+ * data.
  */
 template <class Triangulation, class Letter = Input_halfedge_index>
 class Word_path
 {
 public:
-  /* A path that starts at a vertex, into the input face of its anchor. The memory of old letters can be reused. */
+  /* Starts a path at a vertex, into the input face of its anchor. The memory of an old sequence can be reused. */
   Word_path(const Triangulation& triangulation, Vertex_index start, Input_halfedge_index start_anchor,
             std::vector<Letter> memory = {})
     : m_triangulation(triangulation)
@@ -48,7 +49,7 @@ public:
       m_letters.push_back(letter);
   }
 
-  /* Crosses some letters of a word. As it is reduced, letters cancel where the two meet and nowhere else. */
+  /* Crosses a range of an edge sequence. Since the range is reduced, edges cancel only where the two sequences meet. */
   void cross(const std::vector<Letter>& letters, std::size_t first, std::size_t last)
   {
     for(; first < last && is_taken_back(Input_halfedge_index(letters[first])); ++first)
@@ -58,7 +59,7 @@ public:
                      begin + static_cast<std::ptrdiff_t>((std::max)(first, last)));
   }
 
-  /* Crosses the letters of a word, or of its other direction. */
+  /* Crosses the edges of a sequence, or of its reverse. */
   void cross(const Crossing_word& word, bool is_reversed)
   {
     if(!is_reversed)
@@ -71,14 +72,16 @@ public:
       m_letters.push_back(twin_index(word.crossed[last - 1]));
   }
 
-  /* Turns clockwise about vertex v over a number of input edges, that in the direction of `spoke` first. */
+  /* Turns clockwise around vertex v across a number of input edges, beginning with the one in the direction of
+   * `spoke`. */
   void turn(Vertex_index v, Input_halfedge_index spoke, Index number)
   {
     for(Index i = 0; i < number; ++i, spoke = next_spoke(m_triangulation, v, spoke))
       cross(spoke);
   }
 
-  /* Hands out the word of the straight path; this one ends at a vertex, in the input face of its anchor. */
+  /* Returns the edge sequence of the shortened path, which ends at a vertex in the input face of its anchor; leaves the
+   * path empty. */
   Crossing_word finish(Vertex_index end, Input_halfedge_index end_anchor)
   {
     Crossing_word word = trim(end, end_anchor);
@@ -86,7 +89,8 @@ public:
     return word;
   }
 
-  /* Drops the letters that touch the ends, of a path that ends as above. Returns the word without its letters. */
+  /* Drops the crossed edges that touch the ends of a path that ends as for `finish()`. Returns the sequence without its
+   * edges. */
   Crossing_word trim(Vertex_index end, Input_halfedge_index end_anchor)
   {
     Input_halfedge_index first_anchor = m_start_anchor, last_anchor = end_anchor;
@@ -96,7 +100,7 @@ public:
     for(; first != last && touches(end, last_anchor, twin_index(Input_halfedge_index(*(last - 1)))); --last)
       last_anchor = across(end, twin_index(Input_halfedge_index(*(last - 1))), last_anchor);
     const auto skipped = first - m_letters.begin();
-    m_letters.erase(last, m_letters.end()); // with it goes `first`, where all is taken back
+    m_letters.erase(last, m_letters.end()); // if everything cancels, `first` is erased as well
     m_letters.erase(m_letters.begin(), m_letters.begin() + skipped);
     Crossing_word word;
     word.tail = m_start;
@@ -106,19 +110,19 @@ public:
     return word;
   }
 
-  /* Hands out the letters. */
+  /* Moves the crossed edges out. */
   std::vector<Letter> take_letters() { return std::move(m_letters); }
 
 private:
   const auto& input() const { return m_triangulation.input(); }
 
-  // Does a letter cross back what was crossed last?
+  // Returns whether crossing an edge cancels the last crossing.
   bool is_taken_back(Input_halfedge_index letter) const
   {
     return !m_letters.empty() && Input_halfedge_index(m_letters.back()) == twin_index(letter);
   }
 
-  // Does a side of the anchor's face touch the vertex?
+  // Returns whether a side of the anchor's face touches the vertex.
   bool touches(Vertex_index v, Input_halfedge_index anchor, Input_halfedge_index side) const
   {
     switch(vertex_kind(m_triangulation, v)) {
@@ -139,7 +143,7 @@ private:
     return !m_triangulation.is_inserted(v) && side == anchor ? input().next(t) : t;
   }
 
-  // What crosses nothing runs along an input edge or through the inside of a face.
+  // A path that crosses nothing runs along an input edge or through the interior of a face.
   void place_in_face(Input_halfedge_index k, Input_halfedge_index l, Crossing_word& word) const
   {
     const Location_kind at_k = vertex_kind(m_triangulation, word.tail);
@@ -156,7 +160,7 @@ private:
       word.face = k;
   }
 
-  // Of two points of an input edge, is the first nearer to the tail of halfedge h?
+  // Returns whether the first of two points of an input edge is nearer to the tail of halfedge h.
   bool is_before(Vertex_index v, Vertex_index w, Input_halfedge_index h) const
   {
     const auto a = vertex_weights(m_triangulation, v, h), b = vertex_weights(m_triangulation, w, h);
@@ -171,22 +175,22 @@ private:
 };
 
 /*
- * Reads the crossing word of an edge off the triangulation as it is, by integers alone [GSC21, section 3 has the idea]:
- * how many input edges cross each edge says where they go in each triangle.
+ * Traces the edge sequence of an edge in the current triangulation, by integers alone [after GSC21, section 3]: the
+ * numbers of input edges that cross each edge determine how these continue in each triangle.
  *
- * Two input edges that an edge crosses one after the other are sides of one input face, so that they meet at a vertex
- * on its left or on its right. On the left they do if they stay next to each other, triangle by triangle, and emanate
- * from one corner in the end; if they part before, they meet on the right. So bundles of neighbors are followed, and
+ * Two input edges crossed consecutively by an edge are sides of one input face and therefore meet at a vertex on its
+ * left or on its right. They meet on the left if they stay adjacent, triangle by triangle, and finally emanate from one
+ * corner; if they part before, they meet on the right. Bundles of adjacent input edges are therefore followed, and
  * split where they part:
  *
- *             m                 from side x, whose face is on its left, a bundle goes on around k or around l,
- *            /|\                or ends at m
- *           / | \
- *          /  |. .\
- *         k ---x---> l
+ *            m                 from side x, whose face is on its left, a bundle continues around k or around l,
+ *           /|\                or ends at m
+ *          / | \
+ *         /  |. .\
+ *        k ---x---> l
  *
- * This gives the letters one after the other, from the first one on. That is told by the input corner in which the edge
- * starts, which is counted off from an edge that has never been flipped.
+ * This determines the crossed edges one after the other, starting with the first one, which follows from the input
+ * corner in which the edge starts. That corner is found by counting from an edge that has never been flipped.
  */
 template <class Triangulation>
 class Word_tracer
@@ -198,9 +202,9 @@ public:
   }
 
   /*
-   * Writes the word of halfedge h. Returns false if no edge at its tail is the input's any more, so that it has to be
-   * derived otherwise. Linear in the degree of the tail and in the triangles that bundles pass. \pre no point was
-   * inserted
+   * Computes the edge sequence of halfedge h. Returns false if no edge at its tail is the input's any more, so that the
+   * sequence must be derived otherwise. Linear in the degree of the tail and in the number of triangles that bundles
+   * pass. \pre no point was inserted
    */
   bool operator()(Halfedge_index h, Crossing_word& word)
   {
@@ -212,7 +216,7 @@ public:
     word.face = null_index;
     const Index number = crossings(h);
     word.along = number == 0 ? spoke : null_index;
-    word.crossed.assign(static_cast<std::size_t>(number), meets_on_right); // where the letters will stand
+    word.crossed.assign(static_cast<std::size_t>(number), meets_on_right); // placeholders for the crossed edges
     if(number == 0)
       return true;
     find_meetings_on_left(h, word.crossed);
@@ -227,11 +231,11 @@ public:
   }
 
 private:
-  // Where an input edge meets the next one that is crossed.
+  // The side on which an input edge meets the next one that is crossed.
   static constexpr Input_halfedge_index meets_on_right{0}, meets_on_left{1};
 
-  // Input edges that cross side `halfedge` one after the other, numbered from its tail, and go on into the face on its
-  // left; the first of them is letter `letter` of the word.
+  // Input edges that cross side `halfedge` consecutively, numbered from its tail, and continue into the face on its
+  // left; the first of them is crossed edge number `letter` of the sequence.
   struct Bundle
   {
     Halfedge_index halfedge;
@@ -244,7 +248,7 @@ private:
 
   bool is_along(Halfedge_index h) const { return m_triangulation.crossings(Triangulation::edge(h)) < 0; }
 
-  // The input halfedge at the tail of h along which h lies, or else the first one clockwise; null if that is not known.
+  // The input halfedge at the tail of h along which h lies, or else the first one clockwise; null_index if unknown.
   Input_halfedge_index spoke_before(Halfedge_index h) const
   {
     Index passed = is_along(h) ? 1 : 0;
@@ -261,7 +265,7 @@ private:
     return as_input(h);
   }
 
-  // Input halfedge h, turned counterclockwise over a number of input corners.
+  // Returns input halfedge h turned counterclockwise over a number of input corners.
   Input_halfedge_index turned(Input_halfedge_index h, Index number) const
   {
     for(; number > 0; --number)

@@ -30,7 +30,7 @@ namespace internal {
 
 inline std::complex<double> in_double(const Double_double_vector& v) { return {v.x.high, v.y.high}; }
 
-/* The edge of halfedge h, as the triangulation derives and keeps it, or unfolded. */
+/* Returns the edge of halfedge h as derived and stored by the triangulation, or otherwise unfolded. */
 template <class Triangulation>
 Precise_edge precise_edge(const Triangulation& triangulation, Halfedge_index h)
 {
@@ -40,7 +40,7 @@ Precise_edge precise_edge(const Triangulation& triangulation, Halfedge_index h)
     return unfolded_edge(triangulation, triangulation.crossing_word(h));
 }
 
-/* The wedge clockwise from one edge of an input vertex to another; all the way round if they are the same. */
+/* The wedge clockwise from one edge of an input vertex to another; the full turn if they are the same. */
 template <class Triangulation>
 class Precise_wedge
 {
@@ -54,17 +54,17 @@ public:
       m_corners = triangulation.input_edges_in_wedge(from, to) + m_from.first_corner;
   }
 
-  /* Not about inserted vertices, nor between edges to them. */
+  /* Returns false for wedges around inserted vertices and between edges to them. */
   bool has_bound() const { return m_from.has_bound() && m_to.has_bound(); }
 
   const Precise_edge& from() const { return m_from; }
   const Precise_edge& to() const { return m_to; }
 
-  /* From doubles, with an error as that of few roundings. */
+  /* Computes the angle in doubles; its error corresponds to a few rounding errors. */
   Wedge_angle angle() const
   {
     Angle_sum sum;
-    double error = 1.6 * (m_from.end_error + m_to.end_error) + 4 * input_corner_error; // of the arc sine as well
+    double error = 1.6 * (m_from.end_error + m_to.end_error) + 4 * input_corner_error; // including the arc sine
     for_each_corner([&](const Precise_halfedge& side) {
       sum.add(-std::conj(in_double(side.next)));
       error += side.error + input_corner_error;
@@ -81,7 +81,7 @@ public:
     return {angle(), in_double(rotation)};
   }
 
-  /* Adds the wedge to a rotation, and to its relative error. */
+  /* Multiplies a rotation by that of the wedge, and adds to its relative error. */
   void extend(Double_double_vector& rotation, double& error) const
   {
     rotation = rotation * (m_from.end * conjugate(m_to.end));
@@ -105,7 +105,7 @@ private:
   Index m_corners = 0; // input corners between the references
 };
 
-/* A sum of wedges, of 2 pi at most, to be compared with pi. */
+/* A sum of wedges of at most 2 pi, to be compared with pi. */
 template <class Triangulation>
 class Precise_angle_sum
 {
@@ -123,14 +123,15 @@ public:
 
   bool has_bound() const { return m_angle.error < 1; }
 
-  /* EQUAL if the errors hide which it is. */
+  /* EQUAL if the errors hide the result. */
   Comparison_result compare_with_straight() const
   {
     const Comparison_result quick = m_angle.compare_with_straight();
     if(quick != EQUAL || !has_bound())
       return quick;
-    // Near pi, the sine tells; errors are relative, as numbers are, to the product of lengths. Of two wedges that is a
-    // fourth power, of which no square can be had: it is below the least double where lengths are below 2^-134.
+    // Near pi, the sign of the sine decides. Errors are relative, like the numbers, to the product of the lengths. For
+    // two wedges this product is a fourth power, which must not be squared: that is below the least double if lengths
+    // are below 2^-134.
     Double_double_vector rotation = {{1, 0}, {}};
     double error = 0;
     for(const Precise_wedge<Triangulation>& wedge : m_wedges)
@@ -145,8 +146,8 @@ private:
   std::vector<Precise_wedge<Triangulation>> m_wedges;
 };
 
-/* What is measured of the face on the left of h: the lengths of h, next(h), previous(h), with bounds of their relative
- * errors, and the corners at the ends of h. */
+/* Measures of the face on the left of h: the lengths of h, next(h), previous(h) with bounds of their relative errors,
+ * and the corners at the ends of h. */
 struct Face_measures
 {
   struct Length
@@ -158,7 +159,7 @@ struct Face_measures
   Wedge_rotation at_tail, at_head;
 };
 
-/* The direction of a rotation by an angle between 0 and pi, up to rounding. */
+/* Returns the direction of a rotation by an angle between 0 and pi, up to rounding errors. */
 inline std::complex<double> direction(const std::complex<double>& rotation)
 {
   if(rotation.imag() <= 0)
@@ -167,8 +168,8 @@ inline std::complex<double> direction(const std::complex<double>& rotation)
 }
 
 /*
- * Lays out a face. Nothing if its corners are not between 0 and pi, up to their error and a given one: then flips were
- * wrong.
+ * Computes the vectors of a face. Returns nothing if its corners are not between 0 and pi, up to their error and a
+ * given tolerance, since flips were then wrong.
  */
 template <class Traits>
 std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits, const Face_measures& face,
@@ -179,7 +180,7 @@ std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits
     if(angle.value < -angle.error - tolerance || angle.value > pi + angle.error + tolerance)
       return {};
   const auto& [first, second, third] = face.lengths;
-  // Between vertices in one place h has no direction, and no corners at its ends; the one opposite is zero.
+  // If the ends of h coincide, h has no direction and no corners at its ends; the opposite corner is zero.
   const bool is_needle = first.value == 0;
   const std::complex<double> vn =
       is_needle ? second.value : -second.value * std::conj(direction(face.at_head.rotation));
@@ -190,7 +191,8 @@ std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits
   return traits.construct_face_2_object()({{{first.value, 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}, error);
 }
 
-/* Lays out the face on the left of h from the input alone, by strips in double; nothing as above. */
+/* Recomputes the vectors of the face on the left of h from the input, by strips in doubles. Returns nothing if flips
+ * were wrong. */
 template <class Triangulation>
 std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Triangulation& triangulation,
                                                                         Halfedge_index h, double tolerance)
@@ -207,7 +209,8 @@ std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Tr
                        tolerance);
 }
 
-/* The same from edges as vectors of about 100 bits, where flips are never wrong. Nothing if these have no bound. */
+/* Recomputes the vectors of the face on the left of h from double-double vectors of its edges, for which flips are
+ * never wrong. Returns nothing if an edge has no error bound. */
 template <class Triangulation>
 std::optional<typename Triangulation::Traits::Face_geometry> precise_face(const Triangulation& triangulation,
                                                                           Halfedge_index h)
@@ -223,7 +226,8 @@ std::optional<typename Triangulation::Traits::Face_geometry> precise_face(const 
   return laid_out_face(triangulation.traits(), face, 0);
 }
 
-/* Lays out the face on the left of h afresh. Returns false, and changes nothing, if flips were wrong already. */
+/* Recomputes the face on the left of h from the input. Returns false and changes nothing if flips were already
+ * wrong. */
 template <class Triangulation>
 bool refresh_face(Triangulation& triangulation, Halfedge_index h)
 {
@@ -237,8 +241,8 @@ bool refresh_face(Triangulation& triangulation, Halfedge_index h)
   return geometry.has_value();
 }
 
-/* Lays out the faces afresh clockwise from halfedge a to halfedge b of a vertex, up to the border if it
- * intervenes. Returns false at a face where flips were wrong already. */
+/* Recomputes the faces clockwise from halfedge a to halfedge b of a vertex, or up to the border if it intervenes.
+ * Returns false at a face in which flips were already wrong. */
 template <class Triangulation>
 bool refresh_wedge(Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {

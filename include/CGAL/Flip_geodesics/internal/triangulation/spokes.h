@@ -18,12 +18,12 @@ namespace internal {
 
 /*
  * The faces at a vertex form one umbrella, or several at a non-manifold vertex. Each of several umbrellas ends at the
- * border, and the border leads from one to the next. Since edges on the border are never flipped, the umbrellas of a
+ * border, and the border leads from one to the next. Since border edges are never flipped, the umbrellas of a
  * triangulation are those of its input.
  */
 
-/* The border halfedge at the counterclockwise end of the umbrella that has a halfedge of its vertex; null_index if the
- * umbrella has no border. */
+/* Returns the border halfedge at the counterclockwise end of the umbrella that contains a halfedge of its vertex, or
+ * null_index if the umbrella has no border. */
 template <class Input_mesh>
 Input_halfedge_index border_of_umbrella(const Input_mesh& input, Input_halfedge_index h)
 {
@@ -36,7 +36,7 @@ Input_halfedge_index border_of_umbrella(const Input_mesh& input, Input_halfedge_
   return null_index;
 }
 
-/* The border halfedge of the umbrella that follows clockwise; at a manifold vertex it is the same. */
+/* Returns the border halfedge of the next umbrella clockwise, which is the same one at a manifold vertex. */
 template <class Input_mesh>
 Input_halfedge_index next_umbrella(const Input_mesh& input, Input_halfedge_index border)
 {
@@ -46,7 +46,7 @@ Input_halfedge_index next_umbrella(const Input_mesh& input, Input_halfedge_index
   return clockwise_of(input, h);
 }
 
-/* The one before. */
+/* Returns the border halfedge of the previous umbrella. */
 template <class Input_mesh>
 Input_halfedge_index previous_umbrella(const Input_mesh& input, Input_halfedge_index border)
 {
@@ -56,7 +56,7 @@ Input_halfedge_index previous_umbrella(const Input_mesh& input, Input_halfedge_i
   return result;
 }
 
-/* The halfedge of a triangulation that leads along a border halfedge of the input from its vertex. */
+/* Returns the halfedge of a triangulation that leads along a border halfedge of the input from its vertex. */
 template <class Triangulation>
 Halfedge_index first_spoke(const Triangulation& triangulation, Input_halfedge_index border)
 {
@@ -70,7 +70,7 @@ Halfedge_index first_spoke(const Triangulation& triangulation, Input_halfedge_in
   return h;
 }
 
-/* A halfedge of a triangulation that starts at the vertex of an input halfedge, in the same umbrella. */
+/* Returns a halfedge of a triangulation that starts at the vertex of an input halfedge, in the same umbrella. */
 template <class Triangulation>
 Halfedge_index outgoing_beside(const Triangulation& triangulation, Input_halfedge_index h)
 {
@@ -81,8 +81,8 @@ Halfedge_index outgoing_beside(const Triangulation& triangulation, Input_halfedg
   return first_spoke(triangulation, border);
 }
 
-/* Calls function(h) for the halfedges that start at a vertex, clockwise, in the umbrellas but that of `border`, a border
- * halfedge of the triangulation. */
+/* Calls function(h) for the outgoing halfedges of a vertex, clockwise, in all umbrellas except that of `border`, a
+ * border halfedge of the triangulation. */
 template <class Triangulation, class Function>
 void for_each_spoke_of_other_umbrellas(const Triangulation& triangulation, Halfedge_index border,
                                        const Function& function)
@@ -103,9 +103,9 @@ Halfedge_index index_of(const Walker& h)
   return h.index();
 }
 
-/* Replaces what a range holds by the halfedges that start at v, clockwise, from the border if there is one; as walkers
- * or by their indices. At a non-manifold vertex they come umbrella by umbrella, as the border leads from one to the
- * next. */
+/* Replaces the contents of a range by the outgoing halfedges of v, clockwise, from the border if there is one, as
+ * walkers or by their indices. At a non-manifold vertex they are grouped by umbrella, in the order in which the border
+ * connects these. */
 template <class Triangulation, class Spoke>
 void collect_spokes(const Triangulation& triangulation, Vertex_index v, std::vector<Spoke>& result)
 {
@@ -132,12 +132,12 @@ void collect_spokes(const Triangulation& triangulation, Vertex_index v, std::vec
     return;
   for(h = first.clockwise(); !h.is_none(); h = h.clockwise())
     add(h);
-  if constexpr(Has_words<Triangulation>::value) // others are manifolds
+  if constexpr(Has_words<Triangulation>::value) // the others are manifolds
     for_each_spoke_of_other_umbrellas(triangulation, index_of(result.front()),
                                       [&](Halfedge_index g) { add(triangulation.walker(g)); });
 }
 
-/* The halfedges that start at v, clockwise, from the border if there is one. */
+/* Returns the outgoing halfedges of v, clockwise, from the border if there is one. */
 template <class Triangulation>
 std::vector<Halfedge_index> spokes(const Triangulation& triangulation, Vertex_index v)
 {
@@ -146,7 +146,7 @@ std::vector<Halfedge_index> spokes(const Triangulation& triangulation, Vertex_in
   return result;
 }
 
-/* The halfedges that start at the vertex of an input halfedge, as far as they are in the same umbrella. */
+/* Returns the outgoing halfedges of the vertex of an input halfedge that belong to the same umbrella. */
 template <class Triangulation>
 std::vector<Halfedge_index> spokes_beside(const Triangulation& triangulation, Input_halfedge_index h)
 {
@@ -159,7 +159,8 @@ std::vector<Halfedge_index> spokes_beside(const Triangulation& triangulation, In
   return result;
 }
 
-/* The shortest edge from v to w, of equally long ones the first by index; null_index if there is none. */
+/* Returns the shortest edge from v to w, the one with the smallest index among equally long ones; null_index if there
+ * is none. */
 template <class Triangulation>
 Halfedge_index halfedge_between(const Triangulation& triangulation, Vertex_index v, Vertex_index w)
 {
@@ -175,7 +176,7 @@ Halfedge_index halfedge_between(const Triangulation& triangulation, Vertex_index
   return best;
 }
 
-/* For what may have to flip any edge. \throws Occupied_triangulation_error if a network has curves there */
+/* For functions that may have to flip any edge. \throws Occupied_triangulation_error if a network has curves there */
 template <class Triangulation>
 void check_has_no_curves(const Triangulation& triangulation, const std::string& what_is_impossible)
 {

@@ -17,8 +17,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The angle clockwise from halfedge a to halfedge b about an inserted point inside an input face: the directions are
- * told from one halfedge of the face, and how often they pass it is seen from edge to edge, in corners below pi.
+ * Computes the angle clockwise from halfedge a to halfedge b around an inserted point inside an input face. Directions
+ * are relative to one halfedge of the face; the number of times that they pass it follows from edge to edge, in corners
+ * below pi.
  */
 template <class Triangulation>
 Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
@@ -46,7 +47,7 @@ Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Ha
   return {{sum, 1.6 * error}, product(from.end(), std::conj(end))};
 }
 
-/* The words of the wedge clockwise from one halfedge of a vertex to another. */
+/* Returns the edge sequences of the wedge clockwise from one halfedge of a vertex to another. */
 template <class Triangulation>
 Wedge_words wedge_words(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
 {
@@ -55,7 +56,8 @@ Wedge_words wedge_words(const Triangulation& triangulation, Halfedge_index from,
   return result;
 }
 
-/* The wedge clockwise from halfedge a to halfedge b of one vertex, afresh. a == b means all the way round. */
+/* Recomputes the wedge clockwise from halfedge a to halfedge b of one vertex from the input. a == b means the full
+ * turn. */
 template <class Triangulation>
 Wedge_rotation wedge_rotation(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {
