@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A side of an edge as it is between two flips of the edge. */
+/* A side of an edge, as it is between two flips of the edge. */
 struct Side_version
 {
   Halfedge_index halfedge;
@@ -29,18 +29,18 @@ struct Side_version
 };
 
 /*
- * How wedges compare with pi, of which that was hard to tell. A straight angle stops flips, and so it is asked for
- * again whenever the flips about it are: at the walls of an extrusion a hundred times. The angle between two edges is
- * the same for as long as both are there.
+ * Results of expensive comparisons of wedges with pi. A straight angle prevents flips and is therefore compared again
+ * whenever the flips around it are attempted: a hundred times at an extruded developable region. The angle between two
+ * edges is constant as long as both exist.
  *
- * A hash table in which a wedge has one place, and takes it from another one; so it is of bounded size, and nothing is
- * searched. Versions are used again after flips were taken back; from then on all wedges count as new but those
- * between edges of the input.
+ * In this hash table each wedge has one possible entry, where it replaces any other one, so that the size is bounded
+ * and no search is needed. Versions are reused after flips were rolled back; from then on all wedges count as new,
+ * except those between edges of the input.
  */
 class Compared_wedges
 {
 public:
-  /* The wedge clockwise from one edge to another: the result, null if it is not known. */
+  /* Returns the result for the wedge clockwise from one edge to another, or null if it is unknown. */
   const Comparison_result* find(const Side_version& from, const Side_version& to) const
   {
     if(m_entries.empty())
@@ -56,11 +56,11 @@ public:
     put({from, to, epoch(from, to), result});
   }
 
-  /* Flips were taken back. */
+  /* Must be called after flips were rolled back. */
   void forget_flips() { ++m_epoch; }
 
 private:
-  // Of an entry that is not taken the epoch is 0; of a wedge between edges of the input it is 1.
+  // The epoch is 0 for a free entry, and 1 for a wedge between edges of the input.
   struct Entry
   {
     Side_version from, to;
@@ -101,13 +101,13 @@ private:
   }
 
   std::vector<Entry> m_entries;
-  std::size_t m_size = 0; // entries that are taken
+  std::size_t m_size = 0; // the number of entries in use
   std::uint32_t m_epoch = 2;
 };
 
 /*
- * What a triangulation keeps of the decisions that its traits left open. Members that are const can be called by several
- * threads at once.
+ * The results that a triangulation keeps of predicates after filter failures. The const members can be called by
+ * several threads simultaneously.
  */
 class Remembered_decisions
 {
@@ -125,8 +125,8 @@ public:
   }
 
   /*
-   * How the wedge clockwise from one edge to another compares with pi, by `compare(statistics)` if it is not known.
-   * Nothing is locked while that is computed.
+   * Returns the comparison of the wedge clockwise from one edge to another with pi, computed by `compare(statistics)`
+   * if unknown. No lock is held during that computation.
    */
   template <class Compare>
   Comparison_result compare(const Side_version& from, const Side_version& to, const Compare& compare) const
@@ -146,7 +146,7 @@ public:
     return result;
   }
 
-  /* What is known of flat edges of an input. */
+  /* Returns the results for flat edges of an input. */
   Flat_edges& flat_edges(std::size_t number_of_input_edges) const
   {
     const std::lock_guard<Short_lock> guard(m_lock);
@@ -155,7 +155,7 @@ public:
     return m_flat_edges;
   }
 
-  /* Flips were taken back. */
+  /* Must be called after flips were rolled back. */
   void forget_flips() { m_compared_wedges.forget_flips(); }
 
 private:

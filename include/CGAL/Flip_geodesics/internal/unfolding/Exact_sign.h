@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The limit of work for one sign in a triangulation: that of its traits, if they leave signs open. */
+/* Returns the work limit for one sign in a triangulation: that of its traits, if their signs can remain undecided. */
 template <class Triangulation>
 std::uint64_t sign_work_limit(const Triangulation& triangulation)
 {
@@ -30,12 +30,12 @@ std::uint64_t sign_work_limit(const Triangulation& triangulation)
 }
 
 /*
- * The sign of the imaginary part of a product of chains of input faces, in two kinds of numbers: of 50 digits with a
- * bound of their error, which find the sign of most numbers that are not zero; and exactly, with the roots in the
- * faces' areas, as far as the limit of work allows. What is left open is taken for zero, and counted.
+ * Computes the sign of the imaginary part of a product of chains of input faces in two kinds of numbers: first with 50
+ * digits and an error bound, which decides most nonzero numbers, then exactly, with the square roots in the faces'
+ * areas, as far as the work limit allows. An undecided sign is taken for zero and counted.
  *
- * The areas of faces in one plane are rational multiples of each other, so that there are at most as many independent
- * roots as there are planes.
+ * The areas of coplanar faces are rational multiples of each other, so that there are at most as many independent roots
+ * as planes.
  */
 class Exact_sign
 {
@@ -49,7 +49,7 @@ public:
   Sign operator()(const std::vector<Unfolding_chain>& chains) const
   {
     const std::vector<Integer> squares = squared_roots(chains);
-    const bool is_one_root = squares.size() <= 1; // exact numbers take less time then
+    const bool is_one_root = squares.size() <= 1; // then exact numbers take less time
     Uncertain<Sign> sign = is_one_root ? by_roots(squares, chains) : by_digits(chains);
     if(!sign.is_certain())
       sign = is_one_root ? by_digits(chains) : by_roots(squares, chains);

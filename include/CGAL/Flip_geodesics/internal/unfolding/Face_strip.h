@@ -17,10 +17,11 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The vectors of the sides of a face, from some halfedge on. */
+/* The vectors of the sides of a face, starting with some halfedge. */
 using Face_vectors = std::array<Plane_vector, 3>;
 
-/* A face whose first side lies on the positive real axis, turned and scaled so that this side is a given vector. */
+/* Returns a face whose first side lies on the positive real axis, rotated and scaled so that this side is a given
+ * vector. */
 template <class Face_geometry>
 Face_vectors turned_along(const Face_geometry& face, const Plane_vector& along)
 {
@@ -29,11 +30,12 @@ Face_vectors turned_along(const Face_geometry& face, const Plane_vector& along)
 }
 
 /*
- * Lays out input faces in double. The error of a position is normwise, a few units in the last place per face, whatever
+ * Unfolds input faces in doubles. The error of a position is normwise, a few units in the last place per face, whatever
  * the shapes of the faces.
  *
- * A layout has a type of the sides of a face, with `opposite(side)` for the other direction, and one of its corners. It
- * computes the sides of a face from the first one, and the third corner of a face from the ends of its first side.
+ * A layout has a type for the sides of a face, with `opposite(side)` for the reverse direction, and one for its
+ * corners. It computes the sides of a face from the first one, and the third corner of a face from the ends of its
+ * first side.
  */
 template <class Triangulation>
 class Layout_in_double
@@ -56,13 +58,13 @@ public:
   Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
   static Side opposite(const Side& side) { return -side; }
 
-  /* The sides of the face of h, the first of which is given. \pre the face is a triangle */
+  /* Returns the sides of the face of h, given the first one. \pre the face is a triangle */
   Sides sides(Input_halfedge_index h, const Side& along) const
   {
     return turned_along(known_input_face_geometry(m_triangulation, h), along);
   }
 
-  /* The corners of a face as seen from a point in it, which is given by the weights of the corners. */
+  /* Returns the corners of a face relative to a point in it, which is given by the weights of the corners. */
   static std::array<Corner, 3> corners(const Sides& sides, const std::array<double, 3>& weights)
   {
     const double sum = weights[0] + weights[1] + weights[2];
@@ -76,7 +78,7 @@ public:
     return result;
   }
 
-  /* The third corner of the n-th face that is entered, from that end of the first side from which it is nearer. */
+  /* Returns the third corner of the n-th face that is entered, computed from the nearer end of the first side. */
   static Corner apex(const Sides& sides, const Corner& right, const Corner& left, std::size_t n)
   {
     const double to_right = magnitude(sides[1]), to_left = magnitude(sides[2]), error = turn_error(n);
@@ -86,7 +88,7 @@ public:
                           face_ratio_error * magnitude(position)};
   }
 
-  /* A bound of the relative errors of the sides of the n-th face that is entered. */
+  /* Returns a bound of the relative errors of the sides of the n-th face that is entered. */
   static double turn_error(std::size_t n) { return static_cast<double>(n + 1) * face_ratio_error; }
 
 private:
@@ -94,17 +96,17 @@ private:
 };
 
 /*
- * Unfolds input faces into a plane, one after the other, each over a side of the one before: its gate.
+ * Unfolds input faces into a plane, one after the other, each across a side of the previous one: its portal (`gate`).
  *
- *                     apex                  Face entered over `gate`: its corners are the left end of the gate, the
- *                    /    \                 right end and the apex; its sides lead from the left end to the right
- *              side 2      side 1           one, to the apex, and back.
+ *                     apex                  Face entered across `gate`: its corners are the left end of the gate,
+ *                    /    \                 the right end and the apex; its sides lead from the left end to the
+ *              side 2      side 1           right one, to the apex, and back.
  *                  /        \
  *               left -------- right
  *                     gate
  *
- * The sides are products of the corners of the faces, never differences of positions, which would magnify errors
- * wherever a gate is short. How numbers are computed and their errors bounded is left to the layout.
+ * The sides are products of the corners of the faces, never differences of positions, which would magnify errors at
+ * short portals. The layout determines how numbers are computed and how their errors are bounded.
  */
 template <class Layout>
 class Face_strip
@@ -127,15 +129,15 @@ public:
   {
   }
 
-  /* The last face, by the halfedge over which it was entered. */
+  /* Returns the last face, given by the halfedge across which it was entered. */
   Input_halfedge_index halfedge() const { return m_halfedge; }
   const Sides& sides() const { return m_sides; }
   const Corners& corners() const { return m_corners; }
 
-  /* The number of faces that have been entered. */
+  /* Returns the number of faces that have been entered. */
   std::size_t entered() const { return m_entered; }
 
-  /* A side of the last face as a halfedge, and which one a halfedge is. */
+  /* Returns a side of the last face as a halfedge; below, the number of a halfedge among the sides. */
   Input_halfedge_index side(int i) const
   {
     const Input_halfedge_index second = i == 0 ? m_halfedge : m_layout.next(m_halfedge);
@@ -143,12 +145,12 @@ public:
   }
   int number_of(Input_halfedge_index h) const { return h == m_halfedge ? 0 : (h == m_layout.next(m_halfedge) ? 1 : 2); }
 
-  /* The side over which the last face is left, from its left end to its right one. */
+  /* Returns the side across which the last face is left, from its left end to its right one. */
   const Side& gate() const { return m_gate; }
   const Corner& right() const { return m_right; }
   const Corner& left() const { return m_left; }
 
-  /* Makes a side of the last face the gate. */
+  /* Makes a side of the last face the portal. */
   void leave_over(int i)
   {
     m_right = m_corners[i];
@@ -156,7 +158,7 @@ public:
     m_gate = m_layout.opposite(m_sides[i]);
   }
 
-  /* Enters the face of h, the halfedge of the gate in that face. */
+  /* Enters the face of h, the halfedge of the portal in that face. */
   void enter(Input_halfedge_index h)
   {
     const Sides sides = m_layout.sides(h, m_gate);
@@ -164,13 +166,13 @@ public:
   }
 
   /* Crosses edges, each given as a halfedge of the face before it, and enters the face behind the last one. Calls
-   * visit(crossed, right, left) for each with the ends of the gate. \pre the first one is the gate */
+   * visit(crossed, right, left) for each with the ends of the portal. \pre the first one is the portal */
   template <class Visit>
   void cross(const std::vector<Input_halfedge_index>& crossed, const Visit& visit)
   {
     if(crossed.empty())
       return;
-    for(std::size_t i = 0;; ++i) { // one corner of each face is new, the others are not moved
+    for(std::size_t i = 0;; ++i) { // each face has one new corner; the others do not move
       visit(crossed[i], m_right, m_left);
       const Input_halfedge_index entered = twin_index(crossed[i]);
       const Sides sides = m_layout.sides(entered, m_gate);

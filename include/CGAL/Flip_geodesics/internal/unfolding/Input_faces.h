@@ -33,16 +33,17 @@ struct Corner_angle
 {
   Plane_vector turn;           // not normalized
   Index corners;               // the number of outgoing halfedges that were passed
-  bool is_beyond_pi = false;   // is it above pi, by more than a tolerance? Then the rest is not computed
-  bool passes_near_pi = false; // is it within the tolerance of pi up to one of the halfedges?
+  bool is_beyond_pi = false;   // whether it exceeds pi by more than a tolerance; the rest is then not computed
+  bool passes_near_pi = false; // whether it is within the tolerance of pi up to one of the halfedges
 };
 
-/* The faces that are not laid out: those of which no corner can be computed, or all that no metric makes vectors of. */
+/* The faces that are refused: those of which no corner can be computed, or all that the metric cannot represent by
+ * vectors. */
 enum class Refused_faces { WITHOUT_CORNERS, UNUSABLE };
 
 /*
- * Faces of the input mesh, laid out one by one in plain doubles. Once a face or the length of an edge has been refused,
- * which `have_refused()` returns, results are of no use until `forget_refusals()`.
+ * Faces of the input mesh, unfolded separately in doubles. Once a face or the length of an edge has been refused, which
+ * `have_refused()` returns, results are invalid until `forget_refusals()`.
  */
 template <class Triangulation>
 class Input_faces
@@ -78,7 +79,8 @@ public:
   Input_halfedge_index clockwise(Input_halfedge_index h) const { return next(twin_index(h)); }
   Input_halfedge_index counterclockwise(Input_halfedge_index h) const { return twin_index(previous(h)); }
 
-  /* The third corner of the face of h, which has to be a triangle, where h leads from 0 to 1 in the complex plane. */
+  /* Returns the third corner of the face of h, which must be a triangle, if h leads from 0 to 1 in the complex
+   * plane. */
   Plane_vector corner(Input_halfedge_index h) const
   {
     check_triangle(m_triangulation.input(), h);
@@ -97,7 +99,7 @@ public:
     }
   }
 
-  /* The angle from one direction counterclockwise to another; it is beyond pi if the border is in between. */
+  /* Returns the angle from one direction counterclockwise to another; it exceeds pi if the border is in between. */
   Corner_angle angle(const Corner_direction& from, const Corner_direction& to, double tolerance) const
   {
     Corner_angle result = {std::conj(from.turn), 0};
@@ -123,7 +125,7 @@ private:
     angle.turn = product(angle.turn, corner(h));
     ++angle.corners;
     const double margin = tolerance * magnitude(angle.turn), sine = angle.turn.imag();
-    const bool is_obtuse = angle.turn.real() < 0; // what is left of the first corner can be nothing
+    const bool is_obtuse = angle.turn.real() < 0; // the remainder of the first corner can be zero
     angle.is_beyond_pi = sine < -margin && (angle.corners > 1 || is_obtuse);
     angle.passes_near_pi = angle.passes_near_pi || (std::abs(sine) <= margin && is_obtuse);
   }
@@ -162,13 +164,13 @@ private:
 };
 
 /*
- * An input edge that a path crosses, as a side of the face that is left, with its tail on the right; and the shape of the
- * face beyond. The shape is computed when a sleeve is first unfolded across the edge, and kept, so that unfolding the
- * edge again takes one complex product.
+ * An input edge crossed by a path, as a side of the face that is left, with its tail on the right, and the shape of the
+ * face beyond it. The shape is computed when a sleeve is first unfolded across the edge, and stored, so that unfolding
+ * across the edge again takes one complex product.
  */
 struct Sleeve_edge
 {
-  /* \param h the halfedge; its face beyond is not laid out yet */
+  /* \param h the halfedge; the shape of the face beyond it is not computed yet */
   Sleeve_edge(Input_halfedge_index h)
     : crossed(h)
   {
@@ -176,13 +178,13 @@ struct Sleeve_edge
   explicit operator Input_halfedge_index() const { return crossed; }
 
   Input_halfedge_index crossed;
-  Input_halfedge_index right_side = null_index; // of the face beyond, as seen from the edge; null until it is laid out
+  Input_halfedge_index right_side = null_index; // of the face beyond, as seen from the edge; null_index until computed
   Plane_vector corner = 0;                      // the third corner of the face beyond, if the edge leads from 1 to 0
 };
 
 /*
- * The sleeve of a path: the faces of the input that it passes, unfolded into the plane in doubles, with the crossed edges
- * as portals; and the shortest path within the sleeve.
+ * The sleeve of a path, that is, the input faces that it passes, unfolded into the plane in doubles with the crossed
+ * edges as portals; and the shortest path within the sleeve.
  */
 template <class Triangulation>
 class Sleeve
@@ -199,12 +201,12 @@ public:
   Input_faces<Triangulation>& faces() { return m_faces; }
   const Input_faces<Triangulation>& faces() const { return m_faces; }
 
-  /* The crossed edges, in order. After a change, the sleeve has to be unfolded again. */
+  /* Returns the crossed edges, in order. After a change, the sleeve must be unfolded again. */
   std::vector<Sleeve_edge>& edges() { return m_edges; }
   const std::vector<Sleeve_edge>& edges() const { return m_edges; }
 
-  /* Unfolds the faces with the right end of the first crossed edge at the origin, and the edge on the positive real
-   * axis. \pre edges are crossed, and two vertices, in the first and the last face, are not at any of them */
+  /* Unfolds the faces with the right end of the first crossed edge at the origin and the edge on the positive real
+   * axis. \pre edges are crossed; tail and head, in the first and the last face, are not ends of the crossed edges */
   void unfold(Vertex_index tail, Vertex_index head)
   {
     for(Sleeve_edge& edge : m_edges)
@@ -217,43 +219,43 @@ public:
     unfold_portals(length, place);
   }
 
-  /* Pulls the string from tail to head within the unfolded sleeve. Returns where it bends. */
+  /* Computes the shortest path from tail to head within the unfolded sleeve. Returns its bends. */
   const std::vector<Bend>& pull()
   {
     m_funnel.pull(m_portals, m_tail_place, m_head_place);
     return m_funnel.bends();
   }
 
-  /* The crossed edges in the plane, and the places of the tail and the head. */
+  /* Returns the crossed edges in the plane, and below the positions of the tail and the head. */
   const std::vector<Portal>& portals() const { return m_portals; }
   const Plane_vector& tail_place() const { return m_tail_place; }
   const Plane_vector& head_place() const { return m_head_place; }
 
-  /* The bends of the string that was pulled last. */
+  /* Returns the bends of the last shortest path. */
   const std::vector<Bend>& bends() const { return m_funnel.bends(); }
 
-  /* The vertex of a bend. */
+  /* Returns the vertex of a bend. */
   Vertex_index vertex(const Bend& bend) const
   {
     const Input_halfedge_index h = m_edges[bend.first].crossed;
     return bend.side == RIGHT_END ? m_faces.tail(h) : m_faces.head(h);
   }
 
-  /* The direction of the line between two places at the first one, in the face before portal `first`. */
+  /* Returns the direction, at the first of two points, of the line to the second, in the face before portal `first`. */
   Corner_direction direction_at_tail(std::size_t first, const Plane_vector& from, const Plane_vector& to) const
   {
     return {m_faces.previous(m_edges[first].crossed),
             rotation(Funnel::end(m_portals, first, RIGHT_END) - from, to - from)};
   }
 
-  /* Its direction backward at the second one, in the face behind portal `last`. */
+  /* Returns the reverse direction at the second point, in the face behind portal `last`. */
   Corner_direction direction_at_head(std::size_t last, const Plane_vector& from, const Plane_vector& to) const
   {
     return {m_faces.previous(twin_index(m_edges[last].crossed)),
             rotation(Funnel::end(m_portals, last, LEFT_END) - to, from - to)};
   }
 
-  /* The direction from a vertex to a point in a face that has both: no direction if the vertex is inserted. */
+  /* Returns the direction from a vertex to a point in a common face; no direction if the vertex is inserted. */
   Corner_direction direction_in_face(Vertex_index v, Vertex_index to, Input_halfedge_index face) const
   {
     if(m_triangulation.is_inserted(v))
@@ -271,7 +273,7 @@ private:
     edge.right_side = m_faces.next(entered);
   }
 
-  // The place of a vertex in the face of h, where h leads from 0 to 1; an input vertex is at the given third corner.
+  // The position of a vertex in the face of h, if h leads from 0 to 1; an input vertex is at the given third corner.
   Plane_vector place_in_face(Vertex_index v, Input_halfedge_index h, const Plane_vector& corner) const
   {
     if(!m_triangulation.is_inserted(v))
@@ -280,8 +282,9 @@ private:
     return (w[1] + w[2] * m_faces.corner(h)) / (w[0] + w[1] + w[2]);
   }
 
-  // The first crossed edge has a length, and the head a place in the last face, as seen from the last edge. From portal
-  // to portal there is one product to wait for, and no branch, since sides follow no pattern that a processor could guess.
+  // The first crossed edge has the given length, and the head a position in the last face relative to the last edge.
+  // Each portal depends on the previous one by one product only, without a branch, since the sides follow no
+  // predictable pattern.
   void unfold_portals(double length, const Plane_vector& head_in_last_face)
   {
     static constexpr double is_side[2][2] = {{1, 0}, {0, 1}};
@@ -306,7 +309,7 @@ private:
     m_head_place = Plane_vector(left_x, left_y) + product({across_x, across_y}, head_in_last_face);
   }
 
-  // From one vector counterclockwise to another, which lies there but for rounding errors.
+  // The rotation from one vector counterclockwise to another, which lies on that side up to rounding errors.
   static Plane_vector rotation(const Plane_vector& from, const Plane_vector& to)
   {
     const Plane_vector result = product(std::conj(from), to);

@@ -29,9 +29,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A mesh with a metric, and no edges but its own: all that rays, distances and tangent vectors ask of the triangulation
- * that is a parameter of their templates. It has neither edges that can be flipped nor what these cross, so that a call
- * of the modules above does not compile.
+ * A mesh with a metric and without any edges but its own: the model that rays, distances and tangent vectors require of
+ * their template parameter for the triangulation. It has neither flips nor crossings, so that calls of the modules
+ * above do not compile.
  */
 template <class TriangleMesh, class Metric_>
 class Metric_surface
@@ -41,7 +41,7 @@ public:
   using Input_mesh = Numbered_mesh<TriangleMesh>;
   using Metric = Metric_;
 
-  /* Of the arithmetic of a triangulation the limit of work for signs. */
+  /* The only arithmetic parameter of a triangulation's traits: the work limit for signs. */
   struct Traits
   {
     using Has_drift = Tag_false;
@@ -79,7 +79,7 @@ private:
   Traits m_traits;
 };
 
-/* The metric's type: as it is given, or of the points that are given, or of the mesh's own. */
+/* The type of the metric: the given one, or the metric of the given points, or of the mesh's own points. */
 template <class TriangleMesh, class NamedParameters, bool HAS_METRIC, bool HAS_POINTS>
 struct Metric_of
 {
@@ -108,7 +108,7 @@ struct No_graph
   };
 };
 
-/* The vertices of what a function is given first. */
+/* The vertex type of a function's first argument. */
 template <class TriangleMesh>
 struct Vertex_of
 {
@@ -124,7 +124,7 @@ using Vertex_in = typename Vertex_of<TriangleMesh>::type;
 template <class TriangleMesh, class T>
 constexpr bool is_mesh_vertex = std::is_convertible<T, Vertex_in<TriangleMesh>>::value;
 
-/* The metric of a mesh with these named parameters, and the form in which an output takes points. */
+/* The metric of a mesh with these named parameters, and the value type of the output's points. */
 template <class TriangleMesh, class NamedParameters>
 using Metric_by_name = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
                                           is_given<NamedParameters, internal_np::vertex_point_t>>::type;
@@ -144,11 +144,11 @@ auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
     return Metric(get_const_property_map(CGAL::vertex_point, mesh));
 }
 
-/* The surface that named parameters describe. */
+/* The surface specified by named parameters. */
 template <class TriangleMesh, class NamedParameters>
 using Surface_by_name = Metric_surface<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>;
 
-/* What a kernel stands for here: the default limit. */
+/* Takes the place of a kernel here and has the default limit. */
 struct No_sign_work_limit
 {
   using Has_drift = Tag_true;
@@ -161,7 +161,8 @@ Surface_by_name<TriangleMesh, NamedParameters> make_surface(const TriangleMesh& 
   if constexpr(is_given<NamedParameters, internal_np::geom_traits_t>) {
     const auto traits = parameters::get_parameter(np, internal_np::geom_traits);
     using Given = std::decay_t<decltype(traits)>;
-    using Traits = typename Traits_given<Given, Metric_by_name<TriangleMesh, NamedParameters>, No_sign_work_limit>::type;
+    using Traits =
+        typename Traits_given<Given, Metric_by_name<TriangleMesh, NamedParameters>, No_sign_work_limit>::type;
     if constexpr(!Traits::Has_drift::value)
       work_limit = traits.sign_work_limit();
   }

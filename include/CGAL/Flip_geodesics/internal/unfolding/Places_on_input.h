@@ -15,8 +15,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The input of a triangulation, and places on it as vertices beside its own: what strips and their decisions ask of a
- * triangulation, for words that are in none.
+ * The input of a triangulation with surface points as additional vertices: it provides what strips and their predicates
+ * require of a triangulation, for edge sequences that belong to no triangulation.
  */
 template <class Triangulation>
 class Places_on_input
@@ -27,7 +27,7 @@ public:
   using Metric = typename Triangulation::Metric;
   using Traits = typename Triangulation::Traits;
 
-  /* The triangulation must outlive this. */
+  /* The triangulation must outlive this object. */
   explicit Places_on_input(const Triangulation& triangulation)
     : m_triangulation(triangulation)
   {
@@ -42,7 +42,7 @@ public:
     return m_places[static_cast<std::size_t>(v.idx() - input().number_of_vertices())];
   }
 
-  /* The vertex at a place: a new one, unless it is the input's. */
+  /* Returns the vertex at a surface point: a new one, unless it is an input vertex. */
   Vertex_index add(const Surface_location& location)
   {
     const Surface_location place = canonical_location(input(), location);

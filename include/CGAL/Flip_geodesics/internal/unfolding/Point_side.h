@@ -31,12 +31,12 @@ Number determinant_of_weights(const std::array<Number, 3>& p, const std::array<N
          p[2] * (q[0] * r[1] + sign * q[1] * r[0]);
 }
 
-/* The orientation of three points of an input face, given by weights that are not negative, exactly: POSITIVE if they
- * are in counterclockwise order. */
+/* Returns the exact orientation of three points of an input face, given by nonnegative weights: POSITIVE if they are in
+ * counterclockwise order. */
 inline Sign orientation_of_weights(const std::array<double, 3>& p, const std::array<double, 3>& q,
                                    const std::array<double, 3>& r)
 {
-  // A sum of six products of three, each with less than six roundings.
+  // A sum of six products of three numbers, each with fewer than six rounding errors.
   const double quick = determinant_of_weights(p, q, r, -1.0), bound = determinant_of_weights(p, q, r, 1.0);
   if(std::abs(quick) > product_sum_error * bound)
     return quick > 0 ? POSITIVE : NEGATIVE;
@@ -46,10 +46,10 @@ inline Sign orientation_of_weights(const std::array<double, 3>& p, const std::ar
 }
 
 /*
- * On which side of an intrinsic edge does a point of an input face lie that the edge passes: the sign of the exact
- * number that the input and the point's weights define. POSITIVE is on the left.
+ * Computes the side of an intrinsic edge on which a point lies in an input face that the edge passes: the sign of the
+ * exact number that the input and the point's weights define. POSITIVE is the left side.
  *
- * The edge passes the face of gap i of its word, that between letters i - 1 and i; the face at the tail is gap 0.
+ * The edge passes the face of gap i of its sequence between crossed edges i - 1 and i; the face at the tail is gap 0.
  */
 template <class Triangulation>
 class Point_side
@@ -77,12 +77,12 @@ public:
     return exactly(word, gap, weights);
   }
 
-  /* How far on the left the point lies, rounded. */
+  /* Returns the signed distance of the point to the left of the edge, rounded. */
   double distance(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
   {
     const std::array<double, 3> w = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
     if(word.crossed.empty())
-      return 0; // decided by weights alone, exactly
+      return 0; // decided exactly by the weights alone
     const Strip<Triangulation> strip(m_triangulation, word);
     std::complex<double> position = 0;
     for(int i = 0; i < 3; ++i)

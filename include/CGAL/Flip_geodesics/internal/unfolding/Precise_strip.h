@@ -29,7 +29,7 @@ namespace internal {
 
 /*
  * A halfedge of an input face: its length, and the direction of the next halfedge, of length 1, in the frame in which
- * its own is 1 and the face is on the upper side.
+ * its own direction is 1 and the face is on the upper side.
  */
 struct Precise_halfedge
 {
@@ -39,18 +39,18 @@ struct Precise_halfedge
 };
 
 /*
- * Lays faces out in numbers of about 106 bits, as `IntrinsicMetric::face_geometry()` asks its traits to.
+ * Computes faces in double-double arithmetic, as `IntrinsicMetric::face_geometry()` requires of its traits.
  *
  * The bound of the errors, in units of u^2 = 2^-106. From points: differences of doubles are exact, those of rational
- * numbers err by 1 in each coordinate; a dot product of e and f errs by 52 of |e| |f|, three products of 16, two sums and
- * the differences; a cross product by 60, as a vector, its length by another 41 relative to itself; lengths by 42; the
- * product of two by 100, its reciprocal and the last product by 32 more. In all |(52, 101)| + 100 + 32 < 256 = 2^8, as
- * the cross product of the two shortest sides is no less accurate for the others.
- * From lengths: (c - a)(c + a) - b^2 for a >= b errs by 112 of a b, as |c - a| <= b; the factors of Heron's formula are
- * sums of three doubles, right up to 2, their product up to 56, its root up to 44. That makes less.
+ * numbers err by 1 in each coordinate; a dot product of e and f errs by 52 of |e| |f|, three products of 16, two sums
+ * and the differences; a cross product by 60, as a vector, its length by another 41 relative to itself; lengths by 42;
+ * the product of two by 100, its reciprocal and the last product by 32 more. In all |(52, 101)| + 100 + 32 < 256 = 2^8,
+ * as the cross product of the two shortest sides is no less accurate for the others. From lengths: (c - a)(c + a) - b^2
+ * for a >= b errs by 112 of a b, as |c - a| <= b; the factors of Heron's formula are sums of three doubles with an
+ * error of at most 2, their product has at most 56, its root at most 44. The total is smaller.
  *
- * Nothing overflows or underflows so far that it shows where lengths are between 2^-200 and 2^200: roots of what is
- * lost are below 2^-535, and the square of 2^-200 times 2^-106 is above. Other faces have no bound.
+ * For lengths between 2^-200 and 2^200, overflow does not occur and underflow is negligible: roots of what is lost are
+ * below 2^-535, and the square of 2^-200 times 2^-106 is above. Other faces have no bound.
  */
 class Precise_face_traits
 {
@@ -99,7 +99,7 @@ public:
     }
 
   private:
-    // Of the sides with lengths a and b, one after the other.
+    // For the sides with lengths a and b, one after the other.
     static Double_double dot(double a, double b, double c)
     {
       if(a < b)
@@ -147,7 +147,7 @@ private:
   }
 };
 
-/* Input halfedge h, as the triangulation keeps it, or computed. */
+/* Returns input halfedge h as stored by the triangulation, or computes it. */
 template <class Triangulation>
 decltype(auto) precise_input_halfedge(const Triangulation& triangulation, Input_halfedge_index h)
 {
@@ -158,9 +158,9 @@ decltype(auto) precise_input_halfedge(const Triangulation& triangulation, Input_
 }
 
 /*
- * An intrinsic edge between input vertices as a vector of about 100 bits, in the frame of its tail's reference, the
- * input halfedge that bounds its first face clockwise, or that it runs along. Its head's reference is that of its other
- * direction. Errors are relative, and infinite where there is no bound.
+ * An intrinsic edge between input vertices as a double-double vector in the frame of its tail's reference, which is the
+ * input halfedge that bounds its first face clockwise or along which it runs. The head's reference is that of the
+ * reverse direction. Errors are relative, and infinite if there is no bound.
  */
 struct Precise_edge
 {
@@ -170,11 +170,11 @@ struct Precise_edge
   double end_error = std::numeric_limits<double>::infinity();
   double direction_error = std::numeric_limits<double>::infinity();
   Input_halfedge_index tail_reference = null_index, head_reference = null_index;
-  Index first_corner = 0; // 1 if it runs along its references: turns about an end start one corner farther then
+  Index first_corner = 0; // 1 if it runs along its references: turns around an end then start one corner farther
 
   bool has_bound() const { return end_error < 1; }
 
-  /* The other direction. */
+  /* Returns the reverse direction. */
   Precise_edge reversed() const
   {
     const Double_double_vector direction = conjugate(head_direction);
@@ -184,15 +184,15 @@ struct Precise_edge
   }
 };
 
-/* The input halfedge h as an edge, from any side of it. */
+/* Returns the input halfedge h as an edge, given any side of it. */
 inline Precise_edge precise_input_edge(Input_halfedge_index h, const Precise_halfedge& side)
 {
   return {{side.length, {}}, {{-1, 0}, {}}, side.length.high, side.error, 0, h, twin_index(h), 1};
 }
 
 /*
- * Lays out input faces in numbers of about 106 bits, for a `Face_strip`. Positions err by little more than the number of
- * faces times 2^-97 of the length of the way to them.
+ * Unfolds input faces in double-double arithmetic, for a `Face_strip`. The error of a position is little more than the
+ * number of faces times 2^-97 of the length of the path to it.
  */
 template <class Triangulation>
 class Layout_in_double_double
@@ -223,7 +223,7 @@ public:
 
   static Side opposite(const Side& side) { return {-side.direction, side.error, side.length, side.length_error}; }
 
-  /* The sides of the face of h in a plane in which h has a given direction. */
+  /* Returns the sides of the face of h in a plane in which h has a given direction. */
   Sides sides(Input_halfedge_index h, const Side& along) const
   {
     Sides result;
@@ -239,7 +239,7 @@ public:
     return result;
   }
 
-  /* Before the sum, the position is no farther than after it and the length of the side together. */
+  /* The distance before the sum is at most the sum of the distance after it and the length of the side. */
   static Corner step(const Corner& from, const Side& side)
   {
     const Double_double_vector position = from.position + side.length * side.direction;
@@ -247,7 +247,7 @@ public:
     return {position, (from.error + way + length(position) * double_double_vector_error) * (1 + bound_rounding)};
   }
 
-  /* The third corner of a face, by the shorter one of the sides that lead to it. */
+  /* Returns the third corner of a face, computed along the shorter of the sides that lead to it. */
   static Corner apex(const Sides& sides, const Corner& right, const Corner& left, std::size_t)
   {
     return sides[1].length.high < sides[2].length.high ? step(right, sides[1]) : step(left, opposite(sides[2]));
@@ -258,8 +258,8 @@ private:
 };
 
 /*
- * As `Strip`, in numbers of about 106 bits: the input faces along a word that crosses edges from one input vertex to
- * another, unfolded from the input's coordinates.
+ * The double-double version of `Strip`: the input faces along an edge sequence that crosses edges from one input vertex
+ * to another, unfolded from the input's coordinates.
  */
 template <class Triangulation>
 class Precise_strip
@@ -285,7 +285,7 @@ public:
   const std::vector<Gate>& gates() const { return m_gates; }
   const Precise_edge& edge() const { return m_edge; }
 
-  /* On which side of the line from tail to head does a point lie? POSITIVE is the left. */
+  /* Returns the side of the line from tail to head on which a point lies. POSITIVE is the left side. */
   Uncertain<Sign> side(const Point& p) const
   {
     const Double_double sine = (p.position * conjugate(m_edge.end)).y;
@@ -332,7 +332,8 @@ private:
   Precise_edge m_edge;
 };
 
-/* An edge, given by its word, unfolded from the input. Without a bound if an end is an inserted vertex. */
+/* Returns an edge given by its edge sequence, unfolded from the input. It has no bound if an end is an inserted
+ * vertex. */
 template <class Triangulation>
 Precise_edge unfolded_edge(const Triangulation& triangulation, const Crossing_word& word)
 {

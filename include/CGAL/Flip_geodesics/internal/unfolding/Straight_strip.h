@@ -31,8 +31,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * What keeps a word's line from being a path that is locally shortest: an end of the crossed edge of that number, which
- * is on the wrong side; or a vertex on the line, whose angles lack so much to 2 pi, rounded.
+ * The reason why the line of an edge sequence is not a locally shortest path: an end of the crossed edge with this
+ * number is on the wrong side, or a vertex on the line has less than the full angle 2 pi by this rounded amount.
  */
 struct Strip_obstacle
 {
@@ -42,9 +42,10 @@ struct Strip_obstacle
 };
 
 /*
- * The vertices at distance zero from the inside of a straight segment, as there are where faces without area lie along
- * it. They are found by going straight across such faces, from each part of an edge that has been reached. The segment passes a touched vertex with an angle of pi on its own side; it is locally shortest there if the
- * angle on the other side is at least pi as well, that is, if the angles at the vertex sum up to at least 2 pi.
+ * The vertices at distance zero from the interior of a straight segment, which exist if degenerate faces lie along it.
+ * They are found by continuing straight across such faces from each part of an edge that has been reached. The segment
+ * passes a touched vertex with an angle of pi on its own side; it is locally shortest there if the angle on the other
+ * side is at least pi as well, that is, if the angles at the vertex sum up to at least 2 pi.
  */
 template <class Triangulation>
 class Touched_vertices
@@ -65,7 +66,7 @@ public:
   /* Adds an end of a crossed edge that lies on the segment. */
   void add_vertex(Vertex_index v) { m_vertices.push_back(v); }
 
-  /* Adds an input edge on the line of the segment, from one to another distance from the segment's tail. */
+  /* Adds an input edge on the line of the segment, between two distances from the segment's tail. */
   void add_edge(Input_halfedge_index h, double from, double to)
   {
     add_part({h, from, to}, {{0, m_tail}, {m_length, m_head}});
@@ -77,7 +78,7 @@ public:
     }
   }
 
-  /* The first that is not is the obstacle. */
+  /* Returns whether all vertices are passed straight; otherwise the first violating one is the obstacle. */
   bool are_passed_straight(Strip_obstacle& obstacle) const
   {
     for(Vertex_index v : m_vertices) {
@@ -98,7 +99,7 @@ private:
     double from, to;
   };
 
-  // Of the segment's line, between places of vertices.
+  // An interval on the line of the segment, between positions of vertices.
   struct Interval
   {
     struct End
@@ -123,7 +124,7 @@ private:
     return e.from < e.to ? Interval{tail, head} : Interval{head, tail};
   }
 
-  // What of an interval lies on an edge, unless it is no more than a vertex.
+  // Adds the part of an interval that lies on an edge, unless it is only a vertex.
   void add_part(const Edge& e, const Interval& reached)
   {
     const Interval whole = interval_of(e);
@@ -133,7 +134,7 @@ private:
       m_parts.push_back({e, part});
   }
 
-  // The face on the left of an edge, if it has no area, and what of its other sides lies across.
+  // Adds the parts of the other sides of the face on the left of an edge that lie across, if that face is degenerate.
   void add_beyond(const Edge& e, const Interval& reached)
   {
     const auto& input = m_triangulation.input();
@@ -151,7 +152,7 @@ private:
     add_part({twin_index(hp), e.from, at_apex}, reached);
   }
 
-  // In doubt two places are one.
+  // In case of doubt two points are regarded as one.
   double tolerance() const { return touched_vertex_tolerance * m_length; }
 
   bool is_known(const Edge& e, const Interval& part) const
@@ -170,7 +171,8 @@ private:
     return m_faces(h).doubled_area_squared == 0;
   }
 
-  // Do the angles at an input vertex sum up to 2 pi or more, or is it on the border? Tells what they are in excess of it.
+  // Returns whether the angles at an input vertex sum up to at least 2 pi or it is on the border; sets `excess` to the
+  // difference.
   bool has_full_angle(Vertex_index v, double& excess) const
   {
     const auto& input = m_triangulation.input();
@@ -195,10 +197,10 @@ private:
   Decision_statistics& m_statistics;
   std::vector<Vertex_index> m_vertices;
   std::vector<Part> m_parts;
-  std::size_t m_next = 0; // of the parts beyond which nothing has been looked at
+  std::size_t m_next = 0; // of the parts beyond which nothing has been examined yet
 };
 
-/* Ends of the edges that a word crosses, on its line. */
+/* The ends of an edge sequence's crossed edges that lie on its line. */
 struct Line_contacts
 {
   struct Edge_end
@@ -206,14 +208,14 @@ struct Line_contacts
     std::size_t gate;
     bool is_left;
   };
-  std::vector<Edge_end> ends; // a vertex once for each of its edges
-  bool have_edge = false;     // are both ends of an edge on it?
+  std::vector<Edge_end> ends; // each vertex occurs once per edge
+  bool have_edge = false;     // whether both ends of an edge are on the line
 };
 
 /*
- * Is the straight line from the tail to the head of a word a path through its strip that is locally shortest, exactly?
- * It must pass between the ends of each crossed edge. Where faces without area lie along it, it may touch vertices with
- * a full angle, and run along crossed edges on their inside.
+ * Decides exactly whether the straight line from the tail to the head of an edge sequence is a locally shortest path
+ * through its strip. The line must pass between the ends of each crossed edge. If degenerate faces lie along it, it may
+ * touch vertices with a full angle and run along crossed edges in their interior.
  */
 template <class Triangulation>
 class Straight_strip
@@ -229,8 +231,8 @@ public:
   {
   }
 
-  /* Do the faces of a word follow on one another, from one that has the tail to one that has the head? Numbers have no
-   * say here. */
+  /* Returns whether the faces of an edge sequence are consecutive, from one that contains the tail to one that contains
+   * the head. The test is purely combinatorial. */
   bool is_strip(const Crossing_word& word) const
   {
     if(word.along != null_index)
@@ -252,21 +254,21 @@ public:
            is_opposite_vertex(m_triangulation, word.head, twin_index(word.crossed.back()));
   }
 
-  /* Is the line of a word of a strip, which is at hand in double? */
+  /* Examines the line of an edge sequence whose strip is available in doubles. */
   bool operator()(const Crossing_word& word, const Strip_in_double& strip) const
   {
     Strip_obstacle obstacle;
     return is_inside_face(word) || is_straight(word, strip, obstacle);
   }
 
-  /* Is the line of a word, which need not be that of an edge of the triangulation? */
+  /* Examines the line of an edge sequence, which need not be that of an edge of the triangulation. */
   bool operator()(const Crossing_word& word) const
   {
     Strip_obstacle obstacle;
     return (*this)(word, obstacle);
   }
 
-  /* The same, and what is in its way. */
+  /* Examines the line of an edge sequence and, if it is not locally shortest, determines the obstacle. */
   bool operator()(const Crossing_word& word, Strip_obstacle& obstacle) const
   {
     if(!is_strip(word))
@@ -274,7 +276,7 @@ public:
     return is_inside_face(word) || is_straight(word, Strip_in_double(m_triangulation, word), obstacle);
   }
 
-  /* The same, and which ends of crossed edges lie on the line. Only of a word that crosses edges. */
+  /* Examines the line of an edge sequence that crosses edges, and determines the ends of crossed edges on the line. */
   bool operator()(const Crossing_word& word, Line_contacts& contacts) const
   {
     Strip_obstacle obstacle;
@@ -295,13 +297,13 @@ private:
     return touched.are_passed_straight(obstacle);
   }
 
-  /* On which sides of the line do the ends of a gate lie? POSITIVE is the right side. */
+  /* The sides of the line on which the ends of a portal lie. POSITIVE is the right side. */
   struct Gate_sides
   {
     Sign left, right;
   };
 
-  // All of the input edge, of which the segment can be a part.
+  // The whole input edge, of which the segment can be a part.
   void add_edge_along(const Crossing_word& word, Touched& touched) const
   {
     const double length = m_triangulation.metric().length(m_triangulation.input(), word.along);
@@ -319,7 +321,7 @@ private:
     for(std::size_t i = 0; i < strip.gates().size(); ++i) {
       const Gate& gate = strip.gates()[i];
       Gate_sides sides = in_double(strip, gate);
-      // Gates share an end with the one before, and what has been proven of that is not proven again.
+      // Consecutive portals share an end, for which the proof is not repeated.
       const bool is_left_shared = i > 0 && !is_right_shared(strip.gates()[i - 1], gate);
       if(sides.left == ZERO)
         sides.left = is_left_shared ? before.left : precise.side(i, true);
@@ -354,7 +356,7 @@ private:
     contacts.have_edge = contacts.have_edge || (sides.left == ZERO && sides.right == ZERO);
   }
 
-  // Do two gates in a row start at one vertex, or else end at one?
+  // Returns whether two consecutive portals start at one vertex; otherwise they end at one.
   bool is_right_shared(const Gate& gate, const Gate& next) const
   {
     return next.crossed == m_triangulation.input().next(twin_index(gate.crossed));
@@ -365,7 +367,7 @@ private:
     return std::real(std::conj(strip.end()) * p) / strip.length();
   }
 
-  // Goes on to the first point of the line that is inside of a gate on it, if there is one.
+  // Advances to the first point of the line inside a portal on it, if there is one.
   static bool runs_along(const Strip_in_double& strip, const Gate& gate, double& passed)
   {
     const double right = along(strip, gate.right), left = along(strip, gate.left);
@@ -387,8 +389,8 @@ private:
 
   static Sign sign(double value, double error) { return value > error ? POSITIVE : (value < -error ? NEGATIVE : ZERO); }
 
-  // On which side of the line an end of a gate lies, by a strip of about 100 bits that is unfolded when it is first
-  // needed, or else exactly.
+  // Computes the side of the line on which an end of a portal lies, by a double-double strip that is unfolded on first
+  // use, or else exactly.
   class Gate_sides_beyond_doubles
   {
     using Strip_beyond_doubles = Precise_strip<Triangulation>;
@@ -422,17 +424,17 @@ private:
       return m_strip->side(is_left ? ends.left : ends.right);
     }
 
-    // A vertex on the line, which is an end of gates in a row.
+    // A vertex on the line, which is an end of consecutive portals.
     struct Touched_end
     {
       Vertex_index vertex;
-      std::size_t first, last; // gates
+      std::size_t first, last; // portals
       bool is_left;
       std::complex<double> place;
-      double error; // of the place
+      double error; // of the position
     };
 
-    // \pre no gate before has the same end
+    // \pre no portal before has the same end
     Sign exact_side(std::size_t gate, bool is_left)
     {
       m_is_exact_needed = true;
@@ -469,7 +471,7 @@ private:
       return gate;
     }
 
-    // The sign of the sine of the angle from the line to an end of a gate.
+    // The sign of the sine of the angle from the line to an end of a portal.
     Sign sign(const Crossing_word& word, std::size_t gate, bool is_left) const
     {
       const Unfolding_chains<Triangulation> unfolding(m_triangulation);
@@ -477,9 +479,9 @@ private:
           {unfolding.gate(word, gate, is_left), unfolding.head(word, true)});
     }
 
-    // Is a vertex on the line through the last two that have been found on the line, or the tail and the only one? The
-    // faces between them prove it, which are few as compared with all of the strip. Two vertices that can be in one
-    // place, as faces without area allow, do not define a line.
+    // Returns whether a vertex is on the line through the last two vertices found on the line, or through the tail and
+    // the only one. The faces between them prove this; they are few compared with the whole strip. Two vertices that
+    // can coincide, which degenerate faces allow, do not define a line.
     bool is_in_line(const Touched_end& end) const
     {
       if(!m_last)

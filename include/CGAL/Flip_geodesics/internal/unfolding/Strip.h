@@ -24,8 +24,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The barycentric coordinates of one point less those of another, from weights that sum to anything. By products with
- * their rounding errors, so that what is left is accurate however close the points are.
+ * Returns the difference of the barycentric coordinates of two points, whose weights can have any sum. The products are
+ * computed with their rounding errors, so that the result is accurate however close the points are.
  */
 inline std::array<double, 3> barycentric_difference(const std::array<double, 3>& from, const std::array<double, 3>& to)
 {
@@ -46,12 +46,12 @@ inline std::array<double, 3> barycentric_difference(const std::array<double, 3>&
 }
 
 /*
- * The input faces along a crossing word, unfolded into the plane from the input's own coordinates: whatever flips led
- * to the edge, its vector is fresh here. The error is that of a `Layout_in_double`.
+ * The input faces along an edge sequence, unfolded into the plane from the input's own coordinates. The vector of an
+ * edge is thus independent of the flips that led to it. The error is that of a `Layout_in_double`.
  *
- * The tail lies at the origin; the frame is that of the reference halfedge, the tail's anchor: it has the first face on
- * its left, and points along the positive real axis. At an input vertex it starts there, at a point of an edge it
- * passes through it. An edge along an input halfedge refers to that.
+ * The tail lies at the origin; the frame is that of the reference halfedge, the tail's anchor, which has the first face
+ * on its left and points along the positive real axis. If the tail is an input vertex, the reference starts there; if
+ * it is a point of an edge, the reference passes through it. An edge along an input halfedge refers to that halfedge.
  */
 template <class Triangulation>
 class Strip
@@ -61,10 +61,10 @@ class Strip
 public:
   using Vector = std::complex<double>;
 
-  /// The two ends of a crossed input edge as seen by the traveller.
+  /// The two ends of a crossed input edge, as seen along the path.
   struct Gate
   {
-    Input_halfedge_index crossed; // the input halfedge as in the word; its tail is on the right
+    Input_halfedge_index crossed; // the input halfedge as in the sequence; its tail is on the right
     Vector right, left;
     double right_error, left_error; // bounds
   };
@@ -87,8 +87,9 @@ public:
   Input_halfedge_index reference() const { return m_reference; }
 
   /*
-   * The corners of the face between gates i - 1 and i as positions of the tails of h, next(h) and previous(h), where h
-   * is the halfedge through which the face is left, or entered if it is the last. \pre there is a gate
+   * Returns the corners of the face between portals i - 1 and i as positions of the tails of h, next(h) and
+   * previous(h), where h is the halfedge across which the face is left, or entered if it is the last. \pre there is a
+   * portal
    */
   std::array<Corner, 3> face(std::size_t i) const
   {
@@ -108,17 +109,18 @@ public:
   const Vector& end() const { return m_end; }
   double end_error() const { return m_error; }
 
-  /* The reference of the edge's other direction, and a vector along that direction in the reference's frame; the
-   * reference is `null_index` if an end of the edge is an inserted vertex. */
+  /* Returns the reference of the edge's reverse direction, and below a vector along that direction in the reference's
+   * frame; the reference is `null_index` if an end of the edge is an inserted vertex. */
   Input_halfedge_index arrival_reference() const { return m_arrival_reference; }
   const Vector& arrival() const { return m_arrival; }
 
   double length() const { return std::abs(m_end); }
 
-  /* A bound of the error of arrival(), relative to its length: that of end(), and of the last face's turn. */
+  /* Returns a bound of the error of arrival(), relative to its length: that of end(), and of the last face's
+   * rotation. */
   double arrival_error() const { return relative_error() + static_cast<double>(m_gates.size() + 3) * face_ratio_error; }
 
-  /* A bound of the error of end(), relative to its length; infinite if that is all error. */
+  /* Returns a bound of the error of end(), relative to its length; infinite if the error exceeds the length. */
   double relative_error() const
   {
     const double length = std::abs(m_end);
@@ -126,8 +128,8 @@ public:
   }
 
   /*
-   * The largest angle by which an end of a crossed edge lies on the wrong side of the straight line from tail to head,
-   * seen from the nearer end of that line: zero if the line stays inside the strip.
+   * Returns the largest angle by which an end of a crossed edge lies on the wrong side of the straight line from tail
+   * to head, seen from the nearer end of that line: zero if the line stays inside the strip.
    */
   double bend() const
   {
@@ -137,13 +139,13 @@ public:
     return result;
   }
 
-  /* The same of one crossed edge. */
+  /* Returns that angle for one crossed edge. */
   double bend(const Gate& gate) const
   {
     return (std::max)(wrong_side_angle(gate.left), wrong_side_angle(std::conj(gate.right), true));
   }
 
-  /* Where the straight line crosses gate i, from 0 at the right end to 1 at the left end. */
+  /* Returns the position at which the straight line crosses portal i, from 0 at the right end to 1 at the left end. */
   double crossing(std::size_t i) const
   {
     const double right = (std::max)(-cross(m_end, m_gates[i].right), 0.0);
@@ -151,7 +153,7 @@ public:
     return right + left > 0 ? right / (right + left) : 0.5;
   }
 
-  /* Where gate i crosses the straight line, from 0 at the tail to 1 at the head. */
+  /* Returns the position at which portal i crosses the straight line, from 0 at the tail to 1 at the head. */
   double crossing_along(std::size_t i) const
   {
     const Vector right = m_gates[i].right, gate = m_gates[i].left - right;
@@ -184,7 +186,7 @@ private:
     }
   }
 
-  // From weights of both ends in one face, so that the ends may lie close together.
+  // Computed from weights of both ends in one face, so that the ends may be close together.
   void lay_out_inside(const Crossing_word& word)
   {
     const Face_vectors face = first_face();
@@ -204,7 +206,8 @@ private:
     return vertex_weights(*m_triangulation, v, h);
   }
 
-  // The corners of the first face, from the tail of the word: the tails of the reference, its next and previous.
+  // The corners of the first face relative to the tail of the edge sequence: the tails of the reference and of the next
+  // and the previous halfedge.
   std::array<Corner, 3> first_corners(const Crossing_word& word, const Face_vectors& f) const
   {
     if(!m_triangulation->is_inserted(word.tail)) {
@@ -238,7 +241,7 @@ private:
     }
   }
 
-  // A point of the last face, from that end of the last gate from which it is nearer.
+  // A point of the last face, computed from the nearer end of the last portal.
   void end_in_face(const std::array<double, 3>& w, const Face_vectors& face, double turn_error)
   {
     const double sum = w[0] + w[1] + w[2], at_left = w[0] / sum, at_right = w[1] / sum, at_apex = w[2] / sum;
@@ -258,7 +261,7 @@ private:
   const Triangulation* m_triangulation;
   Input_halfedge_index m_reference = null_index, m_arrival_reference = null_index;
   std::vector<Gate> m_gates;
-  Corner m_first_corner = {0, 0}, m_last_corner = {0, 0}; // of the first and last face, not on a gate
+  Corner m_first_corner = {0, 0}, m_last_corner = {0, 0}; // of the first and last face, not on a portal
   Vector m_end, m_arrival;
   double m_error = 0;
 };

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Input faces in exact numbers, by a halfedge that has them on its left; computed once. */
+/* Input faces in exact numbers, each computed once and given by a halfedge with the face on its left. */
 class Exact_face_cache
 {
 public:
@@ -39,7 +39,7 @@ private:
   std::unordered_map<Input_halfedge_index, Exact_face> m_faces;
 };
 
-/* The input's faces in exact numbers: those that the triangulation keeps, or others, kept for as long as this lives. */
+/* The input's faces in exact numbers: those stored by the triangulation, or others with the lifetime of this object. */
 template <class Triangulation, bool = Internals<Triangulation>::has_exact_faces>
 class Exact_input_faces
 {
@@ -75,8 +75,8 @@ private:
 };
 
 /*
- * One face of an exact unfolding, as a linear map. With the number q = dot + i root of the face, over its squared
- * length L, the ends (right, left) of a gate go to the ends of the next one, all times L.
+ * One face of an exact unfolding, as a linear map. With the number q = dot + i root of the face and its squared length
+ * L, the ends (right, left) of a portal are mapped to the ends of the next one, all multiplied by L.
  */
 struct Unfolding_step
 {
@@ -84,7 +84,7 @@ struct Unfolding_step
     START,        // from 1 to (1, 1 + q / L)
     START_INSIDE, // from 1 to two combinations of the face's sides, and their difference
     NEW_LEFT,     // the apex, right + q / L (right - left), replaces the left end
-    NEW_RIGHT,    // it replaces the right end
+    NEW_RIGHT,    // the apex replaces the right end
     POINT,        // a combination of left end, right end and apex replaces the right end
     CORNER        // right times q
   };
@@ -97,7 +97,7 @@ struct Unfolding_step
   Integer dot() const { return kind == Kind::CORNER ? Integer(-face->dot_next) : face->dot_next; }
 };
 
-/* A combination of the three sides of a face, as number + i root_coefficient root; the first side is L. */
+/* A linear combination of the three sides of a face, as number + i root_coefficient root; the first side is L. */
 struct Side_combination
 {
   Integer number = 0, root_coefficient = 0;
@@ -111,8 +111,8 @@ struct Side_combination
 };
 
 /*
- * A complex number that input faces define, up to a positive factor: from 1 on, as the right end of a gate, through all
- * steps; then the right end, or the left end, or its conjugate.
+ * A complex number defined by input faces up to a positive factor: starting with 1 as the right end of a portal, all
+ * steps are applied; the result is the right end, the left end, or its conjugate.
  */
 struct Unfolding_chain
 {
@@ -120,10 +120,10 @@ struct Unfolding_chain
   bool is_conjugate = false;
   bool reads_left = false;
   Side_combination right, left, to_right; // of START_INSIDE
-  std::array<Integer, 3> weights;         // of POINT: of left end, right end, apex
+  std::array<Integer, 3> weights;         // of POINT: for left end, right end, apex
 };
 
-/* Makes chains of crossing words and of fans of input corners. */
+/* Constructs chains for edge sequences and for fans of input corners. */
 template <class Triangulation>
 class Unfolding_chains
 {
@@ -137,7 +137,7 @@ public:
   {
   }
 
-  /* The head of a word as seen from its tail. */
+  /* Returns the head of an edge sequence relative to its tail. */
   Unfolding_chain head(const Crossing_word& word, bool is_conjugate) const
   {
     Unfolding_chain result;
@@ -151,7 +151,7 @@ public:
     return result;
   }
 
-  /* An end of the crossed edge with the given number; after the last one, the apex of the last face. */
+  /* Returns an end of the crossed edge with the given number; after the last one, the apex of the last face. */
   Unfolding_chain gate(const Crossing_word& word, std::size_t number, bool is_left) const
   {
     Unfolding_chain result;
@@ -169,8 +169,8 @@ public:
   }
 
   /*
-   * A point of the face between gates gap - 1 and gap, by weights told from the halfedge that the face is left through,
-   * or from the one that it is entered through if it is the last.
+   * Returns a point of the face between portals gap - 1 and gap, by weights relative to the halfedge across which the
+   * face is left, or entered if it is the last.
    */
   Unfolding_chain point(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
   {
@@ -193,7 +193,7 @@ public:
     return result;
   }
 
-  /* The turn over `count` input corners clockwise from input halfedge h. */
+  /* Returns the rotation over `count` input corners clockwise from input halfedge h. */
   Unfolding_chain corners(Input_halfedge_index h, Index count) const
   {
     Unfolding_chain result;
@@ -212,14 +212,14 @@ private:
     return integer_weights(vertex_weights(m_triangulation, v, h));
   }
 
-  // Weights of a face's corners told from one halfedge, told from another.
+  // Converts weights of a face's corners from one reference halfedge to another.
   Weights turned(const Weights& w, Input_halfedge_index from, Input_halfedge_index to) const
   {
     const int shift = from == to ? 0 : (to == next(from) ? 1 : 2);
     return {w[shift], w[(shift + 1) % 3], w[(shift + 2) % 3]};
   }
 
-  // The corners of the face of h as seen from the tail of a word in it, times the sum of its weights.
+  // The corners of the face of h relative to the tail of an edge sequence in it, times the sum of its weights.
   std::array<Weights, 3> corners_from(const Crossing_word& word, Input_halfedge_index h) const
   {
     const Weights w = weights(word.tail, h);
@@ -263,7 +263,7 @@ private:
     return result;
   }
 
-  // By weights told from the halfedge that the face is entered through.
+  // By weights relative to the halfedge across which the face is entered.
   Unfolding_chain point_in_face(const Crossing_word& word, std::size_t gap, const Weights& w) const
   {
     Unfolding_chain result = gate(word, gap, false);
@@ -277,9 +277,10 @@ private:
 };
 
 /*
- * Computes chains in a ring that knows the roots, and has complex numbers. A ring may divide by squared lengths or scale
- * by them. One with errors bounds them by one radius for a complex number: with one each for real and imaginary part a
- * turn would enlarge them by up to sqrt(2), and all digits be used up after some hundred faces.
+ * Evaluates chains in a ring that contains the roots and has complex numbers. A ring may divide by squared lengths or
+ * scale by them. A ring with errors bounds them by one radius per complex number: with separate radii for real and
+ * imaginary part, a rotation would enlarge them by up to sqrt(2), and all digits would be lost after some hundred
+ * faces.
  */
 template <class Ring>
 class Chain_arithmetic
@@ -291,8 +292,8 @@ public:
   using Complex = typename Ring::Complex;
 
   /*
-   * The ends of a gate, and the vector from the left one to the right one: a product of corners, never a difference of
-   * positions, which would magnify errors wherever a gate is short.
+   * The ends of a portal, and the vector from the left one to the right one, which is a product of corners, never a
+   * difference of positions; differences would magnify errors at short portals.
    */
   struct Gate
   {
@@ -304,7 +305,7 @@ public:
   {
   }
 
-  /* The imaginary part of a product. */
+  /* Returns the imaginary part of a product. */
   Number sine(const std::vector<Unfolding_chain>& chains) const
   {
     Complex product = m_ring.one();
@@ -319,10 +320,10 @@ public:
     return m_ring.imaginary_part(product);
   }
 
-  /* The gate before the first step. */
+  /* Returns the portal before the first step. */
   Gate first_gate() const { return {m_ring.one(), m_ring.zero(), m_ring.zero()}; }
 
-  /* Takes a step of a chain with a gate. */
+  /* Applies a step of a chain to a portal. */
   void apply(const Unfolding_chain& chain, const Unfolding_step& step, Gate& gate) const
   {
     const Integer& length = step.squared_length();
@@ -353,7 +354,7 @@ public:
     }
   }
 
-  /* The number of a chain. */
+  /* Returns the number of a chain. */
   Complex value(const Unfolding_chain& chain) const
   {
     Gate gate = first_gate();

@@ -22,22 +22,23 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The halfedge that follows h counterclockwise around its tail. \pre h is not on the border */
+/* Returns the halfedge that follows h counterclockwise around its tail. \pre h is not on the border */
 template <class Input_mesh>
 Input_halfedge_index counterclockwise_of(const Input_mesh& input, Input_halfedge_index h)
 {
   return twin_index(input.next(input.next(h)));
 }
 
-/* The halfedge that follows h clockwise around its tail. If the twin of h is on the border, it begins an umbrella. */
+/* Returns the halfedge that follows h clockwise around its tail. If the twin of h is on the border, it starts an
+ * umbrella. */
 template <class Input_mesh>
 Input_halfedge_index clockwise_of(const Input_mesh& input, Input_halfedge_index h)
 {
   return input.next(twin_index(h));
 }
 
-/* The number of corners clockwise from one outgoing halfedge of a vertex to another, all of them if the two are the
- * same; -1 if the border intervenes. */
+/* Returns the number of corners clockwise from one outgoing halfedge of a vertex to another, all of them if the two are
+ * the same; -1 if the border intervenes. */
 template <class Input_mesh>
 Index number_of_corners_clockwise(const Input_mesh& input, Input_halfedge_index from, Input_halfedge_index to)
 {
@@ -63,7 +64,7 @@ void for_each_corner_clockwise(const Input_mesh& input, Input_halfedge_index h, 
   }
 }
 
-/* The input corner at the head of input halfedge h, as a complex number, in a face that is known. */
+/* Returns the input corner at the head of input halfedge h, as a complex number, in a face that is known. */
 template <class Triangulation>
 std::complex<double> input_corner_vector(const Triangulation& triangulation, Input_halfedge_index h)
 {
@@ -71,7 +72,7 @@ std::complex<double> input_corner_vector(const Triangulation& triangulation, Inp
   return {-face[1].x, face[1].y}; // the layout puts h on the positive real axis
 }
 
-/* The input corner at the head of input halfedge h, in any face; it has to be a triangle. */
+/* Returns the input corner at the head of input halfedge h, in any face, which must be a triangle. */
 template <class Triangulation>
 double input_corner(const Triangulation& triangulation, Input_halfedge_index h)
 {
@@ -79,7 +80,8 @@ double input_corner(const Triangulation& triangulation, Input_halfedge_index h)
   return std::arg(input_corner_vector(triangulation, h));
 }
 
-/* The sum of angles between 0 and pi, given as complex numbers: their product, and the half turns that it has lost. */
+/* A sum of angles between 0 and pi, given as complex numbers: their product, and the number of half turns lost in
+ * it. */
 class Angle_sum
 {
 public:
@@ -96,7 +98,7 @@ public:
 
   double value() const { return unfused(m_half_turns * boost::math::constants::pi<double>()) + std::atan2(m_y, m_x); }
 
-  /* The rotation by the sum, scaled. */
+  /* Returns the rotation by the sum, scaled. */
   std::complex<double> rotation() const
   {
     return m_half_turns % 2 == 0 ? std::complex<double>(m_x, m_y) : std::complex<double>(-m_x, -m_y);
@@ -107,7 +109,7 @@ private:
   int m_half_turns = 0;
 };
 
-/* The sum of so many input corners clockwise from input halfedge h about an input vertex. */
+/* Returns the sum of `number` input corners clockwise from input halfedge h around an input vertex. */
 template <class Triangulation>
 Angle_sum sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_index h, Index number)
 {
@@ -118,12 +120,12 @@ Angle_sum sum_of_input_corners(const Triangulation& triangulation, Input_halfedg
 }
 
 /*
- * The outgoing halfedges of a vertex of the input, counterclockwise, with their angles, in radians. A direction at the
- * vertex is an angle of this kind. The halfedges are those of one umbrella, from its border on if it has one; the last
- * one is then on the border itself.
+ * The outgoing halfedges of a vertex of the input, counterclockwise, with their angles in radians. A direction at the
+ * vertex is such an angle. The halfedges are those of one umbrella, starting at its border if it has one; the last one
+ * is then on the border itself.
  *
- * The angle of a face at the vertex is whatever a function corner(h) returns for the outgoing halfedge h of the face,
- * since clients keep shapes of faces in different frames.
+ * The angle of a face at the vertex is the value of a function corner(h) for the outgoing halfedge h of the face, since
+ * clients store shapes of faces in different frames.
  */
 class Vertex_fan
 {
@@ -183,13 +185,13 @@ public:
   const std::vector<Outgoing_halfedge>& halfedges() const { return m_halfedges; }
   bool has_border() const { return m_has_border; }
 
-  /* The sum of the corners. */
+  /* Returns the sum of the corners. */
   double total() const { return m_halfedges.empty() ? 0 : m_end - m_halfedges.front().angle; }
 
   /* Returns whether h is one of the halfedges. */
   bool has(Input_halfedge_index h) const { return found(h) != m_halfedges.end(); }
 
-  /* The angle of an outgoing halfedge.
+  /* Returns the angle of an outgoing halfedge.
    * \throws Invalid_mesh_error if the halfedge is in another umbrella of the vertex */
   double angle_of(Input_halfedge_index h, Vertex_index vertex) const
   {
@@ -201,8 +203,8 @@ public:
     return place->angle;
   }
 
-  /* The face of a direction that is given by its angle from the first halfedge on. An angle that is out of range by
-   * rounding is one in the first or last face. \pre there is a face */
+  /* Returns the face of a direction, which is given by its angle from the first halfedge. An angle that rounding errors
+   * put out of range belongs to the first or last face. \pre there is a face */
   Turn turn_at(double angle) const
   {
     const std::size_t last = m_halfedges.size() - (m_has_border ? 2 : 1);
@@ -212,14 +214,15 @@ public:
     return {m_halfedges[i].halfedge, angle, m_halfedges[i].corner};
   }
 
-  /* The smaller of the angles between two directions on their two sides; a side that holds the border is infinite. */
+  /* Returns the smaller of the two angles between two directions; a side that contains the border counts as
+   * infinite. */
   double smaller_wedge(double a, double b) const
   {
     const double wedge = a < b ? b - a : a - b;
     return m_has_border ? wedge : (std::min)(wedge, total() - wedge);
   }
 
-  /* The angle counterclockwise from one direction to another; infinite if the border intervenes. */
+  /* Returns the angle counterclockwise from one direction to another; infinite if the border intervenes. */
   double counterclockwise(double from, double to) const
   {
     if(from <= to)
@@ -239,8 +242,8 @@ private:
   bool m_has_border = false;
 };
 
-/* The umbrella of an outgoing halfedge of a vertex of the input, with corners that are computed from the input.
- * \throws Invalid_mesh_error if a face is not a triangle, and as the metric */
+/* Returns the umbrella of an outgoing halfedge of a vertex of the input, with corners computed from the input.
+ * \throws Invalid_mesh_error if a face is not a triangle, and what the metric throws */
 template <class Triangulation>
 Vertex_fan umbrella_of(const Triangulation& triangulation, Input_halfedge_index h)
 {

@@ -28,7 +28,7 @@ struct Wedge_angle
   double value;
   double error;
 
-  /* EQUAL if the error hides which it is. */
+  /* EQUAL if the error hides the result. */
   Comparison_result compare_with_straight() const
   {
     const double pi = boost::math::constants::pi<double>();
@@ -38,7 +38,8 @@ struct Wedge_angle
   }
 };
 
-/* The angle of an edge from its reference halfedge: between 0 and pi, up to rounding, which can turn pi into -pi. */
+/* Returns the angle of an edge from its reference halfedge: between 0 and pi, up to rounding, which can turn pi into
+ * -pi. */
 inline double angle_from_reference(const std::complex<double>& end)
 {
   constexpr double pi = boost::math::constants::pi<double>();
@@ -46,29 +47,30 @@ inline double angle_from_reference(const std::complex<double>& end)
   return angle < -pi / 2 ? angle + 2 * pi : angle;
 }
 
-/* An angle, and the rotation by it, of any length: by what IEEE 754 tells the last bit of. */
+/* An angle and a complex number of any length that rotates by it, computed only by operations that IEEE 754 rounds
+ * correctly. */
 struct Wedge_rotation
 {
   Wedge_angle angle;
   std::complex<double> rotation;
 };
 
-/* Two straight lines from one vertex by their words, and how many input corners lie between their references,
- * clockwise. */
+/* Two straight lines from one vertex, given by their edge sequences, and the number of input corners clockwise between
+ * their references. */
 struct Wedge_words
 {
   Crossing_word from, to;
   Index steps;
 };
 
-/* From those of the strips at both ends, relative to their lengths, and of so many corners in between. */
+/* Bounds the error from those of the strips at both ends, relative to their lengths, and `steps` corners in between. */
 inline double error_of_wedge_angle(double from, double to, Index steps)
 {
-  return 1.6 * (from + to) + static_cast<double>(steps + 4) * input_corner_error; // of the arc sine as well
+  return 1.6 * (from + to) + static_cast<double>(steps + 4) * input_corner_error; // including the arc sine
 }
 
-/* The angle counterclockwise from a halfedge of the input to the straight line of a word that starts at the same
- * vertex, and a bound of its error. Only at vertices of the input. */
+/* The angle counterclockwise from a halfedge of the input to the straight line of an edge sequence that starts at the
+ * same vertex, and a bound of its error. Only at vertices of the input. */
 struct Word_angle
 {
   Input_halfedge_index reference = null_index;
@@ -76,31 +78,32 @@ struct Word_angle
   double error = 0;
 };
 
-/* How a halfedge leaves its tail, as the input says. Without a reference if an end of its edge is an inserted
- * vertex. */
+/* The direction of a halfedge at its tail, computed from the input. There is no reference if an end of its edge is an
+ * inserted vertex. */
 struct Edge_end
 {
   Halfedge_index halfedge = null_index;
   Word_angle direction;
-  bool is_along = false; // an edge of the input
+  bool is_along = false; // whether it is an edge of the input
 };
 
-/* How straight an edge is. */
+/* The measured straightness of an edge. */
 struct Measured_edge
 {
-  Edge_end tail, head;                       // that at the head is of the other direction
+  Edge_end tail, head;                       // the latter of the reverse direction
   double bend = 0;                           // the angle by which the edge leaves its strip of input faces
-  bool has_strip = true, is_straight = true; // exactly; true if that was not asked
+  bool has_strip = true, is_straight = true; // the latter exact; true if not examined
 };
 
-/* At the tail of a word. */
+/* At the tail of an edge sequence. */
 template <class Triangulation>
 Word_angle tail_angle(const Strip<Triangulation>& strip)
 {
   return {strip.reference(), angle_from_reference(strip.end()), strip.relative_error()};
 }
 
-/* The angle clockwise from one straight line to another, with so many input corners between their references. */
+/* Returns the angle clockwise from one straight line to another, with a number of input corners between their
+ * references. */
 template <class Triangulation>
 Wedge_angle wedge_angle(const Triangulation& triangulation, const Word_angle& from, const Word_angle& to, Index steps)
 {
@@ -108,8 +111,8 @@ Wedge_angle wedge_angle(const Triangulation& triangulation, const Word_angle& fr
           error_of_wedge_angle(from.error, to.error, steps)};
 }
 
-/* The wedge between two words, afresh from the input: the input corners between their reference halfedges, corrected by
- * their strips at both ends. \pre not about a point inside a face */
+/* Computes the wedge between two edge sequences from the input: the input corners between their reference halfedges,
+ * corrected by their strips at both ends. \pre not around a point inside a face */
 template <class Triangulation>
 Wedge_rotation wedge_rotation(const Triangulation& triangulation, const Wedge_words& words)
 {
