@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A path of edges, and the flips of the input by which these come into being. */
+/* A path of edges, and the flips of the input that create these edges. */
 struct Flipped_start
 {
   std::vector<Halfedge_index> flips, path;
@@ -33,7 +33,7 @@ Flipped_start flipped_start(const Triangulation& triangulation, const std::vecto
   return result;
 }
 
-/* The only curve of a network, as it is now. */
+/* Returns the current path of the only curve of a network. */
 template <class Network>
 Flipped_start flipped_start_of(const Network& network)
 {
@@ -42,7 +42,7 @@ Flipped_start flipped_start_of(const Network& network)
   return flipped_start(network.triangulation(), path);
 }
 
-/* Pulls the path tight, as the only curve of a network. */
+/* Shortens the path to a geodesic, as the only curve of a network. */
 template <class Network, class Visitor>
 Shortening_report pull_tight(Network& network, const Flipped_start& start, Visitor& visitor)
 {
@@ -54,7 +54,7 @@ Shortening_report pull_tight(Network& network, const Flipped_start& start, Visit
   return shorten(network, Never_stop_predicate(), visitor);
 }
 
-/* Counts what a path has cost before it was replaced, and flips by which the other one came. */
+/* Adds the steps of a path that was replaced, and the flips that led to the new path. */
 inline void count_before(Shortening_report& shortening, const Shortening_report& before, std::size_t flips)
 {
   shortening.curves[0].initial_length = before.curves[0].initial_length;
@@ -62,9 +62,9 @@ inline void count_before(Shortening_report& shortening, const Shortening_report&
   shortening.flip_outs += before.flip_outs;
 }
 
-/* Is there a face of which one side is as long as the two others, but for rounding errors, while the metric makes
- * vectors of all faces? Then trees of geodesics can be grown in an intrinsic Delaunay triangulation. Linear in the
- * mesh. */
+/* Returns whether a face has one side as long as the two others together, up to rounding errors, while the metric
+ * represents all faces by vectors. Trees of geodesics can then be grown in an intrinsic Delaunay triangulation. Linear
+ * in the mesh. */
 template <class Triangulation>
 bool has_flat_face(const Triangulation& triangulation)
 {
@@ -82,7 +82,7 @@ bool has_flat_face(const Triangulation& triangulation)
   return result;
 }
 
-/* The path of a tree of geodesics that is grown in an intrinsic Delaunay triangulation of the input. */
+/* Returns the path of a geodesic tree grown in an intrinsic Delaunay triangulation of the input. */
 template <class Network>
 std::vector<Halfedge_index> path_in_tree(Network& network, Vertex_index from, Vertex_index to)
 {
@@ -96,9 +96,9 @@ std::vector<Halfedge_index> path_in_tree(Network& network, Vertex_index from, Ve
 }
 
 /*
- * Starts that windows do not find beside faces without area, since straight rays get lost there. In an intrinsic
- * Delaunay triangulation are no such faces, but where vertices lie in one place. So the path of a tree that is grown
- * there is mostly a shortest one; one is grown from either end.
+ * Initial paths that window propagation misses beside degenerate faces, where straight rays cannot be followed. An
+ * intrinsic Delaunay triangulation has no such faces except at coincident vertices, so that the path of a tree grown
+ * there is usually a shortest one. One tree is grown from either end.
  */
 template <class Network>
 std::vector<Flipped_start> starts_in_trees(Network& network, Vertex_index source, Vertex_index target)

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* How a shortest path arrives that a search has found. \pre the path has an edge */
+/* Returns the last segment of the shortest path found by a search. \pre the path has an edge */
 template <class Triangulation, class Search>
 Last_leg last_leg(const Triangulation&, const Search& search, Vertex_index v)
 {
@@ -46,15 +46,15 @@ Last_leg last_leg(const Triangulation& triangulation, const Window_search<Triang
 /*
  * Replaces the paths of a tree that are not shortest by shortest ones.
  *
- * Shortest paths from one vertex do not cross. So, once the paths that are longer are taken off, a shortest path to a
- * vertex that is nearest among those taken off crosses no edge of the tree; its last leg is traced backward through the
- * triangulation, to the first vertex that it meets, and inserted there by flips.
+ * Shortest paths from one vertex do not cross. Once the longer paths are removed, a shortest path to a nearest vertex
+ * among the removed ones therefore crosses no edge of the tree; its last segment is traced backward through the
+ * triangulation to the first vertex on it and inserted there by flips.
  *
- * Paths in the tree that are shortest up to rounding only can cross such a leg; they are taken off as well then, each
- * once. A leg that crosses one face several times, as on rough terrain, cannot be inserted by these flips: such legs
- * come last, after the edges beside the tree are flipped to Delaunay.
+ * Paths in the tree that are shortest only up to rounding errors can cross such a segment; they are then removed as
+ * well, each at most once. A segment that crosses one face several times, as on rough terrain, cannot be inserted by
+ * these flips: such segments come last, after the edges beside the tree have been flipped to Delaunay.
  *
- * The search knows of the vertices of the input how far they are, and their last legs.
+ * The search provides the distances of the input vertices and the last segments of their paths.
  */
 template <class Tree, class Search = Window_search<typename Tree::Triangulation>>
 class Shortest_tree_repair
@@ -74,7 +74,7 @@ public:
   {
   }
 
-  /* The vertices whose paths are longer than shortest ones, or pass such a vertex, the nearest first. */
+  /* Returns the vertices whose paths are longer than shortest ones, or pass such a vertex, in order of distance. */
   std::vector<Vertex_index> longer() const
   {
     std::vector<Vertex_index> order = vertices_by_distance();
@@ -110,7 +110,7 @@ private:
       take_off(grafts, v);
     const std::vector<Vertex_index> failed = insert_last_legs(grafts);
     if(!failed.empty() && !has_been_interrupted(m_interruption))
-    { // a leg that crosses one face several times; faces are compact now
+    { // a segment that crosses one face several times; faces are compact now
       flip_to_delaunay_beside_tree();
       for(Vertex_index v : failed)
         m_pending.insert({m_search.distance(v), v});
@@ -118,7 +118,7 @@ private:
     }
   }
 
-  // The search does not know inserted vertices; those whose paths pass a vertex that was taken off.
+  // The search does not cover inserted vertices; returns those whose paths pass a removed vertex.
   std::vector<Vertex_index> inserted_behind_taken_off() const
   {
     std::vector<Vertex_index> result;
@@ -165,7 +165,7 @@ private:
       take_off(grafts, w);
   }
 
-  // Inserts the last legs of the paths that are pending, the nearest first. Returns the vertices where this failed.
+  // Inserts the last segments of the pending paths, the nearest first. Returns the vertices for which this failed.
   std::vector<Vertex_index> insert_last_legs(Grafts& grafts)
   {
     std::vector<Vertex_index> failed;
@@ -175,7 +175,7 @@ private:
       m_in_the_way = null_index;
       if(insert_last_leg(grafts, v))
         continue;
-      // A path in the tree that is shortest up to rounding, but crosses this one: it makes way, once.
+      // A path in the tree that is shortest up to rounding errors but crosses this one is removed, once.
       if(m_in_the_way != null_index && m_is_taken_off[m_in_the_way] == 0) {
         take_off_subtree(grafts, m_in_the_way);
         m_pending.insert({m_search.distance(v), v});
@@ -186,7 +186,7 @@ private:
     return failed;
   }
 
-  // Returns false, and leaves v without a path, if something is in the way, which only rounding can put there.
+  // Returns false and leaves v without a path if an edge is in the way, which only rounding errors can cause.
   bool insert_last_leg(Grafts& grafts, Vertex_index v)
   {
     std::vector<Halfedge_index> chain = traced(v, last_leg(m_triangulation, m_search, v));
@@ -201,7 +201,7 @@ private:
     return true;
   }
 
-  // Flips all edges that neither the tree nor a curve has.
+  // Flips all edges that belong neither to the tree nor to a curve.
   void flip_to_delaunay_beside_tree()
   {
     const auto for_each_edge_of_tree = [this](auto function) {
@@ -220,9 +220,9 @@ private:
   }
 
   /*
-   * Follows the last leg from v back through the triangulation as it is now, up to the first vertex on it.
-   * Returns halfedges from v to there along the left side of the faces passed; none if the line gets lost, or meets an
-   * edge of the tree, whose farther end is noted.
+   * Follows the last segment from v back through the current triangulation to the first vertex on it. Returns halfedges
+   * from v to that vertex along the left side of the faces passed; none if the line is lost among faces or meets an
+   * edge of the tree, whose farther end is recorded.
    */
   std::vector<Halfedge_index> traced(Vertex_index v, const Last_leg& leg)
   {
@@ -259,20 +259,20 @@ private:
     }
     const Halfedge_index h = crossed.back();
     const Vertex_index w = m_triangulation.head(h);
-    // Else it got lost among faces without area.
+    // Otherwise the line was lost among degenerate faces.
     if(is_in_tree(h))
       m_in_the_way = m_tree.incoming(w) == h ? w : m_triangulation.tail(h);
     return {};
   }
 
-  // At the end of a leg, in the umbrella by which it arrives.
+  // At the end of a segment, in the umbrella by which it arrives.
   Vertex_directions<Triangulation> directions_of(const Last_leg& leg, Vertex_index v) const
   {
     Vertex_directions<Triangulation> usual(m_triangulation, v);
     return usual.has(leg.halfedge) ? usual : Vertex_directions<Triangulation>(m_triangulation, leg.halfedge);
   }
 
-  // Does a line along the x-axis from 0 to `length` pass this point, up to angles that count as none?
+  // Returns whether a line along the x-axis from 0 to `length` passes this point, up to negligible angles.
   static bool is_passed(const Vector& p, double length)
   {
     const double x = p.real(), beyond = length - x;
@@ -286,8 +286,8 @@ private:
   }
 
   /*
-   * The spoke at the end of a leg that a direction is at, or follows counterclockwise; and by which angle. Which one it is, the
-   * triangulation's lengths tell nearly always, and the input decides.
+   * Returns the halfedge at the end of a segment in whose direction, or counterclockwise of which, a direction lies,
+   * and the angle between the two. The triangulation's lengths nearly always determine it; otherwise the input decides.
    */
   Halfedge_index last_spoke_before(const Vertex_directions<Triangulation>& directions, const Last_leg& leg,
                                    double direction, double& offset) const
@@ -311,7 +311,7 @@ private:
     return null_index;
   }
 
-  // By which angle one direction follows another counterclockwise; a little before it, the angle is negative.
+  // The angle by which one direction follows another counterclockwise; slightly negative if it is just before it.
   static double behind(double first, double second, const Vertex_directions<Triangulation>& directions, double little)
   {
     const double angle = second - first;
@@ -321,7 +321,8 @@ private:
     return turned > directions.total() - little ? turned - directions.total() : turned;
   }
 
-  // The directions of the spokes of a vertex: of one measured, of the others as the triangulation has the angles between.
+  // The directions of the outgoing halfedges of a vertex: one is measured, the others follow from the angles that the
+  // triangulation has between them.
   std::vector<double> estimated_directions(const std::vector<Halfedge_index>& around,
                                            const Vertex_directions<Triangulation>& directions) const
   {
@@ -341,7 +342,7 @@ private:
     return result;
   }
 
-  // The vectors of h, next(h), previous(h) in the triangulation, turned so that h lies along the given vector.
+  // Returns the vectors of h, next(h), previous(h) in the triangulation, rotated so that h lies along the given vector.
   Face_vectors face_along(Halfedge_index h, const Vector& along) const
   {
     using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
@@ -361,7 +362,7 @@ private:
   Interruption* m_interruption; // null if it cannot be interrupted
   std::size_t m_flips = 0;
   Indexed_by<Vertex_index, std::vector<char>> m_is_taken_off;
-  std::set<std::pair<double, Vertex_index>> m_pending; // vertices without a path, by their distance from the source
+  std::set<std::pair<double, Vertex_index>> m_pending; // vertices without a path, by their distances from the source
   Vertex_index m_in_the_way = null_index;
 };
 

@@ -17,11 +17,11 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * What a growing tree knows of the vertices: nothing, a way there that is offered and waits in the queue, or the path
- * that is accepted. All is forgotten in constant time, since each label has the number of the tree that wrote it.
+ * The labels of vertices in a growing tree: unknown, with an offered path that waits in the queue, or with an accepted
+ * path. All labels are cleared in constant time, since each contains the number of the tree that wrote it.
  *
- * The invariant: a way that is offered has an entry in the queue, with its length, until that comes out. Entries of
- * ways that are not offered any more stay there until then.
+ * Invariant: an offered path has an entry in the queue, with its length, until that entry is removed. Entries of paths
+ * that are no longer offered stay in the queue until then.
  */
 class Tree_labels
 {
@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /* Forgets all, for a tree over so many vertices. */
+  /* Clears all labels, for a tree over `size` vertices. */
   void start(std::size_t size)
   {
     if(m_labels.size() < size || m_epoch > (std::numeric_limits<Index>::max)() - 8) { // or no epoch is left
@@ -46,33 +46,33 @@ public:
   bool is_offered(Vertex_index v) const { return state(v) == OFFERED; }
   bool is_settled(Vertex_index v) const { return state(v) == SETTLED; }
 
-  /* The length of the path, and its last halfedge. \pre `v` is not unknown */
+  /* Returns the length of the path; below, its last halfedge. \pre `v` is not unknown */
   double distance(Vertex_index v) const { return m_labels[v].distance; }
   Halfedge_index incoming(Vertex_index v) const { return m_labels[v].incoming; }
 
-  /* Offers a way, instead of what there was. */
+  /* Offers a path instead of the previous label. */
   void offer(Vertex_index v, double distance, Halfedge_index h)
   {
     m_labels[v] = {distance, h, m_epoch + OFFERED};
     m_queue.push(distance, v);
   }
 
-  /* Accepts the way that is offered. */
+  /* Accepts the offered path. */
   void settle(Vertex_index v)
   {
     CGAL_precondition(is_offered(v));
     m_labels[v].stamp = m_epoch + SETTLED;
   }
 
-  /* Accepts another way. */
+  /* Accepts another path. */
   void settle(Vertex_index v, double distance, Halfedge_index h) { m_labels[v] = {distance, h, m_epoch + SETTLED}; }
 
   void forget(Vertex_index v) { m_labels[v].stamp = m_epoch; }
 
   bool has_offers() const { return !m_queue.empty(); }
 
-  /* Takes the shortest way out of the queue, of equal ones that to the smallest vertex; `null_index` if it is not
-   * offered any more. \pre `has_offers()` */
+  /* Removes the shortest path from the queue, of equally long ones that to the smallest vertex; returns `null_index` if
+   * it is no longer offered. \pre `has_offers()` */
   Vertex_index pop()
   {
     const double offered = m_queue.priority();

@@ -32,8 +32,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Where the halfedges of a triangulation at a vertex of the input start, told one from the next: in which corner by
- * counting the input edges that start in between, at which angle there by the lengths that the triangulation has.
+ * Computes the starts of consecutive halfedges of a triangulation at a vertex of the input: the corner by counting the
+ * input edges that start in between, the angle in it by the lengths of the triangulation.
  */
 template <class Triangulation>
 class Spoke_places
@@ -44,8 +44,8 @@ public:
   {
   }
 
-  /* The place of one of the halfedges around a vertex, and its number: of an edge of the input, if there is one, or
-   * else of the one that crosses least. */
+  /* Returns the position of one of the halfedges around a vertex, and its number: that of an input edge if there is
+   * one, or else of the edge with the fewest crossings. */
   Edge_end known_place(const std::vector<Halfedge_index>& around, std::size_t& number) const
   {
     const auto is_of_input = [this](Halfedge_index h) { return m_triangulation.version(Triangulation::edge(h)) == 0; };
@@ -58,8 +58,8 @@ public:
                     : edge_straightness(m_triangulation)(*nearest).tail;
   }
 
-  /* From the place of the spoke before to that of h, the next one clockwise, over the input edges that start in
-   * between. */
+  /* Advances from the position of the previous halfedge to that of h, the next one clockwise, across the input edges
+   * that start in between. */
   void turn_clockwise(Halfedge_index h, Edge_end& place) const
   {
     const Halfedge_index opposite = m_triangulation.next(h), before = m_triangulation.next(opposite);
@@ -96,34 +96,34 @@ private:
   const Triangulation& m_triangulation;
 };
 
-/* An edge of the triangulation that starts at some vertex, and what is known of it. */
+/* An edge of the triangulation that starts at a common vertex, with its known properties. */
 struct Fan_leg
 {
-  Edge_end start; // as the triangulation's lengths say, and measured once it is found
+  Edge_end start; // from the triangulation's lengths; measured once it is found
   Vertex_index head;
   Index crossings;  // of input edges
-  double length;    // as the triangulation has it
-  Edge_end arrival; // at its head, backward
+  double length;    // in the triangulation
+  Edge_end arrival; // at its head, reversed
   bool is_found;
 
   Input_halfedge_index reference() const { return start.direction.reference; }
 };
 
 /*
- * Measures edges that start at one vertex from the input, all at once: the faces that they cross are laid out from the
- * vertex on, and what edges have in common is laid out once. Their words are not needed.
+ * Measures the edges that start at one vertex on the input, all at once: the faces that they cross are unfolded from
+ * the vertex outwards, and common faces are unfolded once. The edge sequences are not required.
  *
  *                      apex
- *                     /    .            the edges that pass a gate are parted by the corner
+ *                     /    .            the edges that pass a portal are separated by the corner
  *           left ----/------- right     beyond it: those on its left, the one that ends there,
  *               .   . .    .            and those on its right
  *                 .  .  .
  *                   . .
  *                    u
  *
- * An edge is looked for in the direction that the triangulation's lengths say. It is found if after its number of
- * crossings it comes upon its head, as far away as it is long, passes no vertex closely, and the straight line there
- * crosses all of the same edges. Otherwise nothing is said.
+ * An edge is searched for in the direction that the triangulation's lengths define. It is found if, after its number of
+ * crossings, it reaches its head at the distance of its length, passes no vertex closely, and the straight line to the
+ * head crosses exactly the same edges. Otherwise the edge remains undecided.
  */
 template <class Triangulation>
 class Leg_fan
@@ -138,7 +138,7 @@ public:
   {
   }
 
-  /* \pre the legs have one reference, along which none of them lies; ordered clockwise */
+  /* \pre the edges have one reference, along which none of them lies, and are ordered clockwise */
   void operator()(Fan_leg* first, Fan_leg* last)
   {
     m_directions.clear();
@@ -158,17 +158,17 @@ public:
   }
 
 private:
-  // An input edge that legs cross, with the face to be entered behind it.
+  // An input edge that edges of the fan cross, with the face to be entered behind it.
   struct Gate
   {
     Input_halfedge_index crossed;
-    Vector right, left, across; // its ends, and the way from left to right
-    Vector rightmost, leftmost; // between them straight lines pass all gates up to here
-    std::size_t first, last;    // the legs
-    Index crossings;            // so many, with this one
+    Vector right, left, across; // its ends, and the vector from left to right
+    Vector rightmost, leftmost; // straight lines between these pass all portals up to here
+    std::size_t first, last;    // the edges of the fan
+    Index crossings;            // the number of crossings, including this one
   };
 
-  // The face on the left of h, in its frame. Legs of many vertices cross it.
+  // The face on the left of h, in its frame. The edges of many vertices cross it.
   const Face& known_face(Input_halfedge_index h)
   {
     Face& face = m_faces[h];
@@ -180,7 +180,7 @@ private:
     return face;
   }
 
-  // Does one of its legs cross so many edges?
+  // Returns whether one of its edges has that many crossings.
   bool is_crossed(const Gate& gate) const
   {
     for(std::size_t i = gate.first; i < gate.last; ++i)
@@ -189,7 +189,7 @@ private:
     return false;
   }
 
-  // To the next gate; where legs part, to the left one, and the right one is left for later.
+  // Continues to the next portal; if the edges separate, to the left one, and the right one is stored for later.
   void cross_gate(Gate& here)
   {
     const auto& input = m_triangulation.input();
@@ -228,7 +228,7 @@ private:
     here.last = i;
   }
 
-  // Past the legs that pass a gate clearly on the left of the apex behind it.
+  // Skips the edges that pass a portal clearly on the left of the apex behind it.
   std::size_t end_of_left(const Gate& gate, const Vector& apex, double margin) const
   {
     constexpr std::size_t few = 8;
@@ -240,7 +240,7 @@ private:
     return static_cast<std::size_t>(end - m_directions.begin());
   }
 
-  // A leg comes near to the corner opposite to a gate, from which `h` leads to the left.
+  // An edge comes close to the corner opposite to a portal, from which `h` leads to the left.
   void end(Fan_leg& leg, const Gate& gate, const Vector& apex, Input_halfedge_index h, const Vector& along_h) const
   {
     const bool is_straight = cross(gate.rightmost, apex) > 0 && cross(apex, gate.leftmost) > 0;
@@ -253,29 +253,29 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  Indexed_by<Input_halfedge_index, Lazy_array<Face>> m_faces; // as far as they have been crossed
+  Indexed_by<Input_halfedge_index, Lazy_array<Face>> m_faces; // those crossed so far
   Fan_leg* m_legs = nullptr;
-  std::vector<Vector> m_directions; // of the legs
+  std::vector<Vector> m_directions; // of the edges
   std::vector<Gate> m_gates;        // still to be crossed
 };
 
-/* The last edge of a path of a tree, and the one before, as they were measured. */
+/* The last edge of a path of a tree, and the previous one, as they were measured. */
 struct Measured_leg
 {
   double angle;     // between the two
-  Edge_end arrival; // of the path, backward
+  Edge_end arrival; // of the path, reversed
   Halfedge_index last, before;
-  Index last_version, before_version; // by which an edge is told from one that has been flipped in between
+  Index last_version, before_version; // distinguish an edge from one that has been flipped since
   bool is_measured, is_bent;
 };
 
-/* For each vertex. */
+/* One for each vertex. */
 using Measured_legs = Indexed_by<Vertex_index, Lazy_array<Measured_leg>>;
 
 /*
- * Measures the paths of a geodesic tree afresh from the input, as `Straightness_meter` measures the curves of a
- * network: the edges that go on from each vertex all at once (`Leg_fan`), and those not found so by their words.
- * What has been measured is remembered, and measured again only where edges have been replaced.
+ * Measures the paths of a geodesic tree on the input, like `Straightness_meter` for the curves of a network: the edges
+ * that continue from each vertex all at once (`Leg_fan`), and those not found in this way by their edge sequences.
+ * Results are stored and measured again only if edges have been replaced.
  */
 template <class Tree>
 class Tree_straightness
@@ -284,7 +284,7 @@ class Tree_straightness
   using Edges = decltype(edge_straightness(std::declval<const Triangulation&>()));
 
 public:
-  /* \param measured of an earlier measurement, or nothing */
+  /* \param measured the results of an earlier measurement, or empty */
   Tree_straightness(const Tree& tree, Measured_legs& measured)
     : m_tree(tree)
     , m_triangulation(tree.triangulation())
@@ -295,7 +295,8 @@ public:
   {
   }
 
-  /* The smallest angle where paths leave their parents; writes the vertices whose are bent, by parent and index. */
+  /* Returns the smallest angle at which paths leave their parents; writes the vertices whose paths are bent, by parent
+   * and index. */
   template <class OutputIterator>
   double operator()(OutputIterator bent)
   {
@@ -314,11 +315,11 @@ public:
   }
 
   /*
-   * The edges with which paths go on from a vertex, but for those that are remembered, measured as far as that is done
-   * all at once.
+   * Returns the edges with which paths continue from a vertex, except those whose results are stored, measured as far
+   * as this is done all at once.
    *
    * \param around the halfedges that start there, clockwise, from the border if there is one
-   * \param arrival how the path comes there, if that is known
+   * \param arrival the arrival of the path there, if known
    */
   const std::vector<Fan_leg>& legs(const std::vector<Halfedge_index>& around, const Edge_end& arrival)
   {
@@ -348,7 +349,8 @@ public:
     return m_legs;
   }
 
-  /* Lays the faces afresh in the bent wedge before v; false if flips were wrong already, or the border intervenes. */
+  /* Recomputes the faces in the bent wedge before v from the input; returns false if flips were already wrong or the
+   * border intervenes. */
   bool refresh(Vertex_index v)
   {
     const Halfedge_index h = m_tree.incoming(v);
@@ -370,7 +372,7 @@ private:
     Edge_end arrival; // of the path there
   };
 
-  // The smallest angle where paths go on from u; opens the vertices that they lead to.
+  // Returns the smallest angle at which paths continue from u; opens the vertices to which they lead.
   double measure(Vertex_index u, const Edge_end& arrival)
   {
     collect_spokes(m_triangulation, u, m_around);
@@ -392,15 +394,15 @@ private:
     return remember();
   }
 
-  // The input halfedges about a vertex, in the umbrella by which a path arrives.
+  // The input halfedges around a vertex, in the umbrella by which a path arrives.
   Vertex_fan umbrella_with(const Edge_end& arrival, Vertex_index u) const
   {
     Vertex_fan result = umbrella_of(m_triangulation, m_triangulation.input().outgoing(u));
     return result.has(arrival.direction.reference) ? result : umbrella_of(m_triangulation, arrival.direction.reference);
   }
 
-  // The smaller one of the angles between a path and the edge with which it goes on; from angles that are added up once
-  // for all edges, if both are told from the input.
+  // The smaller of the two angles between a path and its continuing edge. If both directions are relative to the input,
+  // it is computed from angles that are summed up once for all edges.
   double smaller_angle(const Vertex_fan& umbrella, const Edge_end& arrival, const Edge_end& start) const
   {
     const Word_angle &a = arrival.direction, &b = start.direction;
@@ -412,7 +414,7 @@ private:
                                      : infinity;
   }
 
-  // By the directions of the edges, also where flips were wrong, so that their order about the vertex is another one.
+  // Decided by the directions of the edges, also if wrong flips have changed their order around the vertex.
   bool is_bent_clockwise(const Edge_end& from, const Edge_end& to) const
   {
     const Word_angle &a = from.direction, &b = to.direction;
@@ -437,7 +439,7 @@ private:
     return m_edges.clockwise(from, to).value;
   }
 
-  // The smallest angle where paths go on from a vertex, all of which have been measured; opens their ends.
+  // Returns the smallest angle at which paths continue from a vertex whose edges are all measured; opens their ends.
   double remember()
   {
     double smallest = infinity;
@@ -467,7 +469,7 @@ private:
 
   bool is_leg(Halfedge_index h) const { return m_tree.incoming(m_triangulation.head(h)) == h; }
 
-  // Where one of the spokes of a vertex lies in the input, and which one that is.
+  // The position of one of the halfedges of a vertex on the input, and the number of that halfedge.
   Edge_end known_place(const std::vector<Halfedge_index>& around, const Edge_end& arrival, std::size_t& number) const
   {
     if(arrival.direction.reference == null_index || m_triangulation.is_border(around.front()))
@@ -497,12 +499,13 @@ private:
   }
 
   /*
-   * Finds legs that have one reference. Angles have been added up around the vertex. Beyond a needle all of them can be
-   * off by more than the fan allows for, and by the same angle: the word of the first that is not found tells by which.
+   * Finds edges with a common reference. Angles have been summed up around the vertex. Beyond a needle-shaped face, all
+   * of them can deviate by more than the fan allows, but by the same angle, which the edge sequence of the first edge
+   * that is not found determines.
    */
   void find(std::size_t first, std::size_t last)
   {
-    constexpr int most_turns = 16; // beyond, each by its word
+    constexpr int most_turns = 16; // then each by its edge sequence
     const auto begin = m_legs.begin();
     const auto is_found = [](const Fan_leg& leg) { return leg.is_found; };
     m_fan(&m_legs[first], &m_legs[first] + (last - first));
@@ -522,14 +525,14 @@ private:
     }
   }
 
-  // What its angle lacks.
+  // The error of its angle.
   double drift_of(const Fan_leg& leg) const
   {
     const Word_angle measured = m_edges(leg.start.halfedge).tail.direction;
     return measured.reference == leg.reference() ? measured.angle - leg.start.direction.angle : 0;
   }
 
-  // Of a leg that is not found; returns by how much it is bent.
+  // Measures an edge that was not found; returns the angle by which it bends.
   double measure_by_word(Fan_leg& leg) const
   {
     const Measured_edge edge = m_edges(leg.start.halfedge);
@@ -546,23 +549,23 @@ private:
   Edges m_edges;
   Spoke_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
-  std::vector<Halfedge_index> m_around, m_leg_spokes; // of the vertex that is measured
+  std::vector<Halfedge_index> m_around, m_leg_spokes; // of the vertex being measured
   std::vector<Fan_leg> m_legs;
   std::vector<Open_vertex> m_open;
   std::vector<std::pair<Vertex_index, Vertex_index>> m_bent; // and their parents
 };
 
 /*
- * The joints of paths whose wedges were flipped out in vain: the arc is longer. With exact decisions that happens only
- * where faces without area fold vertices onto one place. An edge between two of them has length zero, no angle is
- * defined at its ends, and so flips stop there. Joints are few, or none.
+ * The joints of paths whose wedges were flipped out without success because the arc is longer. With exact predicates
+ * this happens only if degenerate faces fold vertices onto one point. An edge between two of them has length zero and
+ * its angles are undefined, so that flips stop there. Such joints are rare.
  */
 class Hindered_joints
 {
 public:
   void clear() { m_joints.clear(); }
 
-  /* The joint between two halfedges that start at the vertex which a path passes, in either order. */
+  /* Adds the joint between two halfedges that start at the vertex passed by a path, in either order. */
   void add(Halfedge_index a, Halfedge_index c) { m_joints.emplace_back((std::min)(a, c), (std::max)(a, c)); }
 
   bool has(Halfedge_index a, Halfedge_index c) const
@@ -570,7 +573,7 @@ public:
     return std::find(m_joints.begin(), m_joints.end(), Joint((std::min)(a, c), (std::max)(a, c))) != m_joints.end();
   }
 
-  /* The edge of h will be another one. */
+  /* Must be called before the edge of h is flipped. */
   template <class Triangulation>
   void forget(const Triangulation& /* triangulation */, Halfedge_index h)
   {
@@ -580,7 +583,7 @@ public:
     m_joints.erase(std::remove_if(m_joints.begin(), m_joints.end(), is_there), m_joints.end());
   }
 
-  /* Does a path of the tree pass one of them? */
+  /* Returns whether a path of the tree passes one of these joints. */
   template <class Tree>
   bool are_in(const Tree& tree) const
   {
@@ -599,7 +602,8 @@ private:
   std::vector<Joint> m_joints;
 };
 
-/* What such joints mean with exact decisions. Rounded coordinates or lengths can deprive faces of their area. */
+/* Returns the status that such joints imply with exact predicates. Rounding coordinates or lengths can make faces
+ * degenerate. */
 template <class Triangulation>
 Shortening_status status_of_hindered(const Triangulation& triangulation)
 {
@@ -607,8 +611,9 @@ Shortening_status status_of_hindered(const Triangulation& triangulation)
 }
 
 /*
- * Can the arc of a wedge be longer on account of vertices in one place? With decisions that err only if it passes such,
- * by edges of a length that is no more than rounding; others are left to those who measure.
+ * Returns whether the arc of a wedge can be longer because of coincident vertices. With inexact predicates, this
+ * requires that the arc passes coincident vertices, by edges no longer than rounding errors; other cases are left to
+ * measurement.
  */
 template <class Triangulation>
 bool can_be_folded(const Triangulation& triangulation, const std::vector<Halfedge_index>& arc, double rounding)

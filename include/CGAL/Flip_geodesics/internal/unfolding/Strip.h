@@ -120,7 +120,8 @@ public:
    * rotation. */
   double arrival_error() const { return relative_error() + static_cast<double>(m_gates.size() + 3) * face_ratio_error; }
 
-  /* Returns a bound of the error of end(), relative to its length; infinite if the error exceeds the length. */
+  /* Returns a bound of the error of end(), relative to its length; infinite if the error is at least half that
+   * length. */
   double relative_error() const
   {
     const double length = std::abs(m_end);

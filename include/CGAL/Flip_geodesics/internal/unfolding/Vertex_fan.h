@@ -157,7 +157,7 @@ public:
     collect(input, first, 0, corner);
   }
 
-  /* Collects the outgoing halfedges counterclockwise from a given one, which has a given angle, up to the border, or all
+  /* Collects the outgoing halfedges counterclockwise from a given one, which has a given angle, up to the border or all
    * the way around. */
   template <class Input_mesh, class Corner>
   void collect(const Input_mesh& input, Input_halfedge_index first, double angle, const Corner& corner)
