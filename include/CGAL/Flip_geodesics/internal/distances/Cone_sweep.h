@@ -25,8 +25,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A record for each element of a sequence, of which few are written: these lie side by side, in the order in which they
- * were first written, and stay in place. All others are one record, which is as it was made.
+ * One record for each element of a sequence of which few are written. Written records are contiguous, in the order of
+ * their first writing, and do not move. All others share one record with its initial value.
  */
 template <class Key, class Record>
 class Written_records
@@ -40,7 +40,7 @@ public:
 
   const Record& operator[](Key key) const { return m_records[static_cast<std::size_t>(m_slots[key.idx()])]; }
 
-  /* The element's own record, to be changed. */
+  /* Returns the element's own record for writing. */
   Record& write(Key key)
   {
     if(!m_slots.has_slot(key.idx())) {
@@ -57,36 +57,39 @@ private:
 };
 
 /*
- * Lower bounds of the distances from a vertex, within a per cent or so, for a small part of the price of the distances.
+ * Lower-bound propagation: lower bounds of the distances from a vertex, within about 1%, at a small part of the cost of
+ * the distances.
  *
- * Each halfedge has a cone, or two beside each other. No path from the source that leaves the halfedge's face through it,
- * at whatever place, is shorter than the least of three: what the cone says for the place, and the distances of the two
- * ends with the way from there along the edge. Such cones follow from each other. A path that leaves face abc through ab has entered it
- * through bc or ca, or comes from c; so no path is shorter than the least that the cones of those edges and the distance
- * of c allow,
+ * Each halfedge has a cone, or two side by side: the distance function of an unfolded pseudo-source. No path from the
+ * source that leaves the halfedge's face through it, at any point, is shorter than the least of three values: that of
+ * the cone at the point, and the distances of the two ends plus the path from there along the edge. Such cones follow
+ * from each other. A path that leaves face abc through ab has entered it through bc or ca, or comes from c. No path is
+ * therefore shorter than the least value that the cones of those edges and the distance of c allow:
  *
  *               c
- *              / .               what enters through ca comes straight from its cone's point, and lights ab from a
- *       P     /   .     N        to where the line through c ends; what enters through bc lights the other end;
- *            /     .             the paths by way of c, and those along ab, are longer than that, or else they count
- *           a-------b
+ *              / .               paths that enter through ca come straight from the cone's pseudo-source and reach ab
+ *       P     /   .     N        up to the end of the line through c; those that enter through bc reach the other end;
+ *            /     .             the paths by way of c, and those along ab, are longer, or they are considered
+ *           a-------b            separately
  *
- * The cone of ab is fitted to these, so that it is nowhere above them, and meets them at a and b: were it below there,
- * cones around a vertex would push each other down for ever. Where two fronts meet on an edge, it has two. So the bounds
- * hold whatever the fit, and whatever the order in which faces are passed; good ones are cheap where faces are passed in
- * the order of the distance. A face is passed again when a cone is not low enough any more. The waves of a fast marching
- * method with virtual sources [NK02] are cones of this kind, fitted to be near the distance and not to be below.
+ * The cone of ab is fitted to these values, so that it is nowhere above them and meets them at a and b: if it were
+ * lower there, cones around a vertex would lower each other indefinitely. If two fronts meet on an edge, it has two
+ * cones. The bounds thus hold whatever the fit and whatever the order in which faces are passed; they are good at low
+ * cost if faces are passed in the order of distance. A face is passed again when a cone is not low enough any more. The
+ * waves of a fast marching method with virtual sources [NK02] are cones of this kind, fitted to be near the distance
+ * but not below it.
  *
- * Most halfedges are passed by a front from one face to the other only. What comes back over the other halfedge of the
- * edge follows from vertices behind the front, and matters little: there the cones of the first are low enough, and are
- * borrowed. They may be much lower than need be, and would lower others again. Where they would, cones of its own are
- * fitted to what comes back.
+ * Most halfedges are passed by a front from one face to the other only. Paths that come back across the twin halfedge
+ * follow from vertices behind the front and matter little: the cones of the first halfedge are low enough there and are
+ * borrowed. They may be much lower than necessary and would then lower others; in that case the twin gets cones fitted
+ * to the paths that come back.
  *
- * That the paths by way of all corners count, also of those at which no shortest path turns, makes the bounds a matter of
- * the triangle inequality alone: a fitted cone's point may be where it sends its rays past the edge that they should hit.
+ * Since paths by way of all corners count, also of those at which no shortest path turns, the bounds depend on the
+ * triangle inequality alone: the pseudo-source of a fitted cone may be where its rays miss the edge that they should
+ * reach.
  *
- * What is lit is enlarged a little, for rounding. A shortest path takes one step for a face at most, and by what all steps
- * together may be wrong is taken off what is answered.
+ * The part of an edge reached by a cone is enlarged slightly to allow for rounding errors. A shortest path takes at
+ * most one step per face, and the possible error of all steps together is subtracted from the results.
  */
 template <class Triangulation>
 class Cone_sweep
@@ -98,9 +101,9 @@ class Cone_sweep
   using Entry = Queued_wave;
 
 public:
-  /* \param goal where the paths go that matter
-   * \param free_updates of a cone, that are exact; more of them are dear on needles, and keep the sweep useful there
-   * \param most_updates_per_side on average; more of them, which six free ones cannot lead to, end a useless sweep */
+  /* \param goal the end of the paths that matter
+   * \param free_updates number of exact updates of a cone; more are expensive at needles, but keep the bounds good
+   * \param most_updates_per_side on average; more, which six free ones cannot cause, end a useless propagation */
   Cone_sweep(const Triangulation& triangulation, Faces& faces, Vertex_index source,
              const Goal_bound<Triangulation>& goal, int free_updates = 6, std::size_t most_updates_per_side = 26)
     : m_triangulation(triangulation)
@@ -114,8 +117,8 @@ public:
   }
 
   /*
-   * Sweeps over all that paths from the source to the goal pass which are not longer than `bound`. If it is interrupted,
-   * then it is not useful.
+   * Propagates over everything passed by paths from the source to the goal that are not longer than `bound`. The
+   * propagation is not useful if it was interrupted.
    * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
    */
   void run(double bound, Interruption* interruption = nullptr)
@@ -123,7 +126,7 @@ public:
     run_from(std::array<Vertex_index, 1>{{m_source}}, bound, interruption);
   }
 
-  /* The same from the nearest of several vertices. */
+  /* Propagates from the nearest of several vertices. */
   template <class Vertices>
   void run_from(const Vertices& sources, double bound, Interruption* interruption = nullptr)
   {
@@ -140,13 +143,13 @@ public:
     }
   }
 
-  /* Is not all of what was found lost to errors that had to be allowed, for it to come to an end? */
+  /* Returns false if the errors that had to be allowed for termination make the result worthless. */
   bool is_useful() const { return m_total_error <= largest_cone_error * m_bound; }
 
   Vertex_index source() const { return m_source; }
   double bound() const { return m_bound; }
 
-  /* No path from the source to v is shorter, of those that matter. */
+  /* Returns a lower bound of the lengths of the relevant paths from the source to v. */
   double distance_lower_bound(Vertex_index v) const
   {
     if(!is_useful())
@@ -155,8 +158,8 @@ public:
   }
 
   /*
-   * No path is shorter that comes as a cone says over the edge of h, between two places on it, into the face on the left
-   * of h, and ends at the source.
+   * Returns a lower bound of the lengths of paths that end at the source and come as a cone predicts across the edge of
+   * h, between two points on it, into the face on the left of h.
    */
   double through(Input_halfedge_index h, double length, const Cone& cone, double from, double to) const
   {
@@ -168,13 +171,13 @@ public:
           (std::min)(cone(from) + from + distance_lower_bound(a), cone(to) + (length - to) + distance_lower_bound(b));
       return (std::min)(across, along);
     }
-    const double tail = cone(to) - to + in_space(a); // since a cone is not steeper than 1
+    const double tail = cone(to) - to + in_space(a); // since the slope of a cone is at most 1
     const double head = cone(from) - (length - from) + in_space(b);
     return (std::max)({cone.least(from, to), tail, head});
   }
 
-  /* The cones over the edge of h of paths that leave the face on the left of h, too high by `total_error()` at most. None
-   * if no such path matters. \pre is_useful() */
+  /* Returns the cones over the edge of h of paths that leave the face on the left of h; their values are too high by at
+   * most `total_error()`. Returns null if no such path matters. \pre is_useful() */
   const Edge_cones* cones(Input_halfedge_index h) const
   {
     const Wave* const wave = known_wave(m_faces.known_number(h));
@@ -182,13 +185,14 @@ public:
   }
   double total_error() const { return m_total_error; }
 
-  /* What the sweep has cost: how many times a halfedge was looked at. */
+  /* Returns the cost of the propagation: the number of times that a halfedge was examined. */
   std::size_t number_of_updates() const { return m_updates; }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // By which paths come to a side of a face: over the side before it, over the side after it, or by way of the apex.
+  // The way in which paths come to a side of a face: across the previous side, across the next side, or by way of the
+  // apex.
   enum class Entrance : char { BEFORE, AFTER, APEX };
 
   double in_space(Vertex_index v) const
@@ -210,7 +214,7 @@ private:
     }
   }
 
-  // Carries the wave of a side into the face on the other side of the edge.
+  // Propagates the wave of a side into the face on the other side of the edge.
   void enter_face(Index left_side)
   {
     Index side = m_faces.known_twin(left_side);
@@ -228,10 +232,10 @@ private:
     update(previous, Entrance::AFTER);
   }
 
-  // Does the cone of a side, if there is one, stay as it is whatever comes by an entrance?
+  // Returns whether the cone of a side, if there is one, is unaffected by everything that comes by an entrance.
   bool is_unmoved(Index side, Entrance entrance) { return known_wave(side) == nullptr || holds(side, entrance); }
 
-  // All edges opposite to a vertex, and the vertices beside it.
+  // Propagates to all edges opposite to a vertex and to its neighbors.
   void leave_vertex(Vertex_index v)
   {
     Vertex_record& record = m_vertices.write(v);
@@ -264,7 +268,7 @@ private:
     return record.to_goal;
   }
 
-  // A path to v. It is left a little later, once it has been passed: then there is less that is done twice.
+  // Records a path to v. The vertex is left slightly later, once it has been passed, so that less work is done twice.
   Vertex_record& reach(Vertex_index v, double distance, double delay)
   {
     Vertex_record& record = m_vertices.write(v);
@@ -279,21 +283,21 @@ private:
     return record;
   }
 
-  // The wave of a side, if there is one.
+  // Returns the wave of a side, if there is one.
   const Wave* known_wave(Index side) const
   {
     const auto i = static_cast<std::size_t>(side);
     return side < 0 || i >= m_waves.size() || !m_waves[i].is_set ? nullptr : &m_waves[i];
   }
 
-  // Does the cone of a side take the distance of the corner opposite to it into account?
+  // Returns whether the cone of a side takes the distance of the corner opposite to it into account.
   bool has_noticed(Index side, double distance) const
   {
     const Wave* wave = known_wave(side);
     return wave != nullptr && wave->apex_distance <= distance;
   }
 
-  // Makes the cone of a side hold for what enters its face, of which some has changed.
+  // Updates the cone of a side so that it is valid for everything that enters its face, part of which has changed.
   void update(Index side, Entrance changed)
   {
     if(m_waves.size() < m_faces.size())
@@ -303,8 +307,8 @@ private:
   }
 
   /*
-   * Takes the cones of the other halfedge over, if they hold: a front has passed the edge in the other direction, and
-   * what comes back behind it matters so little that it is not worth cones of its own.
+   * Takes over the cones of the twin halfedge if they are valid: a front has passed the edge in the other direction,
+   * and the paths that come back behind it matter too little for cones of their own.
    */
   bool borrow(Index side)
   {
@@ -326,7 +330,7 @@ private:
     return wave.is_set;
   }
 
-  // Is the cone of a side low enough for what comes by one entrance?
+  // Returns whether the cone of a side is low enough for everything that comes by one entrance.
   bool holds(Index side, Entrance entrance)
   {
     return entrance == Entrance::APEX ? holds_for_apex(side) : holds_for_side(side, entrance);
@@ -361,18 +365,18 @@ private:
     return true;
   }
 
-  // What comes over the side before or after a side, if anything does.
+  // The wave that comes across the side before or after a side, if any.
   const Wave* entering(Index side, Entrance entrance) const
   {
     const Wave* const wave =
         known_wave(m_faces.known_twin(entrance == Entrance::AFTER ? Faces::next(side) : Faces::previous(side)));
-    // One that is borrowed has to wait until it is seen to do no harm.
+    // A borrowed wave must wait until it is known to be harmless.
     return wave == nullptr || (wave->is_borrowed && wave->is_waiting) ? nullptr : wave;
   }
 
   /*
-   * Is it easily seen that the cones of a side are low enough for what comes over the side before or after it? Their
-   * chords are not above the tangent of what comes in, at the corner that they share.
+   * A quick sufficient test that the cones of a side are low enough for everything that comes across the side before or
+   * after it: their chords are not above the tangent of the incoming cone at the common corner.
    */
   bool clearly_holds(Index side, const Wave& other, Entrance entrance) const
   {
@@ -388,14 +392,14 @@ private:
       return false;
     const Cone& cone = other.cones.first;
     const auto& corner = m_faces[is_mirrored ? Faces::next(side) : side];
-    const double run = start - cone.sigma; // from the cone's point to the corner
+    const double run = start - cone.sigma; // from the pseudo-source to the corner
     const double slope = corner.sine * cone.y - corner.cosine * (is_mirrored ? edge.length - cone.x : cone.x) - m_error;
     const bool is_split = wave.cones.split < length;
     const double to_split = is_mirrored ? length - wave.cones.split : wave.cones.split;
     return (there - start) * run <= length * slope && (!is_split || (wave.at_split - start) * run <= to_split * slope);
   }
 
-  // Fits the cone of a side to all that enters its face.
+  // Fits the cone of a side to everything that enters its face.
   void fit(Index side)
   {
     Wave& wave = m_waves[static_cast<std::size_t>(side)];
@@ -425,7 +429,7 @@ private:
     send(side);
   }
 
-  // Tells the ends of a side what its cone says for them, and has it carried on, if it is of interest.
+  // Passes the values of a side's cone to its ends, and queues the cone for propagation if it matters.
   void send(Index side)
   {
     Wave& wave = m_waves[static_cast<std::size_t>(side)];
@@ -434,7 +438,7 @@ private:
     const Vertex_index tail = m_faces[side].tail, head = m_faces[Faces::next(side)].tail;
     const double from_tail = to_goal(reach(tail, wave.at_tail, length), tail);
     const double from_head = to_goal(reach(head, wave.at_head, length), head);
-    // A cone is not steeper than 1.
+    // The slope of a cone is at most 1.
     wave.is_waiting =
         (std::max)(wave.at_head + from_tail, wave.at_tail + from_head) - length <= m_bound + m_total_error;
     if(wave.is_waiting)
@@ -442,8 +446,8 @@ private:
   }
 
   /*
-   * By how much a cone may be too high. Cones about a vertex with a small angle, and needles, lower each other again and
-   * again; they are allowed more each time, and so come to an end.
+   * The amount by which a cone may be too high. Cones around a vertex with a small angle, and at needle-shaped faces,
+   * lower each other repeatedly; each time the tolerance grows, so that they terminate.
    */
   double tolerance(const Wave& wave) const
   {
@@ -451,30 +455,32 @@ private:
     return further <= 0 ? m_error : std::ldexp(m_error, 2 * further);
   }
 
-  // What comes by all entrances, in the frame of a side, from 0 to its length on the x-axis with its face above.
+  // Everything that comes by all entrances, in the frame of a side that extends from 0 to its length on the x-axis with
+  // its face above.
   Lit_parts lit_parts(Index side) const
   {
     const double length = m_faces[side].length;
     Lit_parts parts;
     const Lit_end before = light_from(parts, side, Entrance::BEFORE), after = light_from(parts, side, Entrance::AFTER);
-    // Where one cone lights the edge, the paths by way of the apex are no shorter, if the cone says no more for the apex.
+    // If one cone reaches the edge, the paths by way of the apex are not shorter if the cone's value at the apex is not
+    // larger.
     const double enough = distance_of_apex(side) + m_error;
     add_apex(parts, side, before.apex_value <= enough ? before.place : 0,
              after.apex_value <= enough ? length - after.place : length);
     return parts;
   }
 
-  // Up to where one cone lights an edge from an end on, and what it says for the apex.
+  // The extent to which one cone reaches an edge from an end on, and its value at the apex.
   struct Lit_end
   {
     double place = 0, apex_value = infinity;
   };
 
-  // Adds what comes over the side before or after a side.
+  // Adds everything that comes across the side before or after a side.
   Lit_end light_from(Lit_parts& parts, Index number, Entrance entrance) const
   {
     const Index next_number = Faces::next(number), previous_number = Faces::previous(number);
-    const bool is_mirrored = entrance == Entrance::AFTER; // seen in a mirror, from the head
+    const bool is_mirrored = entrance == Entrance::AFTER; // mirrored, as seen from the head
     const auto &close_by = m_faces[is_mirrored ? next_number : number], &side = m_faces[number];
     const double length = m_faces[is_mirrored ? next_number : previous_number].length;
     const Wave* const wave = entering(number, entrance);
@@ -488,7 +494,8 @@ private:
     return end;
   }
 
-  // That of the corner opposite to a side; waves tell their ends what they say for them, so that it is not above them.
+  // The distance of the corner opposite to a side; waves pass their values to their ends, so that it is not above
+  // these.
   double distance_of_apex(Index side) const
   {
     const Vertex_record& record = m_vertices[m_faces[Faces::previous(side)].tail];
@@ -509,7 +516,7 @@ private:
   Faces& m_faces;
   Vertex_index m_source;
   Goal_bound<Triangulation> m_goal;
-  Block_array<Wave> m_waves; // of sides, that is, of halfedges that have been laid out
+  Block_array<Wave> m_waves; // of sides, that is, of halfedges whose faces have been computed
   Written_records<Vertex_index, Vertex_record> m_vertices;
   int m_free_updates;
   std::size_t m_most_updates_per_side;

@@ -30,11 +30,12 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Sides of a piece that a curve crosses may have this length, in tolerances. All of the piece is within the tolerance
- * of its corners then, and its center of all of its sides, since no median is longer than the longest side. */
+/* The sides of a piece crossed by a curve may have this length, in units of the tolerance. All of the piece is then
+ * within the tolerance of its corners, and its centroid within the tolerance of all points of its sides, since no
+ * median is longer than the longest side. */
 inline constexpr double side_by_tolerance = 1.5;
 
-/* Can a field be asked about places in the faces of a mesh? Of what is no mesh nothing is said. */
+/* Detects fields that can be evaluated at points in the faces of a mesh; true if the other argument is not a mesh. */
 template <class Field, class TriangleMesh, bool IS_MESH = Has_faces<TriangleMesh>::value>
 constexpr bool is_distance_field = true;
 template <class Field, class TriangleMesh>
@@ -42,7 +43,7 @@ constexpr bool is_distance_field<Field, TriangleMesh, true> =
     std::is_invocable<const Field&, typename boost::graph_traits<TriangleMesh>::face_descriptor,
                       const Weights_in_face&>::value;
 
-/* Ends the compilation if a mesh, a field and a tolerance are given in another order. */
+/* Reports a wrong order of mesh, field and tolerance at compile time. */
 template <class TriangleMesh, class Field, class Tolerance>
 constexpr bool are_in_order()
 {
@@ -64,7 +65,7 @@ inline void check_tolerance(double tolerance)
   throw Invalid_parameter_error("the tolerance is " + number.str() + ", which is not a positive finite number");
 }
 
-/* The points that are given, or else the mesh's own. */
+/* Returns the given points, or else the mesh's own. */
 template <class TriangleMesh, class NamedParameters>
 auto point_map(const TriangleMesh& mesh, const NamedParameters& np)
 {
@@ -80,7 +81,7 @@ using Point_map = decltype(point_map(std::declval<const TriangleMesh&>(), std::d
 template <class TriangleMesh, class NamedParameters>
 using Point_of = typename boost::property_traits<Point_map<TriangleMesh, NamedParameters>>::value_type;
 
-/* Throws Invalid_parameter_error where a tolerance is lost in the roundings of weights. */
+/* Throws Invalid_parameter_error if a tolerance is below the rounding errors of weights. */
 template <class TriangleMesh, class NamedParameters, class Field>
 auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const NamedParameters& np, double tolerance,
                           Interruption& interruption)
@@ -111,8 +112,8 @@ OutputIterator write_curves(const NamedParameters& np, OutputIterator out, const
   return std::move(curves.begin(), curves.end(), out);
 }
 
-/* Bounds of the field over all of a piece, by its values at the corners. They hold for all corners as well, also where
- * the field has larger slopes than one. */
+/* Bounds of the field over all of a piece, computed from its values at the corners. They include these values even if
+ * the slope of the field exceeds one. */
 struct Field_bounds
 {
   double least = std::numeric_limits<double>::infinity(), largest = -least;
@@ -135,14 +136,14 @@ struct Field_bounds
       least = (std::min)(least, d);
       largest = (std::max)(largest, d);
     }
-    if(std::isinf(least)) // nothing is known, nothing to be found
+    if(std::isinf(least)) // nothing is known and nothing will be found
       return;
     least = (std::min)(least, from);
     largest = has_end ? infinity : (std::max)(largest, to);
   }
 };
 
-/* Where a curve crosses a side. */
+/* A crossing of a curve with a side. */
 struct Crossing
 {
   Index side;
@@ -175,7 +176,7 @@ private:
   std::vector<Crossing> m_crossings;
 };
 
-/* A curve, and where it ended: at a half on the border, in a piece that it does not pass, or where it began. */
+/* A curve and the place where it ended: at a half on the border, in a piece that it does not pass, or at its start. */
 struct Followed_curve
 {
   std::vector<Sample> samples;
@@ -196,11 +197,11 @@ inline void append(Followed_curve& curve, const Sample& sample, Index face)
 }
 
 /*
- * The curve from the crossing of a half on, whose start is inside and whose end is not, as seen from the piece that has
- * the half: what is inside stays on the left.
+ * Follows the curve from its crossing of a half whose start is inside and whose end is not, as seen from the piece that
+ * contains the half; the inside stays on the left.
  *
  *         c
- *        / \          c inside: on over the side from b to c, else over that from c to a
+ *        / \          c inside: continue across the side from b to c, otherwise across that from c to a
  *       /   \
  *      a --> b
  *     inside
@@ -234,7 +235,8 @@ Followed_curve follow(const Surface& surface, Index half, Crossings& crossings, 
   }
 }
 
-/* The half of a side in a piece in which it starts inside and ends outside; null_index if that is on the border. */
+/* Returns the half of a side in a piece in which it starts inside and ends outside; null_index if that is on the
+ * border. */
 template <class Surface, class IsInside>
 Index entering_half(const Surface& surface, Index side, const IsInside& is_inside)
 {
@@ -256,24 +258,24 @@ void write_samples(const Surface& surface, const Followed_curve& curve, Polyline
 }
 
 /*
- * Omits vertices of curves whose vertices are on the true curve: the pieces of a refined surface are about as large as
- * the tolerance, and so many vertices are needed to find the curve but not to draw it. What remains are chords inside
- * faces of the mesh. The distance of a chord from an arc of length h and radius r is about h^2 / 8r, so that the number
- * of vertices grows like the inverse square root of the tolerance.
+ * Omits vertices of curves whose vertices are on the true curve. The pieces of a refined surface are about as large as
+ * the tolerance, so that many vertices are needed to find the curve but not to draw it. The remaining segments are
+ * chords inside faces of the mesh. The distance of a chord from an arc of length h and radius r is about h^2 / 8r, so
+ * that the number of vertices grows like the inverse square root of the tolerance.
  *
- * Every place between a chord and the vertices that it replaces is within the radius of one of these: the chord and a
- * segment before it are the long sides of a trapezoid, and its places have half the length of the segment along the
- * chord, and the larger height of its ends across, from the nearer end at most. So a function with slopes of at most
- * one differs there from its value on the curve by the radius at most, and a piece of the surface that changes sides
- * is within the radius of the curve.
+ * Every point between a chord and the vertices that it replaces is within the radius of one of these vertices: the
+ * chord and a segment in front of it are the long sides of a trapezoid, whose points are at most half the length of the
+ * segment along the chord, and the larger height of its ends across, from the nearer end. A function with slopes of at
+ * most one therefore differs there from its value on the curve by at most the radius, and a part of the surface that
+ * changes sides is within the radius of the curve.
  *
  *            . . v .               v, w  vertices of the curve
  *         .  |       . w           i, j  ends of the chord
  *       .    |         |  .
  *      i ------------------- j
  *
- * Two chords that cross have vertices within twice the tolerance of one another. So vertices stay if the curves come as
- * close to one another there, or the curve comes back or bends sharply, and segments at them stay, too. Hence chords
+ * Two chords that cross have vertices within twice the tolerance of one another. Vertices are therefore kept, together
+ * with their segments, if curves come that close to one another, or if the curve returns or bends sharply. Hence chords
  * of the same curves do not cross.
  */
 template <class Surface>
@@ -282,8 +284,8 @@ class Curve_thinner
   using Place = typename Surface::Place;
 
 public:
-  /* No place on a segment is farther than the tolerance from the nearer end, and none that a chord replaces farther than
-   * the radius, which is not larger, from a vertex. */
+  /* No point on a segment is farther than the tolerance from the nearer end, and no point that a chord replaces is
+   * farther than the radius, which must not be larger, from a vertex. */
   Curve_thinner(const Surface& surface, double tolerance, double radius)
     : m_surface(surface)
     , m_tolerance(tolerance)
@@ -291,7 +293,7 @@ public:
   {
   }
 
-  /* The curves are all those that must not cross one another. */
+  /* The curves must include all those that must not cross one another. */
   void thin(std::vector<Followed_curve>& curves)
   {
     if(!(m_radius > 0))
@@ -305,23 +307,24 @@ public:
   }
 
 private:
-  // Some vertices stand for those behind them, which are as far from them along the curve, in tolerances.
+  // Some vertices, the markers, represent those behind them up to this distance along the curve, in units of the
+  // tolerance.
   static constexpr double stride = 0.5;
-  // Such vertices of chords that cross are as close, in tolerances: one on either curve, and a stride.
+  // The markers of crossing chords are this close, in units of the tolerance: one on either curve, plus a stride.
   static constexpr double crowd = 2 + 2 * stride;
-  // A curve bends sharply if the path along it is longer than the straight one by this factor: so is a circle over more
-  // than 130 degrees, and two straight lines are with an angle of less than 106 degrees.
+  // A curve bends sharply if the path along it is longer than the straight line by this factor, as for an arc of more
+  // than 130 degrees or two straight lines with an angle of less than 106 degrees.
   static constexpr double bend = 1.25;
-  // Closed curves that are shorter, in tolerances, stay. A longer one that is within a tolerance of a line has crowded
-  // markers halfway on both sides, which are at most two tolerances and a stride from one to the next.
+  // Closed curves that are shorter, in units of the tolerance, are kept. A longer one that is within the tolerance of a
+  // line has crowded markers halfway on both sides, whose distance is at most two tolerances and a stride.
   static constexpr double least_closed = 12;
 
   struct Measured_curve
   {
     std::vector<Place> places;
-    std::vector<double> paths;        // their lengths along the curve to each vertex
-    std::vector<std::size_t> markers; // the vertices that stand for each
-    std::vector<char> is_kept;        // only for those
+    std::vector<double> paths;        // the lengths along the curve to each vertex
+    std::vector<std::size_t> markers; // the vertices that represent others
+    std::vector<char> is_kept;        // for markers only
     bool is_closed;
   };
 
@@ -362,7 +365,7 @@ private:
       m.is_kept.assign(n, 1);
   }
 
-  // In two of the three coordinates, so that no distance becomes larger.
+  // Uses two of the three coordinates, so that distances do not increase.
   void add_marker(Index face, std::size_t vertex)
   {
     const std::array<std::size_t, 2> axes = m_surface.widest_axes(face);
@@ -417,7 +420,7 @@ private:
 
   static bool is_kept(const Measured_curve& m, std::size_t i) { return m.is_kept[m.markers[i]] != 0; }
 
-  // Up to where segments are in one face and have no end that is kept; but for the first one.
+  // The end of the run of segments in one face, none of which has an end that must be kept, except for the first end.
   static std::size_t end_of_run(const Followed_curve& curve, const Measured_curve& m, std::size_t i)
   {
     std::size_t end = i + 1;
@@ -427,7 +430,7 @@ private:
     return end;
   }
 
-  // Up to where there is a chord from a vertex: in steps that are doubled as long as there is one, and halved then.
+  // The end of the longest chord found from a vertex: the step is doubled while there is a chord, and then halved.
   std::size_t end_of_chord(const Followed_curve& curve, const Measured_curve& m, std::size_t i, std::size_t end) const
   {
     std::size_t result = i + 1;
@@ -458,8 +461,8 @@ private:
     return true;
   }
 
-  // Would a chord run along an edge of the mesh, on which chords from the other side may be, but what it replaces not?
-  // Places on an edge are told in one face.
+  // Returns whether a chord would run along an edge of the mesh, where chords from the other side may run, although the
+  // replaced vertices do not. Points on an edge are expressed in one face.
   static bool is_pressed_on_edge(const std::vector<Sample>& samples, std::size_t i, std::size_t j)
   {
     const auto is_on_edge = [&](std::size_t k, std::size_t l, int corner) {
@@ -473,7 +476,7 @@ private:
     return false;
   }
 
-  // Where a place is along the line from p to q, and how far from it.
+  // The position of a point along the line from p to q, and its distance from the line.
   static std::array<double, 2> coordinates(const Place& place, const Place& p, const Place& q, double length)
   {
     double along = 0, square = 0;

@@ -20,8 +20,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Distances along an edge, which is the x-axis from 0 on: those from a point in the plane of a face, plus what is before
- * that point, `sigma`. As a function of the place on the edge it is convex, and nowhere steeper than 1.
+ * Distances along an edge, which is the x-axis from 0 on: those from a pseudo-source in the plane of a face, plus the
+ * length `sigma` up to that source. As a function of the position on the edge it is convex with slopes of at most 1.
  */
 struct Cone
 {
@@ -30,10 +30,11 @@ struct Cone
 
   double operator()(double q) const { return sigma + std::sqrt((q - x) * (q - x) + y * y); }
 
-  /* The least value between two places. */
+  /* Returns the least value between two positions. */
   double least(double from, double to) const { return (*this)((std::min)((std::max)(x, from), to)); }
 
-  /* The least sum with another cone, which lies on the other side of the edge: straight through, if that is possible. */
+  /* Returns the least sum with another cone, which lies on the other side of the edge: straight through, if
+   * possible. */
   double least_sum(const Cone& other, double from, double to) const
   {
     const double height = y + other.y;
@@ -43,7 +44,7 @@ struct Cone
   }
 };
 
-/* The least value of `a - b` between two places: at an end, or where both have the same slope. */
+/* The least value of `a - b` between two positions: at an end, or where both have the same slope. */
 struct Least_difference
 {
   double place, value;
@@ -76,24 +77,27 @@ public:
   double at_start() const { return m_start; }
   double at_end() const { return m_end; }
 
-  /* That of the lowest, which falls and rises with slope 1. */
+  /* Returns the sigma of the lowest cone, which falls and rises with slope 1. */
   double largest_sigma() const { return 0.5 * (m_start + m_end - m_length); }
 
-  /* That of the one with a third value in between; minus infinity if no cone is that high. */
+  /* Returns the sigma of the cone with a third value in between; minus infinity if no cone is that high. */
   double sigma(double place, double value) const
   {
     const double t = place / m_length, sag = (1 - t) * m_start + t * m_end - value;
     if(!(sag > cone_sag_rounding * m_length))
       return -std::numeric_limits<double>::infinity();
-    // Stewart's theorem for the distances from the point to the three places. Squares of differences do not cancel.
+    // Stewart's theorem for the distances from the pseudo-source to the three positions; avoids the cancellation of
+    // squares.
     const double a = m_start - value, b = m_end - value;
     return value + ((1 - t) * a * a + t * b * b - place * (m_length - place)) / (2 * sag);
   }
 
-  /* That of the flattest one that does not rise more than this at the first end; minus infinity if all do not. */
+  /* Returns the sigma of the flattest cone with at most this slope at the first end; minus infinity if all cones
+   * satisfy this. */
   double sigma_at_start(double slope) const { return m_start + sigma_from_end(slope * m_length + m_start - m_end); }
 
-  /* That of the flattest one that does not rise less than this at the second end; minus infinity if all do not. */
+  /* Returns the sigma of the flattest cone with at least this slope at the second end; minus infinity if all cones
+   * satisfy this. */
   double sigma_at_end(double slope) const { return m_end + sigma_from_end(m_end - m_start - slope * m_length); }
 
   Cone operator()(double sigma) const
@@ -104,8 +108,8 @@ public:
   }
 
 private:
-  // Less the distance from the first end to the point: the slope there, times the length, is what the values rise from
-  // that end on, less `(length^2 - rise^2) / (2 distance)`. `steepness` is what it may be, less the rise.
+  // Minus the distance from the first end to the pseudo-source. The slope there, times the length, equals the rise of
+  // the values from that end minus `(length^2 - rise^2) / (2 distance)`; `steepness` is its bound minus the rise.
   double sigma_from_end(double steepness) const
   {
     const double rise = m_end - m_start;
@@ -116,14 +120,14 @@ private:
   double m_length, m_start, m_end;
 };
 
-/* A part of an edge, and what lights it. */
+/* A part of an edge, and the cone that reaches it. */
 struct Lit_part
 {
   Cone cone;
   double from, to;
 };
 
-/* All that lights an edge: through two other sides two cones each, and by way of the apex. */
+/* All cones that reach an edge: up to two through each of the other two sides, and those by way of the apex. */
 struct Lit_parts
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -143,7 +147,8 @@ struct Lit_parts
     double value;
   };
 
-  /* The least value at a place, also of what lights another part of the edge, and goes on along it; and which part. */
+  /* Returns the least value at a position and the number of its part; it may belong to another part and continue along
+   * the edge. */
   Least least_at(double q) const
   {
     Least least = {0, infinity};
@@ -157,13 +162,13 @@ struct Lit_parts
   }
 };
 
-/* A cone over an edge, or two: one for the places up to the split, another for those beyond it, where two fronts meet. */
+/* One or two cones over an edge: if two fronts meet, one for the positions up to the split and another beyond it. */
 struct Edge_cones
 {
   Cone first = {0, 0, 0}, second = {0, 0, 0};
   double split = std::numeric_limits<double>::infinity();
 
-  /* That over the end of an edge of some length. */
+  /* Returns the cone over the end of an edge of some length. */
   const Cone& last(double length) const { return split < length ? second : first; }
 
   double least_sum(const Cone& cone, double from, double to) const
@@ -176,7 +181,7 @@ struct Edge_cones
     return least;
   }
 
-  /* Are they nowhere above what lights the edge, but for a tolerance? */
+  /* Returns whether the cones are nowhere above those that reach the edge, up to a tolerance. */
   bool are_below(const Lit_parts& parts, double length, double tolerance) const
   {
     const double end = (std::min)(split, length);
@@ -190,7 +195,7 @@ struct Edge_cones
     return true;
   }
 
-  /* The same from the other end of an edge of some length. */
+  /* Returns the cones as seen from the other end of an edge of some length. */
   Edge_cones mirrored(double length) const
   {
     const auto reversed = [length](const Cone& cone) { return Cone{length - cone.x, cone.y, cone.sigma}; };
@@ -200,13 +205,14 @@ struct Edge_cones
   }
 };
 
-/* A place on an edge, and the value of a cone there. */
+/* A position on an edge, and the value of a cone there. */
 struct Place_and_value
 {
   double place, value;
 };
 
-/* The sigma of a cone that is not above the parts where this one is highest above them; its own, if it is nowhere. */
+/* Returns the sigma of a cone that is not above the parts where this one exceeds them most; its own sigma if it nowhere
+ * does. */
 inline double sigma_below(const Cone& cone, const Cones_through_ends& cones, const Lit_parts& parts, double error)
 {
   double excess = error, sigma = cone.sigma;
@@ -222,9 +228,9 @@ inline double sigma_below(const Cone& cone, const Cones_through_ends& cones, con
 }
 
 /*
- * The sigma of the flattest cone that is not above a part at the ends of the part; at an end that the part shares with
- * the edge, the cone does not rise over it from there. Mostly it is not above the part in between then, since two cones
- * have two places in common at most.
+ * Returns the sigma of the flattest cone that is not above a part at the ends of the part; at an end that the part
+ * shares with the edge, the cone does not rise above it from there. Usually it is then not above the part in between
+ * either, since two cones have at most two positions in common.
  */
 inline double sigma_at_ends(const Lit_part& part, const Cones_through_ends& cones, double error)
 {
@@ -243,8 +249,8 @@ inline double sigma_at_ends(const Lit_part& part, const Cones_through_ends& cone
 }
 
 /*
- * The flattest cone that has the given values at two places, is below all parts between them, and whose point is no
- * farther away than theirs.
+ * Returns the flattest cone that has the given values at two positions, is below all parts between them, and whose
+ * pseudo-source is not farther away than theirs.
  *
  * \pre the values are at most the least ones there
  */
@@ -266,7 +272,7 @@ inline Cone fitted_cone(const Place_and_value& start, const Place_and_value& end
     least = (std::max)(least, sigma_at_ends({moved, begin, finish}, cones, error));
   }
   sigma = (std::max)(sigma, least);
-  // Where it touches a part in the middle, it may be a little too high beside that place: a little more, then.
+  // Where it touches the interior of a part, it may be slightly too high nearby; sigma is increased in that case.
   for(double more = least_cone_lift; more < 1 && sigma < cones.largest_sigma(); more *= 4) {
     const Cone cone = cones(sigma);
     const double lower = sigma_below(cone, cones, parts, error);
@@ -277,7 +283,8 @@ inline Cone fitted_cone(const Place_and_value& start, const Place_and_value& end
   return moved_back(cones(cones.largest_sigma()));
 }
 
-/* One cone, if it is not much below the parts where what lights the two ends meets; otherwise two that meet there. */
+/* Returns one cone if it is not much below the parts where the cones that reach the two ends meet, and otherwise two
+ * cones that meet there. */
 inline Edge_cones fitted_cones(const Lit_parts& parts, double length, double error)
 {
   Edge_cones result;
@@ -300,18 +307,19 @@ inline Edge_cones fitted_cones(const Lit_parts& parts, double length, double err
   return {fitted_cone(start, middle, parts, error), fitted_cone(middle, end, parts, error), place};
 }
 
-/* What a `Cone_sweep` has brought to a halfedge: its cones, and what they were fitted to. */
+/* The result of a `Cone_sweep` at a halfedge: its cones, and the data to which they were fitted. */
 struct Cone_wave
 {
   Edge_cones cones;
   double at_tail = 0, at_split = 0, at_head = 0;
-  double apex_distance = std::numeric_limits<double>::infinity(); // of the opposite corner, when it was last looked at
-  std::array<std::int32_t, 2> seen = {0, 0};                      // which version of what comes over the other sides
+  double apex_distance = std::numeric_limits<double>::infinity(); // of the opposite corner, when last examined
+  std::array<std::int32_t, 2> seen = {0, 0};                      // the examined versions of the waves across the other
+                                                                  // sides
   std::int32_t version = 0, number_of_updates = 0;
   bool is_set = false, is_waiting = false;
-  bool is_borrowed = false; // from the other halfedge, and lower than need be
+  bool is_borrowed = false; // from the twin halfedge, and possibly lower than necessary
 
-  /* In the queue: nearer to the less, since it is at that end that what comes over the edge goes on first. */
+  /* Ordered by the smaller value, since propagation across the edge continues first at that end. */
   std::uint64_t key() const
   {
     const double less = (std::min)(at_tail, at_head), more = (std::max)(at_tail, at_head);
@@ -319,18 +327,18 @@ struct Cone_wave
   }
 };
 
-/* What a sweep knows of a vertex. */
+/* The state of a vertex in the propagation. */
 struct Swept_vertex
 {
   double distance = 0, to_goal = 0;
   bool is_reached = false, is_waiting = false, has_bound = false;
 };
 
-/* A wave that is to be carried on, or a vertex from which waves are to start. */
+/* A wave to be propagated, or a vertex from which waves will start. */
 struct Queued_wave
 {
   std::uint64_t key;
-  Index id; // of a side, or -1 less that of a vertex
+  Index id; // of a side, or -1 minus that of a vertex
 
   static std::size_t is_before(const Queued_wave& a, const Queued_wave& b)
   {
@@ -339,8 +347,8 @@ struct Queued_wave
 };
 
 /*
- * What comes in through a side of a face, from the points of its cones, and lights another side, which lies on the x-axis
- * from 0 on. The first one leaves 0 in some direction, and ends at the apex.
+ * Everything that enters a face through a side, from the pseudo-sources of its cones, and reaches another side, which
+ * lies on the x-axis from 0 on. The first side leaves 0 in some direction and ends at the apex.
  */
 class Light_through_side
 {
@@ -355,7 +363,7 @@ public:
   {
   }
 
-  /* Adds it to what lights a side of some length, or its mirror image; returns up to where, if that is one cone. */
+  /* Adds it, or its mirror image, to the parts of a side of some length; returns its extent if it is one cone. */
   double add_to(Lit_parts& parts, double length, bool is_mirrored) const
   {
     const int number = m_cones.split < m_side_length ? 2 : 1;
@@ -363,12 +371,12 @@ public:
     for(int i = 0; i < number; ++i) {
       Cone cone = seen(i == 0 ? m_cones.first : m_cones.second);
       const bool is_first = i + 1 < number;
-      // No gap is left between what two cones light, nor where the second one lights nothing.
+      // a source on the wrong side of the edge reaches it only up to rounding errors
       const bool is_alone = is_first && seen(m_cones.second).y < -m_error && cone.y >= -m_error;
       const double lit = lit_length(cone, is_first ? m_cones.split : m_side_length, length);
       const double to = is_alone ? length : lit;
       const double from = i == 0 ? 0 : (std::min)(lit_length(cone, m_cones.split, length) - cone_overlap * length, end);
-      cone.y = std::abs(cone.y); // what lies below the edge sends nothing up, up to rounding
+      cone.y = std::abs(cone.y); // a source below the edge reaches nothing above it, up to rounding errors
       const Cone turned = is_mirrored ? Cone{length - cone.x, cone.y, cone.sigma} : cone;
       if(is_mirrored)
         parts.add(turned, length - to, length - (std::max)(from, 0.0));
@@ -380,7 +388,7 @@ public:
   }
 
 private:
-  // A cone over the side it comes in through, in the frame of the side that is lit.
+  // A cone over the side of entrance in the frame of the side that is reached.
   Cone seen(const Cone& cone) const
   {
     const Vector place = Vector(cone.x, cone.y) * m_direction;
@@ -388,8 +396,8 @@ private:
   }
 
   /*
-   * How much of a side from 0 on is lit from a point, past a place on the side it comes in through that is farther on: up
-   * to where the line through there ends, and a little more.
+   * The length of a side, from 0 on, that is reached from a pseudo-source past a position on the side of entrance that
+   * is farther on: up to the end of the line through that position, enlarged slightly.
    */
   double lit_length(const Cone& cone, double place, double length) const
   {

@@ -21,14 +21,14 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The least halfedge of the face of h. */
+/* Returns the least halfedge of the face of h. */
 template <class Input>
 Input_halfedge_index least_in_face(const Input& input, Input_halfedge_index h)
 {
   return (std::min)({h, input.next(h), input.next(input.next(h))});
 }
 
-/* The roots of parts of sources by the least halfedges of their faces, in this order. */
+/* Returns the roots of parts of sources sorted by the least halfedges of their faces. */
 template <class Input>
 std::vector<std::pair<Input_halfedge_index, Index>> parts_by_face(const Input& input,
                                                                   const std::vector<Source_part>& parts)
@@ -41,8 +41,8 @@ std::vector<std::pair<Input_halfedge_index, Index>> parts_by_face(const Input& i
 }
 
 /*
- * What the windows kept by a propagation say of points anywhere: a shortest path to a point of a face comes from a
- * corner, from a part of a source in the face, or through a window on one of its sides.
+ * Evaluates the windows stored by a propagation at any point: a shortest path to a point of a face comes from a corner,
+ * from a part of a source in the face, or through a window on one of its sides.
  */
 template <class Triangulation>
 class Field_query
@@ -56,9 +56,10 @@ public:
   {
     double distance = std::numeric_limits<double>::infinity();
     Index root = null_index;                   // as in windows
-    Input_halfedge_index through = null_index; // the side by which it enters the face; null if it comes from the root
-    double crossing = 0;                       // where, from the tail of that
-    Window window;                             // in the frame of that
+    Input_halfedge_index through = null_index; // the side across which it enters the face; null_index if it comes from
+                                               // the root
+    double crossing = 0;                       // the position from the tail of that side
+    Window window;                             // in the frame of that side
   };
 
   /* \param parts_by_face see `parts_by_face()` */
@@ -81,7 +82,7 @@ public:
 
   std::size_t source(const Arrival& a) const { return m_propagation.source(a.root); }
 
-  /* Do all paths that can be the shortest to a point of the face of h come from one source? */
+  /* Returns whether all possible shortest paths to a point of the face of h come from one source. */
   bool has_one_source(Input_halfedge_index h) const
   {
     Index last = null_index; // root
@@ -107,7 +108,8 @@ public:
     return result;
   }
 
-  /* The point of the same face from which the path comes straight: where it enters, or the source; as weights from h. */
+  /* Returns the point of the same face from which the path comes straight: its entry point, or the source; as weights
+   * from h. */
   Face_weights from(const Arrival& a, Input_halfedge_index h, const Face_weights& weights) const
   {
     if(a.through != null_index) {
@@ -127,14 +129,14 @@ public:
     return result;
   }
 
-  /* The direction away from the source, in the frame of h; zero at the source. */
+  /* Returns the direction away from the source, in the frame of h; zero at the source. */
   Vector direction(const Arrival& a, Input_halfedge_index h, const Face_weights& weights) const
   {
     const Face_side f = m_propagation.sides().copy(h);
     const Vector line = position(f, weights) - position(f, from(a, h, weights));
     if(a.through == null_index || std::abs(line) > near_edge_of_face * f.length)
       return std::abs(line) > zero_weight * (f.length + std::abs(f.x) + f.y) ? line / std::abs(line) : Vector(0);
-    // On the edge through which the path comes: the direction of the ray, turned into the frame of h.
+    // On the edge through which the path comes: the direction of the ray, rotated into the frame of h.
     const Window& w = a.window;
     const Vector ray = w.is_far ? Vector(-w.x, w.y) : Vector(a.crossing - w.x, w.y);
     const Face_weights tail = turned({{1, 0, 0}}, a.through, h), head = turned({{0, 1, 0}}, a.through, h);
@@ -142,7 +144,8 @@ public:
     return ray / std::abs(ray) * (axis / std::abs(axis));
   }
 
-  /* Writes the points of the path to a vertex that is no source after that vertex, backward up to the source. */
+  /* Writes the points of the path to a vertex that is not a source, excluding that vertex, backward up to the
+   * source. */
   template <class OutputIterator>
   OutputIterator path(Vertex_index v, OutputIterator out) const
   {
@@ -151,12 +154,12 @@ public:
   }
 
   /*
-   * The same for a point of a face. Where the path crosses an edge, it is asked anew how it comes there; so it is not
-   * lost where it passes a vertex within rounding. Where another source is equally near, it goes on to that of the
-   * arrival. The path can cross an edge any number of times, if the edge is not a shortest path; but the distances of its
-   * points decrease.
+   * Writes the points of the path to a point of a face, excluding that point, backward up to the source. At each
+   * crossed edge, the arrival is evaluated again, so that the path is not lost if it passes a vertex within rounding
+   * errors. If another source is equally near, the path continues to that of the arrival. The path can cross an edge
+   * any number of times if the edge is not a shortest path; but the distances of its points decrease.
    *
-   * \throws Degenerate_face_error if rounding errors lead it in a circle, or to where nothing is known
+   * \throws Degenerate_face_error if rounding errors lead the path in a circle, or to a point without a known distance
    */
   template <class OutputIterator>
   OutputIterator path(Arrival a, Input_halfedge_index h, Face_weights weights, OutputIterator out) const
@@ -185,7 +188,7 @@ public:
     return out;
   }
 
-  /* The weights of a point of a face, told from another of its halfedges. */
+  /* Converts the weights of a point of a face from one of its halfedges to another. */
   Face_weights turned(Face_weights weights, Input_halfedge_index from, Input_halfedge_index to) const
   {
     for(; from != to; from = m_triangulation.input().next(from))
@@ -195,9 +198,9 @@ public:
 
 private:
   /*
-   * Does a path come nearer to its source? Between two distances that differ visibly it passes what is closer together
-   * than roundings: that is each edge, from both sides, and each vertex once at most. In a circle no distance becomes
-   * the least one again.
+   * Checks that a path approaches its source. Between two distances that differ visibly, it passes only points that are
+   * closer together than rounding errors: each edge from both sides, and each vertex at most once. In a circle the
+   * least distance is never undercut again.
    */
   class Descent
   {
@@ -208,7 +211,8 @@ private:
     {
     }
 
-    /* True, given the distance of the next point. \throws Degenerate_face_error if not, or if that is infinite */
+    /* Returns true, given the distance of the next point. \throws Degenerate_face_error otherwise, or if it is
+     * infinite */
     bool goes_on(double distance)
     {
       m_since_least = distance < m_least ? 0 : m_since_least + 1;
@@ -286,7 +290,8 @@ private:
     return surface_point(m_triangulation, Surface_location{h, weights});
   }
 
-  // How the shortest path arrives at a point of an edge from beyond side h: that from a source, if no other is shorter.
+  // The arrival of the shortest path at a point of an edge from beyond side h: that from the wanted source, if no other
+  // path is shorter.
   Arrival arrival_on_edge(Input_halfedge_index h, const Face_weights& weights, std::size_t wanted) const
   {
     const Arrival result = arrival(h, weights, true, [](Index) { return true; });
@@ -296,8 +301,8 @@ private:
     return other.distance <= result.distance * (1 + length_sum_rounding) ? other : result;
   }
 
-  // How the shortest path arrives at a point, of those from roots that are wanted. One on side h may come from beyond; else,
-  // and then corners on the way are preferred.
+  // The arrival of the shortest path at a point from one of the wanted roots. A path to a point on side h may come from
+  // beyond that side; otherwise corners on the way are preferred.
   template <class IsWanted>
   Arrival arrival(Input_halfedge_index h, Face_weights weights, bool is_from_behind, const IsWanted& is_wanted) const
   {
@@ -314,7 +319,7 @@ private:
     return corner.distance <= best.distance * (is_from_behind ? 1 + equal_query_paths : 1) ? corner : best;
   }
 
-  // How the shortest path arrives at a vertex; `through` is null if along an edge.
+  // The arrival of the shortest path at a vertex; `through` is null_index if it comes along an edge.
   Arrival arrival(Vertex_index v) const
   {
     const auto& record = m_propagation.vertex(v);
@@ -326,7 +331,8 @@ private:
     return result;
   }
 
-  // The halfedge that starts at a vertex in the last face of the path to it, if that crosses no edge; else any.
+  // The halfedge that starts at a vertex in the last face of the path to it, if the path crosses no edge; otherwise
+  // any.
   Input_halfedge_index last_face(Vertex_index v, const Arrival& a) const
   {
     const auto& input = m_triangulation.input();

@@ -12,23 +12,23 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The bits of a number as an integer: of the same order for numbers that are not negative. */
+/* Returns the bits of a nonnegative number as an integer, which preserves the order. */
 inline std::uint64_t ordered_bits(double number)
 {
   std::uint64_t bits;
-  number += 0.0; // no negative zero
+  number += 0.0; // turns a negative zero into a positive one
   std::memcpy(&bits, &number, sizeof bits);
   return bits;
 }
 
 /*
- * A priority queue, the smallest entry first: a heap with four children per node, half as deep as a binary one, and
- * siblings share a cache line or two. The smallest sibling is found without branches, of which half would be foretold
- * wrongly.
+ * A priority queue with the smallest entry first: a heap with four children per node, which is half as deep as a binary
+ * one and whose siblings share one or two cache lines. The smallest sibling is found without branches, half of which
+ * would be mispredicted.
  *
- * What is popped leaves a hole at the top, which the next push fills: what was popped leads to entries that are soon
- * due, and they stay near the top. If there is none, the last entry fills the hole, which goes all the way down first,
- * since that entry belongs near a leaf.
+ * A removed entry leaves a hole at the top, which the next push fills: the new entry usually follows from the removed
+ * one and is due soon, so that it stays near the top. Without a push, the last entry fills the hole, which first moves
+ * all the way down, since that entry belongs near a leaf.
  *
  * \tparam Entry has a static member `is_before(a, b)`, a total order: 1 or 0
  */
@@ -45,7 +45,7 @@ public:
     m_has_hole = false;
   }
 
-  /* The smallest entry. \pre not empty */
+  /* Returns the smallest entry. \pre not empty */
   const Entry& top()
   {
     fill_hole();
@@ -84,7 +84,7 @@ private:
     entries[hole] = entry;
   }
 
-  // Puts an entry into the hole at the top, or as far below as smaller ones come.
+  // Puts an entry into the hole at the top, or below it after moving smaller ones up.
   void sift_down(const Entry& entry)
   {
     Entry* const entries = m_entries.data();

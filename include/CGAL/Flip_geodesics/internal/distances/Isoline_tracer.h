@@ -23,14 +23,14 @@ namespace internal {
 
 /*
  * The isolines of several levels on one refined surface. A corner is inside if its distance is less than the level, so
- * that one whose distance is the level itself is no special case. On each side the crossings of larger levels come
- * after those of smaller ones, and so isolines do not cross.
+ * that a distance equal to the level is not a special case. On each side the crossings of larger levels come after
+ * those of smaller ones, and isolines therefore do not cross.
  */
 template <class Surface>
 class Isoline_tracer
 {
 public:
-  /* The levels are sorted; of equal ones the first is to be traced. */
+  /* The levels must be sorted; only the first of equal ones may be traced. */
   Isoline_tracer(Surface& surface, const std::vector<double>& levels, double tolerance)
     : m_surface(surface)
     , m_levels(levels)
@@ -50,7 +50,7 @@ public:
         find_crossings(surface.telling_half(half));
   }
 
-  /* Calls `write(curve)` for the curves of a level: first those that end on the border. */
+  /* Calls `write(curve)` for the curves of a level; those that end on the border come first. */
   template <class Write>
   void trace(std::size_t level, const Write& write)
   {
@@ -61,8 +61,8 @@ public:
   }
 
 private:
-  // How far what chords replace may be from them. The field on a chord differs by as much at most from its level, so
-  // that chords of two levels do not meet within half of their difference.
+  // The distance of replaced vertices from their chord is at most this radius. The field on a chord differs from its
+  // level by at most as much, so that chords of two levels do not meet within half of their difference.
   double radius(std::size_t level) const
   {
     const double at = m_levels[level];
@@ -77,7 +77,7 @@ private:
   {
     std::vector<Followed_curve> curves;
     Crossings& crossings = m_crossings[level];
-    crossings.forget_visits(); // a level may be asked for again
+    crossings.forget_visits(); // a level may be traced again
     const auto is_inside = [&](const Sample& sample) { return sample.distance < m_levels[level]; };
     const auto is_end = [](const auto&) { return false; };
     for(bool is_from_border : {true, false})
@@ -86,7 +86,7 @@ private:
         if(crossing.is_visited || half == null_index || (is_from_border && !m_surface.is_border(Surface::twin(half))))
           continue;
         Followed_curve curve = follow(m_surface, half, crossings, is_inside, is_end);
-        if(curve.samples.size() > 1) // else a point
+        if(curve.samples.size() > 1) // otherwise a point
           curves.push_back(std::move(curve));
       }
     return curves;
@@ -101,7 +101,7 @@ private:
     double from = 0;
     Sample last = lower;
     for(; level != m_levels.end() && *level <= upper.distance; ++level) {
-      if(last.distance < *level) { // else two levels are as close as roundings
+      if(last.distance < *level) { // otherwise two levels differ by rounding errors only
         from = root(half, is_rising, *level, from, last, upper);
         last = from == 1 ? upper : m_surface.sampled(half, is_rising ? from : 1 - from);
       }
@@ -109,13 +109,14 @@ private:
     }
   }
 
-  // The part of the way from the lower end to the upper at which the level is reached first, where it is for a while.
+  // The fraction of the path from the lower end to the upper one at which the level is first reached, even if it stays
+  // there.
   double root(Index half, bool is_rising, double level, double from, const Sample& last, const Sample& upper) const
   {
     const double length = m_surface.length(half);
     const double precision = root_precision * (std::max)(std::abs(level), length) / length;
-    // The level itself lies on the farther side, by so much that the next step finds the other side within the
-    // precision. Infinity is no number to compute with.
+    // The level itself belongs to the farther side. The step makes the next evaluation find the other side within the
+    // precision; infinity cannot be used in computations.
     const double step = precision * length / 2;
     const auto excess = [&](double distance) {
       return distance < level ? distance - level : (std::min)(distance - level + step, 2 * length + step);
@@ -137,10 +138,11 @@ private:
 /*
  * The boundaries of Voronoi regions on a refined surface. A piece whose corners have three sources has a junction.
  *
- * Some fields know faces in which one source is the nearest everywhere, and these are not divided. Otherwise a field
- * gives the nearest source, but not the distance of the next one. So no bound excludes a boundary in a piece whose
- * corners have one source: pieces have sides of sqrt(tolerance * size) at most, and a boundary that bends no more than
- * a circle of an eighth of the size leaves such a piece by less than the tolerance, through one side and back.
+ * For some fields, faces in which one source is nearest everywhere are known, and these are not divided. Otherwise a
+ * field provides the nearest source, but not the distance of the next one, so that no bound excludes a boundary in a
+ * piece whose corners have one source. Pieces therefore have sides of at most sqrt(tolerance * size), and a boundary
+ * that bends no more than a circle of an eighth of the size leaves such a piece by less than the tolerance, through one
+ * side and back.
  */
 template <class Surface>
 class Voronoi_tracer
@@ -200,7 +202,7 @@ private:
       }
   }
 
-  // Pieces with three sources have sides of this length at most, in tolerances.
+  // Pieces with three sources have sides of at most this length, in units of the tolerance.
   static constexpr double junction_by_tolerance = 0.01;
 
   struct Junction
@@ -239,7 +241,7 @@ private:
     }
   }
 
-  // The nearest known place on one side of a change of sources, and how the distance goes on from there.
+  // The nearest known point on one side of a change of sources, and the rate at which the distance changes from there.
   struct Approach
   {
     double t, distance, slope;
@@ -253,15 +255,15 @@ private:
     double at(double other) const { return distance + slope * (other - t); }
   };
 
-  // Where two distances are equal if they go on as straight lines; not a number if nothing is known of that.
+  // The position at which two linearly extrapolated distances are equal; NaN if a rate is unknown.
   static double guess(const Approach& from, const Approach& to)
   {
     return from.t + (to.at(from.t) - from.distance) / (from.slope - to.slope);
   }
 
-  // Where the source at the tail of a half ceases to be the nearest. Two guesses, a little short of and beyond where
-  // the distances seem to be equal, have it between them when they are good; the middle halves the rest when they are
-  // not.
+  // The point at which the source at the tail of a half ceases to be the nearest. Two guesses slightly before and
+  // beyond the position of apparently equal distances enclose it if they are good; otherwise the midpoint halves the
+  // interval.
   Sample change(Index half, const Sample& tail, const Sample& head) const
   {
     const double unknown = std::numeric_limits<double>::quiet_NaN(), length = m_surface.length(half),

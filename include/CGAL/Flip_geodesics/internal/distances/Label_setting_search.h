@@ -25,11 +25,11 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * What a search knows of the vertices that it has reached: the distance, through which halfedge the path arrives, and
- * whether the vertex is settled. Only vertices that were once reached take memory, with their neighbors in a cache
- * line, which holds the labels of four, in the order in which they were first written.
+ * The labels of the vertices that a search has reached: the distance, the halfedge through which the path arrives, and
+ * whether the vertex is settled. Only vertices that were once reached take memory. Neighbors share a cache line, which
+ * holds the labels of four, in the order in which they were first written.
  *
- * A label knows in which search it was written, so that a new search forgets all labels in constant time.
+ * A label contains the number of its search, so that a new search clears all labels in constant time.
  *
  * \tparam Halfedge `Input_halfedge_index` or `Halfedge_index`
  */
@@ -37,26 +37,26 @@ template <class Halfedge>
 class Search_labels
 {
 public:
-  /* What is known of one vertex. */
+  /* The label of one vertex. */
   struct Label
   {
     double distance;
     Index arrival;       // the halfedge through which the path arrives
-    std::uint32_t stamp; // twice the number of the search, and one more if the vertex is settled
+    std::uint32_t stamp; // twice the number of the search, plus one if the vertex is settled
 
-    /* `null_index` at the source. */
+    /* Returns `null_index` at the source. */
     Halfedge incoming() const { return Halfedge(arrival); }
   };
 
   explicit Search_labels(std::size_t size)
     : m_size(size)
     , m_slots(size / block_size + 1)
-    , m_blocks(new Block[m_slots.largest_number_of_slots()]) // not written before they are used
+    , m_blocks(new Block[m_slots.largest_number_of_slots()]) // uninitialized until they are used
   {
     m_blocks[0] = Block();
   }
 
-  /* Forgets all labels. */
+  /* Clears all labels. */
   void clear()
   {
     m_stamp += 2;
@@ -64,14 +64,14 @@ public:
       *this = Search_labels(m_size);
   }
 
-  /* The label of a vertex, which says something if the vertex is reached. */
+  /* Returns the label of a vertex, which is meaningful only if the vertex is reached. */
   const Label& operator[](Vertex_index v) const { return m_blocks[index(v)].labels[position(v)]; }
 
   bool is_settled(const Label& label) const { return label.stamp == m_stamp + 1; }
   /* \pre the vertex is not settled */
   bool is_reached(const Label& label) const { return label.stamp == m_stamp; }
 
-  /* Labels a vertex, which is not settled then. */
+  /* Labels a vertex, which becomes reached and not settled. */
   void reach(Vertex_index v, double distance, Halfedge incoming)
   {
     if(!m_slots.has_slot(block(v)))
@@ -98,16 +98,16 @@ private:
   std::size_t index(Vertex_index v) const { return static_cast<std::size_t>(m_slots[block(v)]); }
 
   std::size_t m_size;
-  // Of blocks; the first is of no search.
+  // Of blocks; the first one belongs to no search.
   Slot_table<1> m_slots;
   std::unique_ptr<Block[]> m_blocks;
   std::uint32_t m_stamp = 2;
 };
 
 /*
- * A queue of vertices by priority, the smallest first, and of equal priorities the smallest vertex: a total order, so
- * that what comes out does not depend on the shape of the heap. Priorities are kept as integers, which compare without
- * branches.
+ * A queue of vertices by priority, the smallest first, and among equal priorities the smallest vertex. This is a total
+ * order, so that the result does not depend on the shape of the heap. Priorities are stored as integers, which compare
+ * without branches.
  */
 class Vertex_queue
 {
@@ -122,7 +122,7 @@ public:
     m_heap.push({ordered_bits(priority), vertex});
   }
 
-  /* The priority of the first vertex. \pre not empty */
+  /* Returns the priority of the first vertex. \pre not empty */
   double priority()
   {
     double result;
@@ -144,7 +144,7 @@ private:
     std::uint64_t key;
     Vertex_index vertex;
 
-    // The branch is foretold, since equal keys are rare, and the other comparison is none.
+    // The branch is predictable, since equal keys are rare, and the other comparison is branch-free.
     static std::size_t is_before(const Entry& a, const Entry& b)
     {
       if(a.key == b.key)
@@ -158,9 +158,9 @@ private:
 
 /*
  * The default members of a policy of `Label_setting_search`, which hides those that it defines itself. A policy plays
- * the role of a graph and a visitor of the Boost Graph Library. Besides these members it has:
+ * the role of a graph and a visitor of the Boost Graph Library. In addition to these members it has:
  *
- *     Origin origin(Vertex_index v, const Label& label);   what all steps from the settled vertex v need
+ *     Origin origin(Vertex_index v, const Label& label);   the data common to all steps from the settled vertex v
  *     void for_each_halfedge(const Origin&, Function f);   calls f(h) for the halfedges along which v is left
  *     Vertex_index head(Halfedge h);
  *     Step step(const Origin&, Halfedge h, Vertex_index w); the step along h to w; `Step` has a member `distance`,
@@ -191,7 +191,7 @@ struct Search_policy
     return step.distance < label.distance;
   }
 
-  /* Returns whether a vertex whose label is replaced is put forward in the queue. */
+  /* Returns whether a vertex whose label is replaced is moved forward in the queue. */
   template <class Step, class Label>
   bool is_put_forward(const Step&, const Label&) const
   {
@@ -204,7 +204,7 @@ struct Search_policy
   {
   }
 
-  /* Returns the key of a vertex in the queue: its distance, and for A* a lower bound of the remaining distance more. */
+  /* Returns the key of a vertex in the queue: its distance, plus a lower bound of the remaining distance for A*. */
   template <class Step>
   double key(Vertex_index, const Step& step) const
   {
@@ -213,13 +213,13 @@ struct Search_policy
 };
 
 /*
- * Dijkstra's algorithm and A*, in one loop: the vertex with the least key is taken from the queue and settled, and its
- * neighbors are labelled. Everything else is up to a policy, see `Search_policy`: the graph, the lengths, the bounds,
+ * Dijkstra's algorithm and A* in one loop: the vertex with the least key is taken from the queue and settled, and its
+ * neighbors are labelled. A policy determines everything else, see `Search_policy`: the graph, the lengths, the bounds,
  * the end of the search and its result. Of equal keys the smallest vertex is settled first, and of equally long paths
- * the one that is found first stays, so that results are deterministic.
+ * the first one found is kept, so that results are deterministic.
  *
- * \tparam Labels as `Search_labels`
- * \tparam Queue as `Vertex_queue`
+ * \tparam Labels a type such as `Search_labels`
+ * \tparam Queue a type such as `Vertex_queue`
  */
 template <class Labels, class Queue = Vertex_queue>
 class Label_setting_search
@@ -232,7 +232,7 @@ public:
   {
   }
 
-  /* Forgets all labels. */
+  /* Clears all labels. */
   void clear()
   {
     m_labels.clear();
@@ -247,14 +247,14 @@ public:
     m_queue.push(key, v);
   }
 
-  /* Settles vertices; returns `false` if the policy has ended that by its `settle()`. */
+  /* Settles vertices; returns `false` if the policy's `settle()` has ended the search. */
   template <class Policy>
   bool run(Policy&& policy)
   {
     while(!m_queue.empty() && !policy.is_finished(m_queue)) {
       const Vertex_index v = m_queue.pop();
       if(m_labels.is_settled(m_labels[v]))
-        continue; // it has been put forward since this entry was made
+        continue; // it has been moved forward since this entry was made
       m_labels.settle(v);
       ++m_number_of_settled;
       if(!policy.settle(v))
@@ -269,7 +269,8 @@ public:
   const Label& operator[](Vertex_index v) const { return m_labels[v]; }
   std::size_t number_of_settled() const { return m_number_of_settled; }
 
-  /* The halfedges of the path to a vertex that is reached. `tail(h)` is the vertex at which a halfedge starts. */
+  /* Returns the halfedges of the path to a vertex that is reached. `tail(h)` must return the vertex at which a halfedge
+   * starts. */
   template <class Halfedge, class Tail>
   std::vector<Halfedge> path(Vertex_index v, const Tail& tail) const
   {
@@ -306,7 +307,8 @@ private:
   std::size_t m_number_of_settled = 0;
 };
 
-/* The length of a halfedge of the input in the metric of a triangulation, for a search that only passes by. */
+/* The length of a halfedge of the input in the metric of a triangulation, for searches that do not touch the
+ * triangulation. */
 template <class Triangulation>
 class Metric_weight
 {
@@ -325,7 +327,7 @@ private:
   const Triangulation& m_triangulation;
 };
 
-/* What policies of searches along edges have in common: a label has a distance and nothing else. */
+/* The common part of policies for searches along edges, whose labels consist of a distance only. */
 struct Edge_policy : Search_policy
 {
   struct Origin
@@ -347,9 +349,9 @@ struct Edge_policy : Search_policy
 };
 
 /*
- * The policy of a search over the whole input mesh, along its edges. Derived classes hide the members that differ.
+ * The policy of a search over the whole input mesh along its edges. Derived classes hide the members that differ.
  *
- * \tparam Weight `weight(h)` is the length of a halfedge, which is refused unless it is zero or usable
+ * \tparam Weight `weight(h)` is the length of a halfedge, which is rejected unless it is zero or usable
  */
 template <class Input_mesh, class Weight>
 class Input_edge_policy : public Edge_policy
@@ -370,7 +372,7 @@ public:
     return true;
   }
 
-  /* Clockwise, and along the border to the next umbrella. */
+  /* Visits clockwise, and continues along the border to the next umbrella. */
   template <class Function>
   void for_each_halfedge(const Origin& origin, const Function& function) const
   {

@@ -22,19 +22,19 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * For each vertex a row of values, one for each of some functions, none of which differs in two vertices by more than
- * their distance and an error of its own: so these differences are lower bounds of the distance.
+ * For each vertex a row of values, one for each of several functions. The values of a function at two vertices differ
+ * by at most their distance plus an error of the function, so that the differences are lower bounds of the distance.
  *
- * A value is a whole number of units, rounded down, in two bytes. A difference is lowered by one unit for that, and by
- * another for the error of these divisions, which is far less. So is the error of distances along edges, as sums of
- * fewer than 2^31 lengths that are rounded by a part of 2^-53 each: 2^-6 units at most in two vertices.
+ * A value is a number of units rounded down, in two bytes. A difference is therefore lowered by one unit, and by
+ * another one for the error of these divisions, which is far smaller. So is the error of distances along edges, which
+ * are sums of fewer than 2^31 lengths with relative rounding errors of 2^-53 each: at most 2^-6 units in two vertices.
  */
 class Landmark_rows
 {
 public:
   Landmark_rows() = default;
 
-  /* \param largest value that matters; larger ones count as this */
+  /* \param largest the largest relevant value; larger ones are stored as this one */
   Landmark_rows(std::size_t number_of_vertices, std::size_t number_of_functions, double largest)
     : m_unit(largest > 0 ? largest / largest_number : 1)
     , m_losses(number_of_functions, rounding_loss)
@@ -44,13 +44,13 @@ public:
 
   std::size_t number_of_functions() const { return m_losses.size(); }
 
-  /* By how much the values of a function may be wrong, together in two vertices. */
+  /* Sets the error of the values of a function, at two vertices together. */
   void set_error(std::size_t i, double error)
   {
     m_losses[i] = static_cast<std::uint16_t>((std::min)(rounding_loss + std::ceil(error / m_unit), largest_number));
   }
 
-  /* Those that are not set, or are infinite, say nothing. */
+  /* Sets a value; values that are not set, or are infinite, have no effect. */
   void set(Vertex_index v, std::size_t i, double value)
   {
     const double number = (std::min)((std::max)(value / m_unit, 0.0), largest_number);
@@ -59,12 +59,13 @@ public:
 
   bool has_row(Vertex_index v) const { return static_cast<std::size_t>(v.idx()) * m_losses.size() < m_numbers.size(); }
 
-  /* No path between the vertices is shorter. Of vertices of two components it is any number. */
+  /* Returns a lower bound of the length of a path between the vertices. It is arbitrary for vertices of two
+   * components. */
   double distance_lower_bound(Vertex_index v, Vertex_index w) const
   {
     const std::uint16_t *const a = row(v), *const b = row(w), *const losses = m_losses.data();
     const std::size_t n = m_losses.size(), end_of_blocks = n - n % block_size;
-    std::array<std::uint16_t, block_size> largest = {}; // of each place in a block
+    std::array<std::uint16_t, block_size> largest = {}; // at each position in a block
     for(std::size_t start = 0; start < end_of_blocks; start += block_size)
       for(std::size_t i = 0; i < block_size; ++i)
         largest[i] = (std::max)(largest[i], bound(a[start + i], b[start + i], losses[start + i]));
@@ -82,7 +83,7 @@ private:
   static constexpr std::uint16_t rounding_loss = 2;
   static constexpr std::size_t block_size = 8; // numbers in a vector register
 
-  // Of a distance, in units. Arithmetic in 16 bits without branches is compiled into vector instructions.
+  // Of a distance, in units. Branch-free arithmetic in 16 bits is compiled into vector instructions.
   static std::uint16_t bound(std::uint16_t a, std::uint16_t b, std::uint16_t loss)
   {
     const std::uint16_t high = (std::max)(a, b), low = (std::min)(a, b);
@@ -102,18 +103,18 @@ private:
 };
 
 /*
- * Chooses landmarks, in sets that have one vertex of a component at most: a sweep starts from a whole set.
+ * Chooses landmarks in sets with at most one vertex of each component, since one propagation starts from a whole set.
  *
  * The choice depends on distances along edges alone. For `Landmark_distances` these are the values themselves. For
- * `Geodesic_landmarks` they take a small part of the time of the sweeps, and since all sets are known before the first
- * sweep, sweeps do not wait for each other.
+ * `Geodesic_landmarks` they take a small part of the time of the propagations and, since all sets are known in advance,
+ * the propagations can run concurrently.
  */
 class Landmark_choice
 {
 public:
   using Set = std::vector<Vertex_index>;
 
-  /* Finds the components. \param search over the whole mesh \throws Interrupted, as all functions that search */
+  /* Finds the components. \param search over the whole mesh \throws Interrupted, like all functions that search */
   template <class Search>
   explicit Landmark_choice(Search& search, Interruption* interruption = nullptr)
     : m_interruption(interruption)
@@ -139,15 +140,16 @@ public:
     }
   }
 
-  /* All vertices: of each component from its first one on, in the order of distance. */
+  /* Returns all vertices: for each component from its first vertex on, in order of distance. */
   const std::vector<Vertex_index>& order() const { return m_order; }
 
-  /* No two vertices of a component are farther apart along edges, if `search` measures the distances along edges. */
+  /* Returns a bound of the distance along edges between two vertices of a component, if `search` measures these
+   * distances. */
   double largest_distance() const { return 2 * m_radius * (1 + landmark_radius_rounding); }
 
   /*
-   * So many sets, or less if no component has as many vertices: each vertex is the farthest from those before.
-   * `record(i, v, distance)` is called for each vertex of the components that have a vertex in set `i`, with its
+   * Returns `number` sets, or fewer if no component has as many vertices; each vertex is the farthest from the previous
+   * ones. `record(i, v, distance)` is called for each vertex of the components that have a vertex in set `i`, with its
    * distance from that vertex.
    */
   template <class Search, class Record>
@@ -166,14 +168,14 @@ public:
     return sets;
   }
 
-  /* The same sets alone. */
+  /* Returns the same sets without recording distances. */
   template <class Search>
   std::vector<Set> far_vertices(Search& search, std::size_t number) const
   {
     return far_vertices(search, number, [](std::size_t, Vertex_index, double) {});
   }
 
-  /* Sets of the given vertices, whatever their order, each once. \throws Vertex_out_of_range_error */
+  /* Returns sets of the given vertices, independent of their order, each once. \throws Vertex_out_of_range_error */
   std::vector<Set> given_vertices(Set given) const
   {
     for(Vertex_index v : given)
@@ -206,7 +208,7 @@ private:
       throw Interrupted();
   }
 
-  // In each component that has a vertex that is not a landmark yet.
+  // In each component with a vertex that is not a landmark yet.
   Set farthest(const Distances& nearest) const
   {
     std::vector<double> most(m_farthest.size(), 0);
@@ -225,15 +227,17 @@ private:
   Interruption* m_interruption; // null if it cannot be interrupted
   Indexed_by<Vertex_index, std::vector<Index>> m_component;
   std::vector<Vertex_index> m_order;
-  Set m_farthest; // from the first vertex of each component; of equally far ones, the first that is visited
+  Set m_farthest; // from the first vertex of each component; of equally far ones, the first one visited
   double m_radius = 0;
 };
 
 /*
- * Lower bounds of the distances to a vertex: that in space, or what landmarks say if it is more. Zero without one.
+ * Lower bounds of the distances to a vertex: the Euclidean distance, or the bound of landmarks if it is larger. Zero if
+ * neither is available.
  *
- * Landmarks have no rows of points that became vertices later. By the triangle inequality, what they say of a neighbor of
- * such a goal, less the length of the edge, is a bound for the goal. From such a vertex the bound is that in space.
+ * Landmarks have no rows of points that became vertices later. By the triangle inequality the bound of a neighbor of
+ * such a goal, minus the length of the edge, is a bound of the goal. From such a vertex the bound is the Euclidean
+ * distance.
  */
 template <class Triangulation>
 class Goal_bound

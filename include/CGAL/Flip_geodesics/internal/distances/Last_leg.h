@@ -9,8 +9,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* How a shortest path arrives at a vertex: straight from another one, so long, and at an angle counterclockwise of an
- * input halfedge that starts at the vertex. */
+/* The last segment of a shortest path to a vertex: the vertex from which it comes straight, its length, and its angle
+ * counterclockwise of an input halfedge that starts at the vertex. */
 struct Last_leg
 {
   Vertex_index from;

@@ -30,12 +30,12 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The source of what no source reaches. */
+/* The source of points that no source reaches. */
 inline constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
 
 using Weights_in_face = std::array<double, 3>; // of the source, the target and the third vertex of the face's halfedge
 
-/* A place in a face, and what a distance field says there. */
+/* A point in a face, and the value of a distance field there. */
 struct Sample
 {
   Index face; // counted as in `faces(mesh)`
@@ -44,7 +44,7 @@ struct Sample
   std::size_t source;
 };
 
-/* Does a field have the optional member of `GeodesicDistanceField`? */
+/* Detects whether a field has the optional member of `GeodesicDistanceField`. */
 template <class Field, class Face, class = void>
 constexpr bool finds_single_sources = false;
 template <class Field, class Face>
@@ -52,7 +52,7 @@ constexpr bool finds_single_sources<
     Field, Face, std::void_t<decltype(std::declval<const Field&>().has_one_source(std::declval<const Face&>()))>> =
     true;
 
-/* A weight that no location can have is none. */
+/* Interpolates; a weight too small for a surface point counts as zero. */
 inline Weights_in_face between(const Weights_in_face& a, const Weights_in_face& b, double t)
 {
   Weights_in_face result;
@@ -65,12 +65,12 @@ inline Weights_in_face between(const Weights_in_face& a, const Weights_in_face& 
 
 /*
  * A surface whose faces are divided into pieces, triangles that share whole sides, with samples of a distance field at
- * their corners. Pieces are bisected at their longest sides [R97]; what is a side of two pieces is so for good,
- * since both are bisected at once.
+ * their corners. Pieces are bisected at their longest sides [R97]; a side of two pieces stays one, since both are
+ * bisected together.
  *
- * Side i of a piece goes from its corner i to the next. The two directions of side s are its halves 2s and 2s + 1. A
- * half knows its piece, if it is not on the border, so that a piece may be glued to itself. What lies on a side is
- * told by its first half that has a piece: all points on edges of the mesh are computed once.
+ * Side i of a piece leads from its corner i to the next. The two directions of side s are its halves 2s and 2s + 1. A
+ * half that is not on the border refers to its piece, so that a piece may be glued to itself. Points on a side are
+ * expressed in the piece of its first half that has one: all points on edges of the mesh are computed once.
  */
 template <class TriangleMesh, class VertexPointMap, class Field>
 class Refined_surface
@@ -88,13 +88,13 @@ public:
     std::array<Weights_in_face, 3> weights; // of the corners, in `face`
   };
 
-  /* Where a half is: the side of a piece. */
+  /* The place of a half: a side of a piece. */
   struct Use
   {
     Index piece = null_index, side = 0;
   };
 
-  /* The interruption has to outlive it. Where the field is evaluated, all functions may throw Interrupted. */
+  /* The interruption must outlive this object. All functions that evaluate the field can throw Interrupted. */
   Refined_surface(const TriangleMesh& mesh, const VertexPointMap& points, const Field& field,
                   Interruption& interruption)
     : m_field(field)
@@ -123,14 +123,14 @@ public:
   double longest_side() const { return m_lengths.empty() ? 0 : *std::max_element(m_lengths.begin(), m_lengths.end()); }
   static Index twin(Index half) { return half ^ 1; }
 
-  /* The half of a side, not on the border, that tells what lies on it. */
+  /* Returns the half of a side, not on the border, relative to which points on the side are expressed. */
   Index telling_half(Index half) const { return is_border(half & ~1) ? half | 1 : half & ~1; }
 
-  /* The samples at the start and at the end of a half that is not on the border. */
+  /* Returns the sample at the start, and below at the end, of a half that is not on the border. */
   Index tail(Index half) const { return m_pieces[m_uses[half].piece].corners[m_uses[half].side]; }
   Index head(Index half) const { return m_pieces[m_uses[half].piece].corners[(m_uses[half].side + 1) % 3]; }
 
-  /* The longest side of a piece, by its half; a total order decides between equal ones. */
+  /* Returns the longest side of a piece, by its half; a total order decides between equal ones. */
   Index longest(const Piece& piece) const
   {
     Index result = piece.halves[0];
@@ -140,7 +140,7 @@ public:
     return result;
   }
 
-  /* Bisects pieces, and as many others as that takes, until `is_fine(piece)` holds for all. */
+  /* Bisects pieces, and others as necessary, until `is_fine(piece)` holds for all. */
   template <class Predicate>
   void refine(const Predicate& is_fine)
   {
@@ -154,7 +154,7 @@ public:
         bisect(terminal_side(queue.back()), queue);
   }
 
-  /* Asks the field at a place; samples that are kept are asked for once. */
+  /* Evaluates the field at a point; stored samples are evaluated once. */
   Sample sampled(Index face, const Weights_in_face& weights) const
   {
     Sample result = {face, weights, 0, no_source};
@@ -162,7 +162,7 @@ public:
     return result;
   }
 
-  /* The same at a place on a half that is not on the border. */
+  /* Evaluates the field at a point on a half that is not on the border. */
   Sample sampled(Index half, double t) const
   {
     const Piece& piece = m_pieces[m_uses[half].piece];
@@ -170,7 +170,7 @@ public:
     return sampled(piece.face, between(piece.weights[i], piece.weights[(i + 1) % 3], t));
   }
 
-  /* Is one source known to be the nearest in all of a face? */
+  /* Returns whether one source is known to be nearest in all of a face. */
   bool has_one_source(Index face) const
   {
     throw_if_interrupted(&m_interruption);
@@ -192,7 +192,7 @@ public:
     return result;
   }
 
-  /* The two of the three coordinates that differ most in a face. */
+  /* Returns the two of the three coordinates with the largest extent in a face. */
   std::array<std::size_t, 2> widest_axes(Index face) const
   {
     const std::array<Place, 3>& p = m_faces[face].corners;
@@ -205,7 +205,7 @@ public:
     return {{axes[0], axes[1]}};
   }
 
-  /* Of all faces. */
+  /* Returns the area of all faces. */
   double area() const
   {
     double sum = 0;
@@ -272,7 +272,7 @@ private:
     sample.source = std::isinf(sample.distance) ? no_source : answer.source;
   }
 
-  // Puts a piece where it belongs, and tells its halves.
+  // Stores a piece and updates its halves.
   void set_piece(Index p, const Piece& piece)
   {
     if(p == number_of_pieces())
@@ -288,8 +288,8 @@ private:
     return length(half) != length(other) ? length(half) > length(other) : half / 2 > other / 2;
   }
 
-  // From a piece over longest sides to one that is the longest of both its pieces, or on the border: each is longer
-  // than the one before.
+  // Continues from a piece across longest sides to one that is the longest of both its pieces, or on the border; each
+  // is longer than the previous one.
   Index terminal_side(Index p) const
   {
     for(;;) {
@@ -301,11 +301,11 @@ private:
   }
 
   /*
-   *         c                 Side s from a to b, at k in the piece on its left, becomes s from a to m, and a new one
-   *        /|\                from m to b; the other piece sees it from b to a.
-   *       / | \
-   *      /  |  \
-   *     a - m - b
+   *        c                 Side s from a to b, at k in the piece on its left, becomes s from a to m, and a new one
+   *       /|\                from m to b; seen from the other piece it leads from b to a.
+   *      / | \
+   *     /  |  \
+   *    a - m - b
    */
   void bisect(Index half, std::vector<Index>& queue)
   {

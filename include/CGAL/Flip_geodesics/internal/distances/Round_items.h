@@ -23,8 +23,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A priority queue of which all that is due up to some key is taken at once, in no order but one that depends on nothing
- * but the calls. What is due soon is looked through each time, what is due later only when there is nothing else.
+ * A priority queue from which all entries up to some key are removed at once, in an unspecified but deterministic
+ * order. Entries due soon are examined each time, later ones only when no others are left.
  */
 class Round_queue
 {
@@ -35,12 +35,12 @@ public:
   {
     double key;
     Index id;
-    std::uint32_t tag; // whatever goes with it
+    std::uint32_t tag; // additional data
   };
 
   bool empty() const { return m_soon.empty() && m_later.empty(); }
 
-  /* The smallest key; infinity if there is none. */
+  /* Returns the smallest key; infinity if the queue is empty. */
   double least() const { return m_soon.empty() ? m_least_later : m_least_soon; }
 
   void push(const Entry& e)
@@ -50,7 +50,7 @@ public:
     least = (std::min)(least, e.key);
   }
 
-  /* Makes room for some more. */
+  /* Reserves memory for additional entries. */
   void reserve(std::size_t number)
   {
     for(std::vector<Entry>* entries : {&m_soon, &m_later})
@@ -58,11 +58,12 @@ public:
         entries->reserve((std::max)(2 * entries->capacity(), entries->size() + number));
   }
 
-  /* Prepares for `take(last)`; returns how many that will take at most. If it throws, nothing has changed.
-   * \param step about how much greater `last` will be the next time */
+  /* Prepares for `take(last)` and returns an upper bound of the number of entries removed by it. Changes nothing if it
+   * throws.
+   * \param step estimate of the increase of `last` until the next call */
   std::size_t look_ahead(double last, double step)
   {
-    constexpr double steps = 16; // between two looks at what is due later
+    constexpr double steps = 16; // between two examinations of later entries
     if(m_least_later <= last || m_soon.empty()) {
       m_soon.reserve(m_soon.size() + m_later.size());
       m_horizon = last + steps * step;
@@ -75,8 +76,8 @@ public:
     return m_soon.size();
   }
 
-  /* Calls `function(entry)` for all whose keys are at most `last`, and takes them out. It must not push anything.
-   * \pre look_ahead(last) was called since the last push */
+  /* Calls `function(entry)` for all entries whose keys are at most `last`, and removes them. The function must not push
+   * entries. \pre look_ahead(last) was called since the last push */
   template <class Function>
   void take(double last, const Function& function)
   {
@@ -84,7 +85,7 @@ public:
   }
 
 private:
-  // Takes out of a list the entries whose keys are at most `last`.
+  // Removes the entries whose keys are at most `last` from a list.
   template <class Function>
   static void remove(std::vector<Entry>& entries, double& least, double last, const Function& function)
   {
@@ -100,35 +101,35 @@ private:
     entries.erase(to, entries.end());
   }
 
-  std::vector<Entry> m_soon, m_later; // with keys up to the horizon, and greater ones
+  std::vector<Entry> m_soon, m_later; // with keys up to the horizon, and larger ones
   double m_horizon = 0, m_least_soon = infinity, m_least_later = infinity;
 };
 
-/* A window that is carried over a face, in the frame of the side by which it enters. */
+/* A window that is propagated over a face, in the frame of the side across which it enters. */
 struct Crossing_window
 {
   Window window;
   double crossing; // where the ray to the vertex opposite crosses the side
 };
 
-/* All that cross a face from one side together. */
+/* All windows that cross a face from one side together. */
 struct Face_crossing
 {
   Crossing_window *first, *last;
-  Input_halfedge_index halfedge, next, previous; // the side by which they enter, and those that follow it
+  Input_halfedge_index halfedge, next, previous; // the side across which they enter, and the sides that follow it
   Vertex_index apex;                             // the vertex opposite
-  bool is_shorter;                               // is the way there shorter than others?
-  const Crossing_window* nearest;                // has the shortest; null if none has one
-  double distance;                               // of the vertex by it
+  bool is_shorter;                               // is the path there shorter than others?
+  const Crossing_window* nearest;                // has the shortest path; null if none has one
+  double distance;                               // of the vertex by that path
 
-  /* Nothing crosses it. */
+  /* Removes all windows. */
   void clear()
   {
     first = last = nullptr;
     is_shorter = false;
   }
 
-  /* Turns them into the frame of the side, and finds the nearest. */
+  /* Converts the windows to the frame of the side and finds the nearest one. */
   template <class Sides>
   void begin(Input_halfedge_index h, const Sides& sides)
   {
@@ -158,7 +159,7 @@ struct Face_crossing
     is_shorter = nearest != nullptr;
   }
 
-  /* Calls `function` with what arrives at the side at the tail, in the frame of its twin.. */
+  /* Calls `function` for everything that arrives at the side at the tail, in the frame of its twin. */
   template <class Function>
   void arrive_left(const Face_side& f, double length, const Function& function) const
   {
@@ -168,7 +169,7 @@ struct Face_crossing
       const double c = i->crossing;
       if(!(c > w.from) || (is_split(*i) && c > limit))
         continue;
-      // Of a window the part before the ray to the apex, which crosses at c.
+      // The part of a window before the ray to the apex, which crosses at c.
       Window child = turned(w, f.cosine, f.sine, (std::min)(c, w.to), c < w.to + w.error(f.length), length);
       if(!(child.y > 0))
         continue;
@@ -177,7 +178,7 @@ struct Face_crossing
     }
   }
 
-  /* The same at the side at the head: mirror images. */
+  /* Calls `function` for everything that arrives at the side at the head, by mirror images. */
   template <class Function>
   void arrive_right(const Face_side& f, const Face_side& fn, const Function& function) const
   {
@@ -196,10 +197,11 @@ struct Face_crossing
   }
 
 private:
-  // Does the ray to the apex part it? If it is not the best there, it is of no use beyond the best one's ray [CH90].
+  // Returns whether the ray to the apex divides the window. If its path is not the best to the apex, the window is
+  // useless beyond the ray of the best one [CH90].
   static bool is_split(const Crossing_window& i) { return i.crossing > i.window.from && i.crossing < i.window.to; }
 
-  // The part of a window up to `to` in the frame of a side that starts at the same vertex, at an angle above.
+  // The part of a window up to `to` in the frame of a side that starts at the same vertex, rotated upwards by an angle.
   static Window turned(const Window& w, double cosine, double sine, double to, bool is_to_end, double length)
   {
     Window result = w;
@@ -216,10 +218,11 @@ private:
   }
 };
 
-/* When a vertex or an edge is due; for edges the tag is that of `Edge_record`, for vertices the bearing. */
+/* The time at which a vertex or an edge is due; for edges the tag is that of `Edge_record`, for vertices the
+ * bearing. */
 using Noted = Round_queue::Entry;
 
-/* Where on the front something is, roughly, from one end of it to the other. Nothing depends on it but who does what. */
+/* The approximate position on the front, from one end to the other. It affects only the distribution of work. */
 struct Bearing
 {
   std::uint32_t value;
@@ -229,7 +232,7 @@ struct Bearing
 
   static std::uint32_t of(const Noted& e) { return e.tag % number; }
 
-  /* That of the i-th of some all round a source. */
+  /* Returns the bearing of the i-th of several items all around a source. */
   static int spread(std::ptrdiff_t i, std::ptrdiff_t size)
   {
     return static_cast<int>((2 * i + 1) * static_cast<std::ptrdiff_t>(number) / (2 * size));
@@ -254,69 +257,69 @@ struct Edge_path
   double distance;
 };
 
-/* What goes on from a vertex in a round, and what comes of it. */
+/* The paths and windows that start from a vertex in a round, and their results. */
 struct Starting
 {
   bool is_source = false;
   Array_part<Vertex_opening> openings;
-  Array_part<Edge_path> paths; // that are shorter than others
+  Array_part<Edge_path> paths; // those shorter than others
   Array_part<Noted> noted;
 };
 
-/* What goes on from an edge whose waiting windows are carried on, and what comes of it. */
+/* The windows that leave an edge on which they were waiting, and their results. */
 struct Leaving
 {
-  double length; // 0 if nothing is to be left
-  double passed; // when the front has passed the edge, if that is to be noted
+  double length; // 0 if the edge is not left
+  double passed; // the time at which the front has passed the edge, if it must be noted
   Array_part<Noted> noted;
   std::array<Face_crossing, 2> crossings;
 };
 
-/* What is due in a round, a vertex or an edge. One of the pointers is set once it has been left. */
+/* A vertex or an edge that is due in a round. One of the pointers is set once it has been left. */
 struct Round_item
 {
   Noted due;
-  std::uint32_t number; // in the order in which the queues gave them, vertices first
+  std::uint32_t number; // in the order of the queues, vertices first
   bool is_vertex;
-  bool may_reach; // can it be the shortest way to a vertex?
+  bool may_reach; // can it be the shortest path to a vertex?
   Starting* starting;
   Leaving* leaving;
 };
 
-/* A round, and a place among what is due in it. */
+/* A round, and a position among its items. */
 struct Round_place
 {
   std::uint32_t round, place;
 };
 
-/* What comes to an edge in a round. */
+/* Something that arrives at an edge in a round. */
 struct Arrival
 {
-  /* From the vertex opposite. */
+  /* Returns what arrives from the vertex opposite. */
   static Arrival from_vertex(const Round_item& item, Vertex_opening& o)
   {
     return {(std::uint64_t(item.number) << 32) + static_cast<std::uint64_t>(&o - item.starting->openings.first), &item,
             nullptr, &o, false};
   }
-  /* From a side of the face that has been crossed, at whose tail the edge is, or at its head. */
+  /* Returns what arrives from a side of the face that has been crossed, at whose tail or head the edge is. */
   static Arrival from_side(const Round_item& item, const Face_crossing& c, bool is_at_tail)
   {
     return {(std::uint64_t(item.number) << 32) + (is_first_side(c.halfedge) ? 0u : 2u) + (is_at_tail ? 0u : 1u), &item,
             &c, nullptr, is_at_tail};
   }
 
-  std::uint64_t order; // of what arrives in a round
+  std::uint64_t order; // among the arrivals of a round
   const Round_item* item;
   const Face_crossing* crossing; // null if it comes from a vertex
   Vertex_opening* opening;
   bool is_left;
 };
 
-/* All that comes to an edge, in order: from two vertices and four sides at most, from vertices on the border twice. */
+/* All arrivals at an edge, in order: from at most two vertices and four sides, from vertices on the border twice. */
 class Arrivals
 {
 public:
-  Arrivals() {} // does not clear them
+  Arrivals() {} // leaves the elements uninitialized
 
   const Arrival* begin() const { return m_all.data(); }
   const Arrival* end() const { return m_all.data() + m_number; }
@@ -330,7 +333,7 @@ public:
     m_all[i] = a;
   }
 
-  /* To the left of where something comes from, or to the right. */
+  /* To the left of the origin, or to the right. */
   std::uint32_t bearing() const
   {
     constexpr int turn = 16;
@@ -354,13 +357,13 @@ private:
 };
 
 /*
- * All that is due in a round. It has numbers, on which results can depend, and places, in which the members of a team
- * deal with it: each takes a part of the front, much the same as the last time, so that its cache has what belongs to that.
+ * All items of a round. Results can depend on their numbers, but not on their positions, in which the members of a team
+ * process them: each member gets much the same part of the front as in the previous round, whose data is in its cache.
  */
 class Round_items
 {
 public:
-  /* Begins a round with at most so many. If it throws, nothing has changed. */
+  /* Begins a round with at most `most` items. Changes nothing if it throws. */
   void clear(std::size_t most)
   {
     m_due.reserve(most);
@@ -374,7 +377,7 @@ public:
 
   std::size_t size() const { return m_due.size(); }
 
-  /* Deals what has been added to the members of a team, the vertices and then edges. */
+  /* Distributes the added items among the members of a team, first the vertices and then the edges. */
   void deal(std::size_t members, std::size_t number_of_vertices)
   {
     const std::size_t n = size();
@@ -390,16 +393,16 @@ public:
     }
   }
 
-  /* By place. */
+  /* By position. */
   Round_item& operator[](std::size_t place) { return m_items[place]; }
   const Round_item& operator[](std::size_t place) const { return m_items[place]; }
 
-  /* Their places by their numbers, and the other way round. */
+  /* The positions by their numbers; below, the inverse. */
   const std::vector<std::uint32_t>& places() const { return m_places; }
   const std::vector<std::uint32_t>& numbers() const { return m_numbers; }
 
 private:
-  // Roughly.
+  // Sorts approximately.
   void sort_by_bearing()
   {
     std::uint32_t least = Bearing::number, most = 0;
@@ -417,8 +420,8 @@ private:
       m_places[i] = first[bin(m_due[i])]++;
   }
 
-  std::vector<Noted> m_due;        // by numbers
-  std::vector<Round_item> m_items; // by places, and more that are not in use
+  std::vector<Noted> m_due;        // by number
+  std::vector<Round_item> m_items; // by position, with additional unused ones
   std::vector<std::uint32_t> m_places, m_numbers;
 };
 

@@ -19,17 +19,17 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* What is known of an edge while windows are propagated. */
+/* The state of an edge while windows are propagated. */
 struct Edge_record
 {
-  double due;        // the least distance of the windows that are waiting
+  double due;        // the least distance of the waiting windows
   Round_place left;  // when it was left
-  std::uint32_t tag; // of the last note: the bearing, and how many were made before
-  bool is_waiting;   // are there windows that wait?
-  bool is_noted;     // is it in the queue for when the front has passed it?
+  std::uint32_t tag; // of the last note: the bearing, and the number of earlier notes
+  bool is_waiting;   // do windows wait on it?
+  bool is_noted;     // is it queued for the time at which the front has passed it?
 };
 
-/* What is known of the vertices and edges of the input, while windows are propagated and afterwards. */
+/* The state of the vertices and edges of the input during and after the propagation of windows. */
 template <class Triangulation>
 struct Field_state
 {
@@ -56,7 +56,7 @@ struct Field_state
   double distance(Vertex_index v) const { return is_reached(v) ? vertices[v].distance : infinity; }
   bool is_shorter(Vertex_index v, double d) const { return !is_reached(v) || d < vertices[v].distance; }
 
-  /* Notes when an edge is due. \param place has a member `bearing()` */
+  /* Records when an edge is due. \param place has a member `bearing()` */
   template <class Place>
   void note_waiting(Index e, double due, const Place& place, Array_part<Noted>& noted)
   {
@@ -78,8 +78,8 @@ struct Field_state
 };
 
 /*
- * A memory arena for small arrays, which are all released at once and stay in their places until then. As
- * `std::pmr::monotonic_buffer_resource`, which libc++ has only since its version 16.
+ * A memory arena for small arrays, which are all released at once and do not move until then. It corresponds to
+ * `std::pmr::monotonic_buffer_resource`, which libc++ has only since version 16.
  */
 template <class T>
 class Scratch
@@ -87,7 +87,7 @@ class Scratch
   static_assert(std::is_trivially_copyable<T>::value, "elements are not destroyed");
 
 public:
-  /* Returns memory for some elements, which have no defined values. */
+  /* Returns memory for some elements, whose values are undefined. */
   T* allocate(std::size_t size)
   {
     while(m_at == m_blocks.size() || m_blocks[m_at].size - m_used < size)
@@ -121,17 +121,17 @@ private:
   }
 
   std::vector<Block> m_blocks;
-  std::size_t m_at = 0, m_used = 0; // the block that is being used, and how much of it
+  std::size_t m_at = 0, m_used = 0; // the current block, and its used part
 };
 
 /*
- * What a member of a team does in a round, and has for itself. First `leave()` carries what goes on from vertices and
- * edges over the next faces; when all have been left, and the vertices know what has reached them, `enter()` puts it on
- * the edges to which it comes. Members do each at the same time, with different items.
+ * The work of a member of a team in a round, with its own data. First `leave()` propagates everything from vertices and
+ * edges over the next faces; when all items have been left, and the vertices have been updated, `enter()` puts the
+ * results on the edges that they reach. Members do both simultaneously, with different items.
  *
- * An edge is entered by whoever has the first of the items from which something comes to it; it looks for the others
- * itself. So each edge is entered once, by one member, from the items in the order of their numbers, and nothing has to be
- * collected for it.
+ * An edge is entered by the member that has the first of the items from which something arrives; that member looks up
+ * the others itself. Each edge is thus entered once, by one member, from the items in the order of their numbers,
+ * without collecting data for it.
  */
 template <class Triangulation>
 class Round_worker
@@ -149,12 +149,12 @@ public:
 
   Window_inserter& inserter() { return m_inserter; }
   const Window_inserter& inserter() const { return m_inserter; }
-  /* Was there a face so flat that rays can have been lost in it? */
+  /* Returns whether there was a face so flat that rays can have been lost in it. */
   bool has_flat_face() const { return m_has_flat_face; }
-  /* How many entries what it has left in a round can have in a queue at most. */
+  /* Returns the largest number of entries that its results of a round can have in a queue. */
   std::size_t most_entries(std::uint32_t round) const { return m_round == round ? m_most_entries : 0; }
 
-  /* \throws as the metric, Invalid_mesh_error. Then the item is as it was. */
+  /* \throws as the metric, Invalid_mesh_error; the item is then unchanged */
   void leave(std::uint32_t round, std::size_t place)
   {
     begin(round);
@@ -175,8 +175,8 @@ public:
       enter(*item.leaving, item);
   }
 
-  /* Puts a window on the edge of h, in whose frame it is, which leaves the face on the left of h. Returns when it is due,
-   * infinity if it is of no use. */
+  /* Puts a window on the edge of h, in whose frame it is, which leaves the face on the left of h. Returns when it is
+   * due, or infinity if it is useless. */
   double put_beyond(Input_halfedge_index h, Window& w)
   {
     const auto& input = m_state.triangulation.input();
@@ -266,7 +266,7 @@ private:
     item.leaving = &l;
   }
 
-  // Takes the windows that wait on an edge over the faces on both sides.
+  // Propagates the windows that wait on an edge over the faces on both sides.
   void cross(Leaving& l, Input_halfedge_index h)
   {
     const auto windows = m_state.windows.on_edge(m_state.edge_of(h));
@@ -329,8 +329,8 @@ private:
       l.passed = passed(item.due.id, l.length);
   }
 
-  // When the front is farther than any point of the edge, its windows are not needed any more. Infinite if that has been
-  // noted.
+  // The time at which the front is farther than all points of the edge, so that its windows are not required any more.
+  // Infinite if that time has been recorded.
   double passed(Index edge, double length)
   {
     const Input_halfedge_index h(2 * edge), t = twin_index(h);
@@ -342,8 +342,7 @@ private:
     return result;
   }
 
-  // Puts on the edge of h, which is entered from its face, all that comes to it from both sides, if a given one is the
-  // first.
+  // Puts all arrivals from both sides on the edge of h, which is entered from its face, if the given one is the first.
   void enter(Input_halfedge_index h, const Arrival& first, Array_part<Noted>& noted)
   {
     if(m_state.triangulation.input().is_border(twin_index(h)))
@@ -364,7 +363,7 @@ private:
     m_state.note_waiting(m_state.edge_of(h), due, arrivals, noted);
   }
 
-  // What comes to the edge of h from its face.
+  // Adds the arrivals at the edge of h from its face.
   void add_arrivals(Input_halfedge_index h, Arrivals& arrivals)
   {
     const auto& input = m_state.triangulation.input();
@@ -389,7 +388,7 @@ private:
       arrivals.add(Arrival::from_side(m_items[left.place], c, is_left));
   }
 
-  // \param due when the edge is, made less if it is earlier then
+  // \param due when the edge is due, decreased if that becomes earlier
   void enter(const Arrival& a, double& due)
   {
     if(a.opening != nullptr) {

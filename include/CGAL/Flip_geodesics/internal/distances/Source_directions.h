@@ -22,41 +22,41 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The direction in which a path starts, of any length, in the frame of a halfedge. That has the first face on its left,
- * or is an edge of the border along which the path starts; if the source is a vertex, it starts there. */
+/* The direction in which a path starts, of any length, in the frame of a halfedge that has the first face on its left
+ * or is the border edge along which the path starts; if the source is a vertex, the halfedge starts there. */
 struct Start_direction
 {
   Input_halfedge_index first = null_index;
   std::complex<double> direction;
 };
 
-/* The last part of a shortest path that is straight: from the vertex at which it bends last, or from its source. */
+/* The last straight part of a shortest path: from the vertex at which it bends last, or from its source. */
 struct Straight_leg
 {
-  Index root = null_index;    // where it starts, as in windows: a vertex, or a part of a source
-  Input_halfedge_index first; // of the face in which it starts; at a vertex one that starts there
+  Index root = null_index;    // its start, as in windows: a vertex, or a part of a source
+  Input_halfedge_index first; // of the face in which it starts; starts at the vertex, if any
   Input_halfedge_index last;  // of the face in which it ends
   std::complex<double> start; // from start to end, in the frame of `first`
   std::complex<double> end;   // the same in the frame of `last`
 };
 
 /*
- * The directions in which shortest paths from one point to vertices start, from what a propagation keeps of each vertex;
- * and the last legs of the paths to vertices, and to places in faces if it keeps all windows.
- * A path that bends starts as the path to the vertex at which it bends last, its root. A straight path is followed back
- * through the faces that the rays of its window have crossed. Only the angle between the frames of its first face and of
- * its last one is wanted:
+ * The directions in which shortest paths from one point to vertices start, computed from the data that a propagation
+ * stores for each vertex; and the last segments of the paths to vertices and, if the propagation stores all windows, to
+ * points in faces. A path that bends starts like the path to the vertex at which it bends last, its root. A straight
+ * path is followed back through the faces that the rays of its window have crossed. Only the angle between the frames
+ * of its first face and its last one is required:
  *
- *               . source              the frame of side h is turned against that of side g
+ *               . source              the frame of side h is rotated relative to that of side g
  *              ' .                    by the angle between the two sides
  *       ------g---'-.--
  *       \         ' .
  *        \       h ' .
  *         \     /   ' target
  *
- * The ray in the middle of the window is followed, which keeps away from vertices. Rays to many vertices cross the same
- * faces; so the angle is kept at a part of the edges, with the place of the source in the frame of the edge, and the
- * walk ends where it is known. The cost is at most proportional to the number of windows.
+ * The ray in the middle of the window is followed, which keeps away from vertices. Since rays to many vertices cross
+ * the same faces, the angle is stored for part of the edges, with the position of the source in the frame of the edge,
+ * and a walk ends where it is known. The cost is at most proportional to the number of windows.
  */
 template <class Triangulation>
 class Source_directions
@@ -66,7 +66,7 @@ class Source_directions
   using Vector = std::complex<double>;
 
 public:
-  /* \pre the sources of the field are one point */
+  /* \pre the source of the field is one point */
   explicit Source_directions(const Query& query)
     : m_query(query)
     , m_input(query.triangulation().input())
@@ -75,7 +75,8 @@ public:
   {
   }
 
-  /* None if roundings hide where the windows come from. \pre the vertex is reached, and is not the source */
+  /* Returns nothing if rounding errors hide the origin of the windows. \pre the vertex is reached, and is not the
+   * source */
   std::optional<Start_direction> operator()(Vertex_index v)
   {
     m_bends.clear();
@@ -90,7 +91,8 @@ public:
     return m_starts[v].first == null_index ? std::nullopt : std::optional(m_starts[v]);
   }
 
-  /* The last leg to a vertex; none if its window does not have the ray to it. \pre it is reached, and is not the source */
+  /* Returns the last segment to a vertex; nothing if its window does not contain the ray to it. \pre it is reached, and
+   * is not the source */
   std::optional<Straight_leg> leg(Vertex_index v)
   {
     const Vertex_record& record = m_propagation.vertex(v);
@@ -104,7 +106,7 @@ public:
     return leg_through_side(record.through, record.window, {f.x, f.y});
   }
 
-  /* The same to a point of the face of h. \pre the propagation keeps its windows */
+  /* Returns the last segment to a point of the face of h. \pre the propagation stores its windows */
   std::optional<Straight_leg> leg(Input_halfedge_index h, const Face_weights& weights)
   {
     const typename Query::Arrival a = m_query(h, weights);
@@ -122,15 +124,15 @@ public:
   }
 
 private:
-  // Rays that come from the source through side h. Vectors are in the frame of h, which has the source below.
+  // Rays that come from the source through side h. Vectors are in the frame of h, with the source below.
   struct Rays
   {
     Input_halfedge_index h;
-    Vector source, ray; // the place of the source, and the direction of one of the rays
-    Vector turn;        // takes directions there from the frame of the side that was asked
+    Vector source, ray; // the position of the source, and the direction of one of the rays
+    Vector turn;        // converts directions from there to the frame of the requested side
   };
 
-  // The first face, and what takes directions to its frame from that of a side.
+  // The first face, and the rotation that converts directions from the frame of a side to its frame.
   struct First_face
   {
     Input_halfedge_index first;
@@ -151,7 +153,7 @@ private:
     return m_propagation.parts()[static_cast<std::size_t>(root - m_input.number_of_vertices())];
   }
 
-  // Does the path to a vertex bend on its way?
+  // Returns whether the path to a vertex bends on its way.
   bool bends(Vertex_index v) const
   {
     const Index root = m_propagation.vertex(v).root;
@@ -184,7 +186,7 @@ private:
                 : std::nullopt;
   }
 
-  // Of a path that does not bend.
+  // For a path that does not bend.
   Start_direction straight(Vertex_index v)
   {
     const Vertex_record& record = m_propagation.vertex(v);
@@ -208,7 +210,7 @@ private:
     return {source.halfedge, position(f, corner) - position(f, source.ends[0])};
   }
 
-  // Follows the rays of a window, in the frame of side h, back to its root, over at most as many edges as there are
+  // Follows the rays of a window, in the frame of side h, back to its root, across at most as many edges as there are
   // windows. The length is that of the whole ray.
   std::optional<First_face> first_face(Input_halfedge_index h, const Window& w, double length)
   {
@@ -234,8 +236,8 @@ private:
     return result;
   }
 
-  // Takes rays back over the face below, to the side by which they enter it; returns that face if they start in it. The
-  // turn of the rays leads to its frame then.
+  // Propagates rays backward over the face below to the side by which they enter it; returns that face if they start in
+  // it, in which case the rotation of the rays leads to its frame.
   std::optional<First_face> cross_backward(Rays& rays, Index root, double allowed) const
   {
     const Input_halfedge_index t = twin_index(rays.h);
@@ -253,7 +255,7 @@ private:
     return std::nullopt;
   }
 
-  // In the frame of side t of a face, if it is in the face and not on that side.
+  // The position in the frame of side t of a face, if the root is in the face and not on that side.
   std::optional<Vector> place_of_root(Input_halfedge_index t, const Face_side& f, Index root) const
   {
     const Input_halfedge_index tp = m_input.next(f.next);
@@ -268,7 +270,7 @@ private:
     return position(f, weights);
   }
 
-  // One edge in sixteen, whatever their order.
+  // One edge in sixteen, independent of their order.
   static bool is_kept(Input_halfedge_index h)
   {
     return static_cast<std::uint32_t>(h.idx()) * std::uint32_t(2654435769) >> 28 == 0;
@@ -289,7 +291,7 @@ private:
   const Propagation& m_propagation;
   Indexed_by<Vertex_index, std::vector<Start_direction>> m_starts;
   std::vector<Vertex_index> m_bends;                                          // on the way to a vertex
-  std::vector<Rays> m_passed;                                                 // where they are to be kept
+  std::vector<Rays> m_passed;                                                 // where they must be stored
   std::multimap<std::pair<Input_halfedge_index, double>, Known_rays> m_known; // by the first coordinate of the source
 };
 

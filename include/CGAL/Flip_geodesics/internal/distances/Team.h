@@ -27,8 +27,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * One thread that takes many steps, one after the other, or several that share each of them with `Parallel_tag`.
- * `for_each(numbers, function)` is such a step.
+ * One thread that takes many steps, one after the other, or several threads that share each of them with
+ * `Parallel_tag`. `for_each(numbers, function)` is such a step.
  */
 template <class ConcurrencyTag, bool IsParallel = std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value>
 class Team
@@ -38,7 +38,7 @@ class Team
 public:
   static std::size_t most_members() { return 1; }
 
-  /* Calls function(0, i) for i from 0 on, up to how many numbers there are. */
+  /* Calls function(0, i) for i from 0 to the number of elements of `numbers` - 1. */
   template <class Function>
   void for_each(const std::vector<std::uint32_t>& numbers, const Function& function)
   {
@@ -50,14 +50,14 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
 
 /*
- * Member 0 is the thread that calls. The others, its helpers, are tasks of TBB that stay from one step to the next and
- * watch for it, so that a step begins and ends in a fraction of a microsecond; to fork and join tasks takes several. The
- * caller never waits for a helper that has not entered the step: it can be slower than alone by little, and waits for
- * no thread that waits for it, however many teams there are in how few threads.
+ * Member 0 is the calling thread. The others, its helpers, are TBB tasks that persist between steps and poll for the
+ * next one, so that a step begins and ends in a fraction of a microsecond, whereas forking and joining tasks takes
+ * several. The caller never waits for a helper that has not entered the step. It can therefore be only slightly slower
+ * than alone and waits for no thread that waits for it, however many teams share however few threads.
  *
  * Each member begins with a part of its own, an interval of the indices that it takes from the front; then it helps
- * others, from the back. So it has much the same part each time, if the caller sees to that, and its cache what belongs
- * to it.
+ * others, taking indices from the back. If the caller orders the indices accordingly, its part is much the same each
+ * time, and the data is in its cache.
  */
 template <class ConcurrencyTag>
 class Team<ConcurrencyTag, true>
@@ -77,13 +77,13 @@ public:
 
   static std::size_t most_members()
   {
-    constexpr std::size_t most = 64; // that have something to do in a short step
+    constexpr std::size_t most = 64; // with work in a short step
     return (std::min)(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()), most);
   }
 
-  /* Calls function(member, i) for i from 0 on, up to how many numbers there are; what members do happens at the same
-   * time. If calls throw, so does this, what the call with the least number has thrown; which calls with greater numbers
-   * have been made is open. */
+  /* Calls function(member, i) for i from 0 to the number of elements of `numbers` - 1, with all members simultaneously.
+   * If calls throw, rethrows the exception of the call with the least number; it is unspecified which calls with
+   * greater numbers have been made. */
   template <class Function>
   void for_each(const std::vector<std::uint32_t>& numbers, const Function& function)
   {
@@ -105,14 +105,15 @@ private:
   static constexpr std::uint64_t none = std::uint64_t(-1);
   using Call = void (*)(const void*, std::size_t, std::size_t);
 
-  // What is left of a part: the first, and above 32 bits the end.
+  // The remaining part: the first index and, above 32 bits, the end.
   struct alignas(64) Part
   {
     std::atomic<std::uint64_t> left{0};
   };
   static constexpr std::uint64_t one_last = std::uint64_t(1) << 32;
 
-  // The state: how many helpers are in the step, how many members it has, whether one can enter, and its number.
+  // The state: the number of helpers in the step, its number of members, whether one can enter, and the number of the
+  // step.
   static constexpr std::uint64_t inside = 0xff, one_member = 0x100, all_members = 0xff00, is_open = 0x10000,
                                  ended = 0x20000, one_step = 0x40000;
 
@@ -175,7 +176,7 @@ private:
       });
   }
 
-  // What is taken of a part, and what is left.
+  // The taken part, and the remaining one.
   struct Range
   {
     std::uint64_t first, end, left_first, left_end;
@@ -213,7 +214,7 @@ private:
     }
   }
 
-  // For the i-th time in a row: by and by others that are to run in the same core can do so.
+  // For the i-th time in a row: finally yields the core to other threads.
   static void wait(unsigned i)
   {
     constexpr unsigned pauses = 1000; // some ten microseconds
@@ -235,7 +236,7 @@ private:
   std::uint64_t m_step = 0;
   std::atomic<std::uint64_t> m_failed{0}; // the least number that has thrown, if any
   std::exception_ptr m_error;
-  std::mutex m_mutex; // of the two
+  std::mutex m_mutex; // guards both
   std::size_t m_number_of_helpers = 0;
   std::atomic<std::size_t> m_next_member{1};
   tbb::task_group m_helpers;

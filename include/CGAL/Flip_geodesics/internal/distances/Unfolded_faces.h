@@ -25,14 +25,14 @@ namespace internal {
 
 /*
  * The shapes of the input faces, for rays that are unfolded from face to face, and the vertices that shortest paths may
- * pass; each is computed when it is first asked for.
+ * pass; each is computed on first use.
  *
- * A search passes a small part of a mesh, whose halfedges may be numbered in any order. So the sides of the faces that it
- * passes are numbered anew, three by three, in the order in which they are laid out; what a search keeps for a halfedge,
- * it keeps under this number, and finds it near to what it needs with it.
+ * A search passes a small part of a mesh, whose halfedges may be numbered in any order. The sides of the passed faces
+ * are therefore renumbered in triples, in the order of their computation; a search stores its data of a halfedge under
+ * this number, close to related data.
  *
- * Lengths and directions of sides are given, and no coordinates of corners: differences of coordinates would lose the
- * direction of a side that is short beside the others.
+ * Lengths and directions of sides are stored rather than coordinates of corners, since differences of coordinates would
+ * lose the direction of a side that is short compared with the others.
  */
 template <class Triangulation>
 class Unfolded_faces
@@ -47,10 +47,10 @@ public:
     double length, cosine, sine;
     Input_halfedge_index halfedge;
     Vertex_index tail;
-    Index twin = -1; // the number of the other halfedge of the edge, if its face has been laid out
+    Index twin = -1; // the number of the twin halfedge, if its face has been computed
   };
 
-  /* A direction from a vertex: an angle on from a halfedge that leaves it, in the face on the left. */
+  /* A direction from a vertex: an angle from a halfedge that leaves it, in the face on the left. */
   struct Direction
   {
     Input_halfedge_index halfedge;
@@ -64,7 +64,7 @@ public:
   {
   }
 
-  /* The number of h as a side. \pre h is not on the border
+  /* Returns the number of h as a side. \pre h is not on the border
    * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error */
   Index number(Input_halfedge_index h)
   {
@@ -73,7 +73,7 @@ public:
     return m_number[h] - 1;
   }
 
-  /* The same where the face has been laid out, otherwise -1; also for the other halfedge of the edge. */
+  /* Returns the number of h as a side if its face has been computed, otherwise -1; also for the twin halfedge. */
   Index known_number(Input_halfedge_index h) const { return m_number[h] - 1; }
   Index known_twin(Index side) const { return (*this)[side].twin; }
 
@@ -81,10 +81,10 @@ public:
   static Index next(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
   static Index previous(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
-  /* One more than the largest number. */
+  /* Returns the largest number plus one. */
   std::size_t size() const { return m_sides.size(); }
 
-  /* The corner opposite to a side that runs from 0 to its length on the real axis. */
+  /* Returns the corner opposite to a side that extends from 0 to its length on the real axis. */
   Vector apex(Index side) const
   {
     const Side& s = (*this)[side];
@@ -94,15 +94,15 @@ public:
   double length(Input_halfedge_index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
 
   /*
-   * May a shortest path pass the vertex? Only on the border and where the angles add up to more than 2 pi; where they
-   * nearly do, it counts as if they did.
+   * Returns whether a shortest path may pass the vertex: only on the border and if the angles add up to more than 2 pi,
+   * or nearly so.
    */
   bool is_passable(Vertex_index v) { return shape(v) != CONVEX; }
 
-  /* Do the angles nearly add up to 2 pi? */
+  /* Returns whether the angles nearly add up to 2 pi. */
   bool is_flat(Vertex_index v) { return shape(v) == FLAT; }
 
-  /* From a vertex to the nearest edge opposite to it. */
+  /* Returns the distance from a vertex to the nearest edge opposite to it. */
   double nearest_edge(Vertex_index v)
   {
     const auto& input = m_triangulation.input();
@@ -117,7 +117,7 @@ public:
     return nearest;
   }
 
-  /* The smaller angle between two directions from a vertex, zero if it is less than a tolerance. */
+  /* Returns the smaller angle between two directions from a vertex, zero if it is less than a tolerance. */
   double angle_between(const Direction& a, const Direction& b, double tolerance)
   {
     const double angle = (std::min)(turn(a, b, tolerance), turn(b, a, tolerance));
@@ -125,7 +125,7 @@ public:
   }
 
 private:
-  // The angle from one direction on to another; infinite if the border lies between them.
+  // The angle from one direction to another; infinite if the border lies between them.
   double turn(const Direction& a, const Direction& b, double tolerance)
   {
     double angle = -a.angle;
@@ -135,7 +135,7 @@ private:
       const Index side = number(h);
       angle += std::atan2((*this)[side].sine, (*this)[side].cosine);
       h = twin_index((*this)[previous(side)].halfedge);
-      if(h == a.halfedge && h != b.halfedge) // faces about the vertex that meet these at the vertex alone
+      if(h == a.halfedge && h != b.halfedge) // faces at the vertex that share only the vertex with these
         return std::numeric_limits<double>::infinity();
     }
     return angle + b.angle;
@@ -158,11 +158,11 @@ private:
     const auto vectors = input_face_geometry(m_triangulation, h);
     const Vector a(vectors[0].x, vectors[0].y), b(vectors[1].x, vectors[1].y), c(vectors[2].x, vectors[2].y);
     const double la = a.real(), lb = std::sqrt(std::norm(b)), lc = std::sqrt(std::norm(c));
-    // Of a face without area, too, each angle is turned by, and light passes it.
+    // The angles of degenerate faces count as well, and rays pass such faces.
     const double height = (std::max)(b.imag(), least_face_height * la);
     add({la, -c.real() / lc, height / lc, h, input.tail(h)});
     add({lb, -b.real() / lb, height / lb, hn, input.tail(hn)});
-    // The sine of a small angle would not survive a product of the vectors.
+    // The sine of a small angle would be lost in a product of the vectors.
     const double product = b.real() * c.real() + b.imag() * c.imag();
     add({lc, -product / (lb * lc), la * height / (lb * lc), hp, input.tail(hp)});
   }
@@ -177,7 +177,7 @@ private:
     m_number[side.halfedge] = number + 1;
   }
 
-  // Turns by the angles, and counts the half turns.
+  // Rotates by the angles, and counts the half turns.
   Shape compute_shape(Vertex_index v)
   {
     const auto& input = m_triangulation.input();
@@ -200,14 +200,14 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  Indexed_by<Input_halfedge_index, Lazy_array<Index>> m_number; // and 1, of the sides that are laid out
+  Indexed_by<Input_halfedge_index, Lazy_array<Index>> m_number; // plus 1, for sides of computed faces
   std::vector<Side> m_sides;
   Indexed_by<Vertex_index, Lazy_array<Shape>> m_shapes;
 };
 
 /*
- * The faces of `Unfolded_faces`, under the same numbers, in double-double arithmetic: lengths and directions of sides
- * err by at most `Number_rounding<Precise_number>::unit`. What kind of vertex a search passes does not need it.
+ * The faces of `Unfolded_faces`, with the same numbers, in double-double arithmetic: lengths and directions of sides
+ * err by at most `Number_rounding<Precise_number>::unit`. The classification of vertices does not require it.
  */
 template <class Triangulation>
 class Precise_unfolded_faces
@@ -234,7 +234,7 @@ public:
   {
   }
 
-  /* The number of h as a side. \pre h is not on the border
+  /* Returns the number of h as a side. \pre h is not on the border
    * \throws Degenerate_face_error also for a face whose numbers have no bound; otherwise as `Unfolded_faces` */
   Index number(Input_halfedge_index h)
   {
@@ -247,7 +247,7 @@ public:
     return side;
   }
 
-  /* \pre its face has been laid out, which `number()` does */
+  /* \pre its face has been computed, which `number()` does */
   const Side& operator[](Index side) const { return m_sides[static_cast<std::size_t>(side)]; }
   static Index next(Index side) { return Faces::next(side); }
   static Index previous(Index side) { return Faces::previous(side); }
@@ -273,7 +273,8 @@ public:
   }
 
 private:
-  // The direction of the next halfedge turns by the outer angle at the head; the inner one is that at the next tail.
+  // The direction of the next halfedge is rotated by the outer angle at the head; the inner one is that at the next
+  // tail.
   void lay_out(Index number)
   {
     const auto& before = m_faces[previous(number)];

@@ -29,14 +29,14 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Is a window still to be carried over the face that it enters, was it the last time that some of its edge were, or
- * before? */
+/* Whether a window must still be propagated over the face that it enters, was among the last windows of its edge to be
+ * propagated, or was propagated before. */
 enum class Window_state : std::uint8_t { DONE, WAITING, CROSSING };
 
 /*
- * A part of an edge, and rays that cross it, in a frame whose x-axis is the edge: those from the point (x, -y), or those
- * parallel to (-x, y), if they come from a segment. So a source is (x : -y : 1) or (x : -y : 0) in homogeneous
- * coordinates, and most formulas are the same for both.
+ * A part of an edge, and rays that cross it, in a frame whose x-axis is the edge: rays from the unfolded source (x,
+ * -y), or rays parallel to (-x, y) if they come from a segment. A source is thus (x : -y : 1) or (x : -y : 0) in
+ * homogeneous coordinates, and most formulas are the same for both.
  *
  *          from    to
  *     0 -----======----- length
@@ -48,15 +48,15 @@ enum class Window_state : std::uint8_t { DONE, WAITING, CROSSING };
 struct Window
 {
   double from, to, x, y;
-  double sigma;      // how long the paths were before the source; if rays are parallel, up to the origin
-  Index root;        // the vertex that is the source; or, from their number on, a part of a source in a face
-  std::uint8_t side; // which halfedge of the edge has the face that is entered
+  double sigma;      // the length of the paths before the source; for parallel rays, up to the origin
+  Index root;        // the vertex that is the source or, after all vertices, a part of a source in a face
+  std::uint8_t side; // the halfedge of the edge on whose side the entered face lies
   bool is_far;       // are the rays parallel?
   Window_state state;
 
   double weight() const { return is_far ? 0 : 1; }
 
-  /* The length of the path to a point above the edge, or on it. */
+  /* Returns the length of the path to a point above the edge, or on it. */
   double distance(double b, double height = 0) const
   {
     if(is_far)
@@ -66,20 +66,20 @@ struct Window
   }
 
   /* Returns the length of the path to a point above the edge whose ray crosses the edge at `crossing`. If that lies
-   * outside of the window, the path bends at the nearer end: it is the shortest path through the window. */
+   * outside the window, the path bends at the nearer end: it is the shortest path through the window. */
   double bent_distance(double b, double height, double crossing) const
   {
     const double at = (std::min)((std::max)(crossing, from), to);
     return at == crossing ? distance(b, height) : distance(at) + std::hypot(b - at, height);
   }
 
-  /* The least distance of all its points. */
+  /* Returns the least distance of all its points. */
   double least_distance() const
   {
     return is_far ? (std::min)(distance(from), distance(to)) : distance((std::min)((std::max)(x, from), to));
   }
 
-  /* How fast the distance grows along the edge. */
+  /* Returns the derivative of the distance along the edge. */
   double slope(double b) const
   {
     if(is_far)
@@ -88,22 +88,24 @@ struct Window
     return dx / std::sqrt(dx * dx + y * y);
   }
 
-  /* Where the ray to a point above the edge crosses the edge. */
+  /* Returns the position at which the ray to a point above the edge crosses the edge. */
   double crossing(double b, double height) const { return (x * height + b * y) / (y + weight() * height); }
 
-  /* Bounds by how much the source moves, relative to the size of the frame, when a window is carried over a face. */
+  /* Bounds the displacement of the source, relative to the size of the frame, when a window is propagated over a
+   * face. */
   static constexpr double step_error = window_step_error;
 
-  /* The same through several faces. */
+  /* The bound for several faces. */
   static constexpr double place_error = window_place_error;
 
-  /* The bound in the frame of an edge of a given length. */
+  /* Returns the bound in the frame of an edge of a given length. */
   double error(double length) const { return place_error * (length + weight() * (std::abs(x) + y)); }
 
-  /* Takes off the part that is nearer to the start of the edge, along the edge, if that is so far itself. */
+  /* Removes the part whose points are nearer to the source by way of the start of the edge, which is at distance
+   * `to_start`. */
   void trim(double to_start)
   {
-    const double more = to_start * (1 + equal_paths) - sigma; // towards more windows
+    const double more = to_start * (1 + equal_paths) - sigma; // rather too many windows
     if(!(distance(from) - sigma > from + more))
       return;
     if(distance(to) - sigma > to + more) {
@@ -114,7 +116,7 @@ struct Window
     from = (std::min)((std::max)(from, b), to);
   }
 
-  /* Goes over to the frame of the opposite direction. */
+  /* Converts the window to the frame of the opposite direction. */
   void mirror(double length)
   {
     const double end = length - from;
@@ -129,9 +131,9 @@ struct Window
 static_assert(sizeof(Window) == 48, "a window takes more memory than it should");
 
 /*
- * For each edge the windows on it that have the shortest ways known to its points, from both sides, ordered by where they
- * begin: the lower envelope of their distances [MMP87]. A shortest path through a point enters one face only, so that
- * windows of both sides compete. A `Window_inserter` puts them there.
+ * For each edge the windows with the shortest known paths to its points, from both sides, ordered by where they begin:
+ * the lower envelope of their distances [MMP87]. Since a shortest path through a point enters one face only, windows of
+ * both sides compete. A `Window_inserter` inserts them.
  */
 class Edge_windows
 {
@@ -141,7 +143,7 @@ public:
   {
   }
 
-  /* Those of an edge, along it. */
+  /* Returns the windows of an edge, in order. */
   CGAL::Iterator_range<Window*> on_edge(Index edge)
   {
     const List& l = list(edge);
@@ -160,7 +162,7 @@ private:
   {
     Window* first;
     std::uint32_t size;
-    std::uint32_t block; // the logarithm of the room, and 1; 0 if there is none
+    std::uint32_t block; // the logarithm of the capacity, plus 1; 0 if there is none
   };
 
   List& list(Index edge) { return m_lists[static_cast<std::size_t>(edge)]; }
@@ -169,39 +171,38 @@ private:
 };
 
 /*
- * Puts windows on edges, as far as they are shorter than others there. Several threads can do so at once, on different
- * edges, each by an inserter of its own, all of which must outlive the windows.
+ * Inserts the parts of windows on edges that are shorter than the windows there. Several threads can do so
+ * simultaneously, on different edges, each with an inserter of its own; all inserters must outlive the windows.
  *
- * Where two windows are equally near up to rounding, both are kept: the rays of one may lead to where the other's do not.
- * Only if their rays are the same, the one that has more of them does. So windows may overlap, and what is taken off one
- * can put it behind another.
+ * If two windows are equally near up to rounding errors, both are kept, since their rays may lead to different places.
+ * Only if their rays are the same, the window with more of them is kept. Windows may therefore overlap, and removing
+ * part of one can put it behind another.
  *
- * The windows of an edge lie in a block of memory, of a power of two of them, and blocks that are given back are used
- * again.
+ * The windows of an edge lie in a block of memory whose capacity is a power of two; released blocks are reused.
  */
 class Window_inserter
 {
   using List = Edge_windows::List;
 
 public:
-  /* How many windows have been put on edges in all; and how many there is room for. */
+  /* Returns the total number of windows inserted on edges; below, the number for which memory is allocated. */
   std::size_t number_made() const { return m_made; }
   std::size_t capacity() const { return m_capacity; }
-  /* Of how many windows there is room in blocks that have been given back. */
+  /* Returns the capacity, in windows, of the released blocks. */
   std::size_t spare() const { return m_spare; }
-  /* How many windows an edge has had at most. */
+  /* Returns the largest number of windows that an edge has had. */
   std::size_t most_on_an_edge() const { return m_most_on_an_edge; }
-  /* How many windows have been on edges, in all, when others were to be put there: a measure of the work. */
+  /* Returns the total number of windows present on edges at insertions, a measure of the work. */
   std::size_t number_passed() const { return m_passed; }
 
-  /* Takes the windows of an edge away. */
+  /* Removes the windows of an edge. */
   void clear(Edge_windows& windows, Index edge)
   {
     give_back(windows.list(edge));
     windows.list(edge) = List();
   }
 
-  /* Puts a window on an edge, as far as it is not longer than others there. Returns whether that is anywhere. */
+  /* Inserts the parts of a window that are not longer than others on the edge. Returns whether there are any. */
   bool insert(Edge_windows& windows, Index edge, const Window& w)
   {
     const auto old = windows.on_edge(edge);
@@ -232,14 +233,14 @@ private:
     double from, to;
   };
 
-  // Takes off an old window and a new one what the other is nearer to.
+  // Removes the parts of an old window and a new one in which the other one is nearer.
   void compete(const Window& old, const Window& w)
   {
     const double l = (std::max)(w.from, old.from), r = (std::min)(w.to, old.to);
     const double at_l = w.distance(l), at_r = w.distance(r), equal = equal_paths * (std::max)(at_l, at_r);
     const double dl = at_l - old.distance(l), dr = at_r - old.distance(r);
     m_old_lost.clear();
-    // The difference is monotone but where a ray of both crosses the edge.
+    // The difference is monotone except where a ray of both crosses the edge.
     const double gl = turn(w, old, l), gr = turn(w, old, r);
     const bool is_turning = (gl < 0) != (gr < 0);
     const double b = is_turning ? l + (r - l) * (gl / (gl - gr)) : l;
@@ -253,7 +254,7 @@ private:
     keep(old);
   }
 
-  // The same where the difference is monotone, by how much the new window is longer at both ends.
+  // Does so where the difference is monotone, given the excess of the new window's distance at both ends.
   void settle(const Window& old, const Window& w, const Interval& at, double dl, double dr, double equal)
   {
     if((std::max)(dl, dr) <= equal && (std::min)(dl, dr) >= -equal) {
@@ -282,7 +283,8 @@ private:
     return (b * v.weight() - v.x) * w.y - (b * w.weight() - w.x) * v.y;
   }
 
-  // Where the new window is longer by `difference`, which is between those at the ends, within half of `equal`.
+  // The position at which the new window is longer by `difference`, a value between those at the ends, within half of
+  // `equal`.
   static double crossing(const Window& w, const Window& old, Interval at, bool is_rising, double difference,
                          double equal)
   {
@@ -294,7 +296,7 @@ private:
         break;
       ((d < 0) == is_rising ? at.from : at.to) = b;
       b -= d / (w.slope(b) - old.slope(b));
-      if(!(b > at.from && b < at.to) || i % 8 == 7) // the interval has to shrink
+      if(!(b > at.from && b < at.to) || i % 8 == 7) // the interval must shrink
         b = (at.from + at.to) / 2;
     }
     return b;
@@ -316,7 +318,7 @@ private:
       function(from, w.to);
   }
 
-  // Puts a part of a window in its place in the result, behind those that begin where it does.
+  // Inserts a part of a window into the result, behind those with the same beginning.
   void add_part(const Window& w, double from, double to)
   {
     auto at = m_result.end();
@@ -327,13 +329,13 @@ private:
     at->to = to;
   }
 
-  // Puts what is left of an old window there.
+  // Adds the remaining parts of an old window.
   void keep(const Window& old)
   {
     for_each_part(old, m_old_lost, [&](double from, double to) { add_part(old, from, to); });
   }
 
-  // Puts what is left of the new one there; false if there is nothing.
+  // Adds the remaining parts of the new window; returns false if there are none.
   bool put(const Window& w)
   {
     const std::size_t made = m_made;
@@ -383,7 +385,7 @@ private:
     return {first, size, block};
   }
 
-  // Memory that has not been used; a little more is asked for at once than an eighth of all that there is.
+  // Unused memory; if necessary, slightly more than an eighth of the total is allocated at once.
   Window* take_new(std::size_t size)
   {
     constexpr std::size_t least = 1024;
@@ -410,18 +412,18 @@ private:
   }
 
   std::vector<std::unique_ptr<Window[]>> m_chunks;
-  Window* m_next = nullptr;                      // unused in the last chunk
-  std::size_t m_left = 0;                        // how many windows there are behind it
-  std::array<std::vector<Window*>, 32> m_unused; // blocks, by the logarithm of their room
+  Window* m_next = nullptr;                      // unused memory in the last chunk
+  std::size_t m_left = 0;                        // the number of windows that fit there
+  std::array<std::vector<Window*>, 32> m_unused; // blocks, by the logarithm of their capacity
   std::size_t m_made = 0, m_capacity = 0, m_spare = 0, m_most_on_an_edge = 0, m_passed = 0;
-  // Of the insertion that is going on:
+  // Of the current insertion:
   std::vector<Window> m_result;
   std::vector<Interval> m_lost, m_old_lost; // parts of the new window, and of an old one
 };
 
 /*
- * A face in the frame of one of its sides, halfedge h: it starts at the origin and runs along the x-axis, the face is
- * above. What a window needs to cross it, in one cache line.
+ * A face in the frame of one of its sides, halfedge h, which starts at the origin and runs along the x-axis with the
+ * face above. It contains the data required for a window to cross it, in one cache line.
  */
 struct Face_side
 {
@@ -432,7 +434,7 @@ struct Face_side
   Vertex_index tail;
 };
 
-/* The sides of the faces of the input, computed when a face is first asked for. */
+/* The sides of the input faces, computed when a face is first requested. */
 template <class Triangulation>
 class Face_sides
 {
@@ -458,8 +460,8 @@ public:
       m_states = std::vector<std::atomic<State>>(m_sides.size());
   }
 
-  /* Computes the sides of a face that has not been asked for. Is it so flat that rays can be lost in it? After `share()`
-   * several threads can do so at once, and one waits while another computes the same face. */
+  /* Computes the sides of a face that has not been requested. Returns whether it is so flat that rays can be lost in
+   * it. After `share()` several threads can do so simultaneously; one waits while another computes the same face. */
   bool make_known(Input_halfedge_index h)
   {
     if(m_states.empty())
@@ -475,7 +477,7 @@ public:
     return compute_claimed(h);
   }
 
-  /* Computes the sides of a face. Is it so flat that rays can be lost in it? */
+  /* Computes the sides of a face. Returns whether it is so flat that rays can be lost in it. */
   bool compute(Input_halfedge_index h)
   {
     bool is_flat = false;
@@ -488,10 +490,10 @@ public:
     return is_flat;
   }
 
-  /* The same of a face that has been asked for. */
+  /* Returns the side of a face that has been requested. */
   const Face_side& known(Input_halfedge_index h) const { return m_sides[h]; }
 
-  /* Of any face, as a copy. */
+  /* Returns the side of any face, as a copy. */
   Face_side copy(Input_halfedge_index h) const
   {
     if(m_sides[h].length != 0)
@@ -501,7 +503,7 @@ public:
   }
 
 private:
-  // The same for each halfedge of a face.
+  // The same result for each halfedge of a face.
   Input_halfedge_index first_halfedge(Input_halfedge_index h) const
   {
     const Input_halfedge_index hn = m_triangulation.input().next(h);
@@ -528,16 +530,16 @@ private:
     }
   }
 
-  // Those of a face, from h on.
+  // The sides of a face, starting with h.
   std::array<Face_side, 3> computed(Input_halfedge_index h) const
   {
     const auto& input = m_triangulation.input();
     const auto v = input_face_geometry(m_triangulation, h);
     const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
     const double length = v[0].x, next = std::hypot(v[1].x, v[1].y), previous = std::hypot(v[2].x, v[2].y);
-    // Light passes a face without area, too: from a vertex on its longest side into the face beyond.
+    // Rays pass degenerate faces as well: from a vertex on the longest side into the face beyond.
     const double height = (std::max)(v[1].y, least_face_height * length), area = length * height;
-    // The sum cancels if the side at the tail is short, and the angle there would be wrong.
+    // If the side at the tail is short, the sum suffers from cancellation, which would falsify the angle there.
     const double x = previous < short_side * length ? -v[2].x : length + v[1].x;
     const double xn = -length * v[1].x / next, xp = -(v[1].x * v[2].x + v[1].y * v[2].y) / previous;
     return {{{length, x, height, x / previous, height / previous, hn, input.tail(h)},
@@ -545,7 +547,7 @@ private:
              {previous, xp, area / previous, xp / next, area / (previous * next), h, input.tail(hp)}}};
   }
 
-  // Up to this ratio a difference of lengths has errors in the angle of at most eight roundings.
+  // Up to this ratio the error of the angle from a difference of lengths is at most eight rounding errors.
   static constexpr double short_side = 0.125;
 
   const Triangulation& m_triangulation;
@@ -553,32 +555,33 @@ private:
   std::vector<std::atomic<State>> m_states; // of faces, by each of their halfedges; empty if one thread computes them
 };
 
-/* How the shortest path known arrives at a vertex. */
+/* The arrival of the shortest known path at a vertex. */
 struct Vertex_record
 {
   double distance;
   Window window;                // through which it arrives, in the frame of `through`
-  Input_halfedge_index through; // the side by which it enters its last face; null if it crosses no edge
-  Input_halfedge_index along;   // the halfedge along which it arrives, or null
-  Index root;                   // the vertex, or the part of a source, that it comes from
+  Input_halfedge_index through; // the side by which it enters its last face; null_index if it crosses no edge
+  Input_halfedge_index along;   // the halfedge along which it arrives, or null_index
+  Index root;                   // the vertex, or the part of a source, from which it comes
   bool is_reached, is_source;
   std::size_t source; // its number if it is one
 };
 
-/* What goes on from a vertex: a path along a halfedge, and a window on the side opposite, in the frame of that. */
+/* The continuation from a vertex: a path along a halfedge, and a window on the opposite side, in the frame of that
+ * side. */
 struct Vertex_opening
 {
   Input_halfedge_index along;
-  Input_halfedge_index opposite; // null if there is no window
+  Input_halfedge_index opposite; // null_index if there is no window
   Vertex_index head;             // of `along`
   double distance;               // its length
   Window window;
 };
 
 /*
- * Finds where paths go on from a vertex: vertices are sources themselves, for the directions in which shortest paths can
- * go on from them, at an angle of at least pi from where they came, on both sides. All the faces at the vertex have to be
- * known to `Face_sides`. The angles of its `Vertex_fan` begin where the path to the vertex comes from.
+ * Finds the continuations of paths from a vertex. Vertices are pseudo-sources for the directions in which shortest
+ * paths can continue, at an angle of at least pi on both sides from their arrival. All faces at the vertex must be
+ * known to `Face_sides`. The angles of its `Vertex_fan` begin in the direction from which the path to the vertex comes.
  */
 template <class Triangulation>
 class Vertex_openings
@@ -593,7 +596,8 @@ public:
   {
   }
 
-  /* Paths along the edges of a vertex, and windows on the edges opposite, at most two a halfedge that starts there. */
+  /* Returns the paths along the edges of a vertex and the windows on the opposite edges, at most two per outgoing
+   * halfedge. */
   const std::vector<Vertex_opening>& operator()(const Sides& sides, Vertex_index v, const Vertex_record& record)
   {
     m_openings.clear();
@@ -610,7 +614,8 @@ public:
     return m_openings;
   }
 
-  /* A halfedge that starts at v, and its angle counterclockwise from where the path to v comes. */
+  /* Returns a halfedge that starts at v, and its angle counterclockwise from the direction from which the path to v
+   * comes. */
   Input_halfedge_index first_halfedge(const Sides& sides, Vertex_index v, const Vertex_record& record,
                                       double& angle) const
   {
@@ -635,10 +640,11 @@ private:
   }
 
   /*
-   * Returns by how much less than pi the angle of a path at the vertex may be. The window of a ray that passes the
-   * vertex closer than the rounding errors of positions on its longest edge can be lost. Such a ray turns by at most
-   * that error relative to the lengths of the path before and after the vertex; windows from the vertex take its place.
-   * Their distances are the lengths of existing paths, so that more windows never make a distance too short.
+   * Returns the amount by which the angle of a path at the vertex may be less than pi. The window of a ray that passes
+   * the vertex closer than the rounding errors of positions on its longest edge can be lost. Such a ray turns by at
+   * most that error relative to the lengths of the path before and after the vertex; windows from the vertex take its
+   * place. Their distances are the lengths of existing paths, so that additional windows never make a distance too
+   * short.
    */
   double slack(const Sides& sides) const
   {
@@ -652,7 +658,7 @@ private:
     return (std::max)(angle_sum_rounding, 2 * Window::place_error * (longest / shortest));
   }
 
-  // Clockwise from a halfedge up to the last one of the fan, over the border, beyond which all directions are open.
+  // Clockwise from a halfedge up to the last one of the fan, across the border, beyond which all directions are open.
   void open_clockwise(const Sides& sides, Vertex_index v, const Vertex_record& record, Input_halfedge_index start,
                       double angle, double most)
   {
@@ -669,7 +675,7 @@ private:
     }
   }
 
-  // A path along the edge at which a face starts, and a window on the edge opposite, for angles in [least, most].
+  // Opens a path along the edge at which a face starts, and a window on the opposite edge, for angles in [least, most].
   void open(const Sides& sides, Vertex_index v, const Vertex_record& record, const Outgoing_halfedge& o, double least,
             double most)
   {
@@ -681,7 +687,7 @@ private:
       return;
     const Input_halfedge_index opposite = sides.known(h).next;
     const Face_side& f = sides.known(opposite);
-    const bool is_thin = f.y < thin_face * f.length; // where a ray meets the side says nothing of its direction then
+    const bool is_thin = f.y < thin_face * f.length; // the crossing of a ray does not determine its direction then
     const double first = o.angle < least && !is_thin ? hit(f, least - o.angle) : 0;
     const double last = o.angle + o.corner > most && !is_thin ? hit(f, most - o.angle) : f.length;
     if(!(first < last))
@@ -690,7 +696,7 @@ private:
     m_openings.back().window = {first, last, f.x, f.y, record.distance, v.idx(), 0, false, Window_state::WAITING};
   }
 
-  // Where a ray from the vertex opposite meets a side, at an angle from the line to the tail.
+  // The crossing with a side of a ray from the opposite vertex, at an angle from the line to the tail.
   static double hit(const Face_side& f, double angle)
   {
     const Vector ray = Vector(-f.x, -f.y) * std::polar(1.0, angle);

@@ -33,7 +33,7 @@ using Face_weights = std::array<double, 3>;
 
 inline Face_weights rotated(const Face_weights& weights) { return {{weights[1], weights[2], weights[0]}}; }
 
-/* Weights of any sum. \pre they are not all 0 */
+/* Normalizes weights of any sum. \pre they are not all 0 */
 inline Face_weights normalized(Face_weights weights)
 {
   const double largest = (std::max)({weights[0], weights[1], weights[2]});
@@ -43,23 +43,23 @@ inline Face_weights normalized(Face_weights weights)
   return weights;
 }
 
-/* A point of a face in the frame of a side, from whose tail on its weights count. */
+/* Returns a point of a face in the frame of a side, to whose tail the first of its weights refers. */
 inline std::complex<double> position(const Face_side& side, const Face_weights& weights)
 {
   return {weights[1] * side.length + weights[2] * side.x, weights[2] * side.y};
 }
 
-/* A part of a source in a face: a straight line between two points, which may be one. */
+/* A part of a source in a face: a straight line between two points, which may coincide. */
 struct Source_part
 {
-  Input_halfedge_index halfedge; // a side of the face, from which the weights count
+  Input_halfedge_index halfedge; // a side of the face to which the weights refer
   std::array<Face_weights, 2> ends;
   double offset;
   std::size_t source;
 
   bool is_point() const { return ends[0] == ends[1]; }
 
-  /* How far along the line, from 0 to 1, its point nearest to another in the face is. */
+  /* Returns the position along the line, from 0 to 1, of its point nearest to another point in the face. */
   double nearest(const Face_side& side, const Face_weights& weights) const
   {
     const auto first = position(side, ends[0]), along = position(side, ends[1]) - first;
@@ -83,8 +83,8 @@ struct Source_part
     return offset + std::abs(position(side, weights) - position(side, at(nearest(side, weights))));
   }
 
-  /* The window of its rays that leave the face through a side, in the frame of that side; empty if there are none.
-   * Of a line those perpendicular to it. */
+  /* Returns the window of its rays that leave the face through a side, in the frame of that side; empty if there are
+   * none. The rays of a line are perpendicular to it. */
   static Window window(const Face_side& side, const Face_weights& first, const Face_weights& last, double offset)
   {
     const std::complex<double> p = position(side, first), line = position(side, last) - p;
@@ -111,15 +111,16 @@ struct Source_part
 };
 
 /*
- * Distances on the input mesh from vertices and from straight lines in faces, exact up to rounding: windows of rays are
- * carried from face to face [MMP87]. An edge carries on all that wait on it when the nearest is due, and keeps the lower
- * envelope of what has come to it; so few windows are made twice, and the queue holds edges and vertices only.
+ * Distances on the input mesh from vertices and from straight lines in faces, exact up to rounding errors: windows of
+ * rays are propagated from face to face [MMP87]. When the nearest window waiting on an edge is due, all waiting ones
+ * are propagated, and the edge keeps the lower envelope of those that have arrived. Few windows are thus computed
+ * twice, and the queue contains only edges and vertices.
  *
- * This is done in rounds: what is due not much later than the first comes at once. It does not matter for the distances
- * in what order windows are carried on. In each round first the faces are crossed, from all edges and vertices; then what
- * has crossed them is put on the edges that it comes to. So threads can share both halves, the edges that are left
- * and those that are entered; the results are the same for each number of threads, since one thread has the same rounds,
- * and what comes to an edge is put there in the same order.
+ * The propagation proceeds in rounds: everything that is due soon after the first item is processed together. The
+ * distances do not depend on the order in which windows are propagated. Each round first crosses the faces, from all
+ * edges and vertices, and then puts the results on the edges that they reach. Threads can share both halves of a round:
+ * the edges that are left and those that are entered. The results are the same for every number of threads, since one
+ * thread performs the same rounds, and arrivals are put on an edge in the same order.
  */
 template <class Triangulation>
 class Window_propagation
@@ -130,7 +131,7 @@ class Window_propagation
   static constexpr std::size_t most_on_an_edge = 5000; // windows
 
 public:
-  /* \param keeps_windows if not, windows are given back once the front has passed them */
+  /* \param keeps_windows whether windows are kept once the front has passed them */
   Window_propagation(const Triangulation& triangulation, bool keeps_windows)
     : m_triangulation(triangulation)
     , m_keeps_windows(keeps_windows)
@@ -147,7 +148,7 @@ public:
       accept(v, {offset, Window(), null_index, null_index, v.idx(), true, true, source}, 0);
   }
 
-  /* Makes a line in a face a source, apart from ends that are vertices. */
+  /* Makes a line in a face a source, except for ends that are vertices. */
   void add_part(const Source_part& part)
   {
     const Index root = m_triangulation.input().number_of_vertices() + static_cast<Index>(m_parts.size());
@@ -170,8 +171,9 @@ public:
     }
   }
 
-  /* Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`, or it is interrupted
-   * before a round, from the calling thread. If it throws, what was known still is, and it can be called again. */
+  /* Continues until all paths shorter than `bound` are known, or there are more than `most_windows`, or it is
+   * interrupted before a round, by the calling thread. If it throws, the previous results remain valid, and it can be
+   * called again. */
   template <class ConcurrencyTag = Sequential_tag>
   void run(double bound, std::size_t most_windows, Interruption* interruption = nullptr)
   {
@@ -183,13 +185,13 @@ public:
       take_round(team, bound);
   }
 
-  /* All paths that are shorter than this are known. */
+  /* Returns the length below which all paths are known. */
   double reach() const { return (std::min)(m_vertex_queue.least(), m_edge_queue.least()); }
 
   bool is_reached(Vertex_index v) const { return m_state->is_reached(v); }
   double distance(Vertex_index v) const { return m_state->distance(v); }
   const Vertex_record& vertex(Vertex_index v) const { return m_state->vertices[v]; }
-  /* \pre it comes from a vertex, and is none that was made a source */
+  /* \pre the path comes from a vertex, and v was not made a source */
   Last_leg last_leg(Vertex_index v) const
   {
     double angle = 0;
@@ -202,7 +204,7 @@ public:
     const Face_side& f = sides().known(record.through);
     return {from, h, -angle, std::hypot(f.x - record.window.x, f.y + record.window.y)};
   }
-  /* The source from which paths come to a root, a vertex or a part of a source: the one at which they end. */
+  /* Returns the source from which paths reach a root, that is, a vertex or a part of a source. */
   std::size_t source(Index root) const
   {
     const Index n = m_triangulation.input().number_of_vertices();
@@ -214,20 +216,20 @@ public:
   const Face_sides<Triangulation>& sides() const { return m_state->sides; }
   const Edge_windows& windows() const { return m_state->windows; }
   std::size_t number_of_windows() const { return sum(&Window_inserter::number_made); }
-  /* Of how many windows there is room. */
+  /* Returns the number of windows for which memory is allocated. */
   std::size_t capacity() const { return sum(&Window_inserter::capacity); }
-  /* Were there faces so flat that rays can have been lost in them? */
+  /* Returns whether there were faces so flat that rays can have been lost in them. */
   bool has_flat_face() const
   {
     return std::any_of(m_workers.begin(), m_workers.end(), [](const auto& w) { return w->has_flat_face(); });
   }
 
-  /* Can rounding errors have changed the distance of a vertex that is known by more than 1e-10 of it? */
+  /* Returns whether rounding errors can have changed the known distance of a vertex by more than 1e-10 of it. */
   bool has_inaccurate_distance() const { return m_has_inaccurate_distance; }
 
-  /* Are there too many windows? Or so many on one edge that rays go round and round vertices that faces without area put
-   * into one place? They would for as long as roundings let them. Other edges may have as many, but not on the average
-   * over all windows. */
+  /* Returns whether there are too many windows in total, or so many on one edge that rays circle around vertices that
+   * degenerate faces make coincide. They would do so until rounding errors end it. Other edges may have as many
+   * windows, but not on average over all windows. */
   bool is_given_up(std::size_t most_windows) const
   {
     const auto is_crowded = [](const auto& w) { return w->inserter().most_on_an_edge() > most_on_an_edge; };
@@ -289,7 +291,7 @@ private:
     give_back_passed();
   }
 
-  // Takes what is due out of the queues: the first, and what is due not much later. If it throws, nothing is taken out.
+  // Removes the first item from the queues, together with those due soon after it. Removes nothing if it throws.
   void begin_round(double bound, std::size_t members)
   {
     const double first = reach();
@@ -302,7 +304,7 @@ private:
     m_items->deal(members, number_of_vertices);
   }
 
-  // In the queues, for all that the round can put there, or put back.
+  // Reserves memory in the queues for everything that the round can insert or restore.
   void make_room()
   {
     std::size_t most = 0;
@@ -314,11 +316,11 @@ private:
   }
 
   /*
-   * Notes whether distances that are final now are accurate. Windows have crossed at most one face a round. Their source
-   * lies in the frame of an edge no farther than the path is long, and the edge; each face moves it by the part
-   * `Window::step_error` of that and of the edge. A window that is lost to these errors passes a vertex within them, and
-   * paths by way of the vertex are hardly longer. So the sum bounds the error of all distances up to the longest of the
-   * round.
+   * Determines whether the distances that are final now are accurate. Windows have crossed at most one face per round.
+   * In the frame of an edge, their source is no farther than the length of the path plus that of the edge; each face
+   * moves it by the fraction `Window::step_error` of these lengths. A window lost to these errors passes a vertex
+   * within them, and paths by way of the vertex are hardly longer. The sum therefore bounds the error of all distances
+   * up to the longest of the round.
    */
   void note_accuracy()
   {
@@ -333,7 +335,7 @@ private:
       m_has_inaccurate_distance = true;
   }
 
-  // Puts the lengths of paths on the vertices where they end.
+  // Updates the vertices at which paths end.
   void accept_vertices()
   {
     for(const std::size_t i : m_items->places())
@@ -361,7 +363,7 @@ private:
       }
   }
 
-  // Puts back what a round has taken, to be dealt with once more, and notes what has come of it.
+  // Restores the items that a round has removed, to be processed once more, and records the results so far.
   void give_up_round()
   {
     for(const std::size_t i : m_items->places()) {
@@ -409,7 +411,7 @@ private:
           m_passing.push({item.leaving->passed, item.due.id, 0});
       }
     if(number > 0)
-      m_step = static_cast<double>(number) / inverse_lengths / 4; // longer ones waste windows
+      m_step = static_cast<double>(number) / inverse_lengths / 4; // longer steps waste windows
   }
 
   void give_back_passed()
@@ -430,13 +432,14 @@ private:
   std::unique_ptr<State> m_state;
   std::unique_ptr<Round_items> m_items;
   std::vector<Source_part> m_parts;
-  Round_queue m_vertex_queue, m_edge_queue; // by their distances, and by when the nearest window is due
-  Round_queue m_passing;                    // edges, by when the front has passed them
+  Round_queue m_vertex_queue, m_edge_queue; // by their distances, and by the times at which their nearest windows are
+                                            // due
+  Round_queue m_passing;                    // edges, by the times at which the front has passed them
   std::vector<std::unique_ptr<Worker>> m_workers;
   double m_longest_edge = 0; // of those that windows have crossed
   bool m_has_inaccurate_distance = false;
   // Of the round:
-  double m_step = 0; // how much later than the first what is due is taken, too
+  double m_step = 0; // items due up to this much later than the first are processed as well
   std::uint32_t m_round = 0;
 };
 

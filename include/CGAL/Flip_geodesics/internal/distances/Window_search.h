@@ -27,16 +27,16 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A part of an edge through which straight rays pass, in the frame that `Window_search` draws. */
+/* A part of an edge through which straight rays pass, in the frame that is drawn at `Window_search`. */
 template <class Number>
 struct Basic_ray_window
 {
   Input_halfedge_index halfedge;
-  Index parent; // the window before, null_index if there is none
+  Index parent; // the previous window, null_index if there is none
   Vertex_index root;
   Number from, to, x, y, sigma, radius, margin;
 
-  // Of the length of a path, from a root's and a point's.
+  // Of the length of a path, from those of a root and a point.
   static constexpr double evaluation_error = 8 * Number_rounding<Number>::unit;
 
   static Number norm(const Number& x, const Number& y)
@@ -45,7 +45,7 @@ struct Basic_ray_window
     return sqrt(x * x + y * y);
   }
 
-  /* No path through the window to a place on its edge is shorter. */
+  /* Returns a lower bound of the length of a path through the window to a position on its edge. */
   Number least(const Number& place) const
   {
     const Number value = sigma + norm(place - x, y);
@@ -55,15 +55,15 @@ struct Basic_ray_window
 
 using Ray_window = Basic_ray_window<double>;
 
-/* The length of a path: not more than it is, as computed, and not less than that of one that there is. */
+/* The length of a path: a lower bound, the computed value, and the length of an existing path. */
 template <class Number>
 struct Path_length
 {
   Number least, computed, most;
-  Number error; // of the least one, since the last root
+  Number error; // of the lower bound, since the last root
 };
 
-/* How a path arrives at a vertex: along a halfedge to it, or through a window; and the length since the last root. */
+/* The arrival of a path at a vertex: along a halfedge or through a window; and the length since the last root. */
 struct Path_arrival
 {
   Index window = null_index;
@@ -71,18 +71,18 @@ struct Path_arrival
   double leg = 0;
 };
 
-/* What a search knows of a vertex. */
+/* The state of a vertex in a search. */
 template <class Number>
 struct Reached_vertex
 {
   Path_length<Number> length; // each the smallest of all paths
   Path_arrival arrival;
-  Number promised; // from which length the rays have to start at most that start here, for what they replace
-  Number started;  // from which they have started
+  Number promised; // the largest start length of the rays from here that suffices for those replaced
+  Number started;  // the length from which they have started
   bool is_source = false, is_reached = false, has_started = false, has_tie = false;
 };
 
-/* A window whose rays are to go on, or a vertex from which rays are to start. */
+/* A window whose rays must be propagated, or a vertex from which rays must start. */
 template <class Number>
 struct Queued_rays
 {
@@ -100,35 +100,37 @@ struct Queued_rays
 };
 
 /*
- * Shortest paths on the input mesh from one vertex, or the nearest of several: windows of straight rays are carried from face to face [MMP87], in
- * the order of a lower bound, and dropped where a shorter way is known [CH90, XW09].
+ * Shortest paths on the input mesh from one vertex, or from the nearest of several: windows of straight rays are
+ * propagated from face to face [MMP87] in the order of a lower bound, and dropped if a shorter path is known [CH90,
+ * XW09].
  *
- * A window is a part of an edge together with the place, unfolded into the plane of the edge, of the vertex that the
- * rays come from. It lies in the frame of halfedge h, which has the face to be entered on its left:
+ * A window is a part of an edge together with the unfolded source: the position, in the plane of the edge, of the
+ * vertex from which the rays come. It lies in the frame of halfedge h, which has the face to be entered on its left:
  *
  *                     apex
  *                    /    .
  *          hp       /       .  hn          the edge is the segment from 0 to `length` on the x-axis,
  *                  /          .            the rays start at (x, -y), pass between `from` and `to`,
- *         tail 0 --from==to----- length    and have run `sigma` before
+ *         tail 0 --from==to----- length    and have covered the length `sigma` before
  *                    .  /       h
  *                     ./
  *                   (x, -y)
  *
- * With a target, and a sweep from there, windows are ordered by the least length that a path through them to the target
- * can have, and dropped where that is longer than all that is looked for.
+ * With a target and lower bounds propagated from there, windows are ordered by a lower bound of the length of a path
+ * through them to the target, and dropped if it exceeds the length being searched for.
  *
- * All is rounded so that no path is lost, and none counts as longer than it is. A window knows how far its point can be
- * from the true one, `radius`, and is as wide as rays from there can reach; its true ends lie within `margin` inside of
- * its own. `sigma` is at most the true value. So what a window says, less its radius, bounds all paths through it from
- * below; and a way is dropped only where a true path is shorter beyond doubt. A vertex has three numbers: the computed
- * distance, one that no path is shorter than, and the length of a path that there is.
+ * Rounding is directed such that no path is lost and none counts as longer than it is. A window stores a bound `radius`
+ * of the distance from its source to the true one, and is as wide as rays from that disk can reach; its true ends are
+ * at most `margin` inside its own. `sigma` is at most the true value. The value of a window minus its radius is thus a
+ * lower bound for all paths through it, and a path is dropped only if a true path is certainly shorter. A vertex has
+ * three numbers: the computed distance, a lower bound of all paths, and the length of an existing path.
  *
- * All errors are in units of the numbers' roundoff, so that the same holds with faces in double-double arithmetic.
+ * All errors are in units of the numbers' roundoff, so that the analysis also holds for faces in double-double
+ * arithmetic.
  *
- * A window whose ends are closer than their errors may be none at all. Where it goes along a vertex, paths through it
- * are no shorter than those by way of the vertex, less twice the offset of its rays. Rays from the vertex take its part
- * then, if there are such; otherwise two would follow from it at each vertex of a straight row.
+ * A window whose ends are closer than their errors may be empty. If it passes along a vertex, paths through it are no
+ * shorter than those by way of the vertex, minus twice the offset of its rays. If rays start from the vertex, they
+ * replace the window; otherwise two windows would follow from it at each vertex of a straight row.
  */
 template <class Triangulation, class Faces = Unfolded_faces<Triangulation>>
 class Window_search
@@ -144,14 +146,15 @@ class Window_search
   using Entry = Queued_rays<Number>;
 
 public:
-  /* How a shortest path arrives at a vertex: straight from another, along a word. */
+  /* The last segment of a shortest path to a vertex: straight from another vertex, along an edge sequence. */
   struct Leg
   {
     Vertex_index from = null_index;
     Crossing_word word;
   };
 
-  /* Searches from the source to all vertices; with a sweep from a target, to there, and up to the sweep's bound. */
+  /* Searches from the source to all vertices or, given lower bounds from a target, to that target and up to their
+   * bound. */
   Window_search(const Triangulation& triangulation, Faces& faces, Vertex_index source, const Sweep* sweep = nullptr)
     : m_triangulation(triangulation)
     , m_faces(faces)
@@ -161,7 +164,7 @@ public:
   {
   }
 
-  /* Makes a vertex a source besides the first one. \pre nothing has been searched */
+  /* Makes a vertex an additional source. \pre nothing has been searched */
   void add_source(Vertex_index v)
   {
     m_vertices.write(v).is_source = true;
@@ -171,8 +174,8 @@ public:
   bool is_source(Vertex_index v) const { return m_vertices[v].is_source; }
 
   /*
-   * Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`, or rays have started
-   * along more edges than that. With a sweep, only paths count that can lead to its source.
+   * Continues until all paths shorter than `bound` are known, or there are more than `most_windows` windows or as many
+   * edges along which rays have started. With a lower-bound propagation, only paths that can lead to its source count.
    */
   void run(double bound, std::size_t most_windows = (std::numeric_limits<std::size_t>::max)(),
            Interruption* interruption = nullptr)
@@ -193,22 +196,22 @@ public:
     }
   }
 
-  /* No path to the target, or to a vertex that is not reached yet, is shorter than this unless it is known. */
+  /* Returns a lower bound of the paths to the target, or to vertices not reached yet, that are not known. */
   double lower_bound() { return m_heap.empty() ? infinity : m_heap.top().priority; }
 
-  /* The length of the shortest path found to a vertex; infinite if there is none yet. */
+  /* Returns the length of the shortest path found to a vertex; infinite if there is none yet. */
   double distance(Vertex_index v) const
   {
     return is_reached(v) ? Rounding::nearest(m_vertices[v].length.computed) : infinity;
   }
 
-  /* No path that was found to a vertex is shorter than this; infinite if there is none yet. */
+  /* Returns a lower bound of the paths found to a vertex; infinite if there is none yet. */
   double least_distance(Vertex_index v) const
   {
     return is_reached(v) ? Rounding::below(m_vertices[v].length.least) : infinity;
   }
 
-  /* The length of a path to a vertex that exists, rounded up; infinite if there is none yet. */
+  /* Returns the length of an existing path to a vertex, rounded up; infinite if there is none yet. */
   double greatest_distance(Vertex_index v) const
   {
     return is_reached(v) ? Rounding::above(m_vertices[v].length.most) : infinity;
@@ -216,7 +219,8 @@ public:
 
   bool is_reached(Vertex_index v) const { return m_vertices[v].is_reached; }
 
-  /* Are there several shortest paths to a vertex, as far as one can tell? \pre it has been reached */
+  /* Returns whether there are several shortest paths to a vertex, as far as can be determined. \pre it has been
+   * reached */
   bool has_tie(Vertex_index v) const
   {
     while(!is_source(v) && !m_vertices[v].has_tie)
@@ -224,7 +228,7 @@ public:
     return !is_source(v);
   }
 
-  /* No rays start from a vertex, or run along it, with less than this; infinite if there are none. */
+  /* Returns the least length with which rays start from a vertex or run along it; infinite if there are none. */
   double least_start(Vertex_index v) const
   {
     if(!is_reached(v))
@@ -236,15 +240,15 @@ public:
 
   std::size_t number_of_windows() const { return m_windows.size(); }
 
-  /* What `run()` compares with its limit. */
+  /* Returns the number that `run()` compares with its limit. */
   std::size_t effort() const { return (std::max)(m_windows.size(), m_number_of_starts); }
   const std::vector<Window>& windows() const { return m_windows; }
 
-  /* The windows on border halfedges, which end there; kept if they are asked for before the search. */
+  /* Returns the windows on border halfedges, where they end; stored if requested before the search. */
   const std::vector<Window>& border_windows() const { return m_border_windows; }
   void keep_border_windows() { m_keeps_border_windows = true; }
 
-  /* The last leg of the shortest path found to a vertex that is not the source. */
+  /* Returns the last segment of the shortest path found to a vertex that is not the source. */
   Leg leg(Vertex_index v) const
   {
     const Vertex_record& record = m_vertices[v];
@@ -263,29 +267,29 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr bool is_in_double = std::is_same<Number, double>::value;
-  static constexpr double step_error = 16 * Rounding::unit; // of a step to a face, in parts of the lengths in it
+  static constexpr double step_error = 16 * Rounding::unit; // of a step to a face, relative to the lengths in it
   static constexpr double evaluation_error = Window::evaluation_error;
-  static constexpr double row_allowance = 32;         // of errors, at vertices that can be in a row
-  static constexpr double same_way = same_path_angle; // angle between the ends of paths that are one
+  static constexpr double row_allowance = 32;         // of errors, at vertices that can be collinear
+  static constexpr double same_way = same_path_angle; // angle between the ends of paths regarded as the same
   static constexpr double tie_tolerance = path_tie;   // of the length of a path, within which another one ties
 
-  // The window that has the shortest way to the apex, of those that enter a face through one edge [CH90].
+  // The window with the shortest path to the apex, of those that enter a face through one edge [CH90].
   struct Split
   {
     Number length, crossing, error;
     bool is_set;
   };
 
-  // The other edges of a face, seen from the one that is the x-axis.
+  // Another edge of a face, seen from the one that is the x-axis.
   struct Edge
   {
-    Input_halfedge_index halfedge; // that has the next face on its left
+    Input_halfedge_index halfedge; // with the next face on its left
     Number length;
     Vector axis;             // its direction
-    Number base, base_place; // where it meets the x-axis, there, and on itself
+    Number base, base_place; // its intersection with the x-axis, as a position on that and on itself
   };
 
-  // A part of an edge, and how far the true ends can be inside of it.
+  // A part of an edge, and a bound of the distance of the true ends inside it.
   struct Part
   {
     Number from, to, margin;
@@ -296,7 +300,7 @@ private:
     m_heap.push({priority, least, id, is_vertex});
   }
 
-  // A path to v has been found.
+  // Records a path to v.
   void offer(Vertex_index v, const Length& length, const Arrival& arrival)
   {
     Vertex_record& record = m_vertices.write(v);
@@ -323,7 +327,8 @@ private:
     lower(v, length.least, length.error);
   }
 
-  // Does the way that arrives at v come from v? Vertices closer than ties can be each on the other's way, as it seems.
+  // Returns whether the path that arrives at v passes v before. The paths of two vertices closer than ties can each
+  // seem to pass the other one.
   bool comes_round(Vertex_index v, const Arrival& arrival) const
   {
     if(is_source(v))
@@ -336,7 +341,8 @@ private:
     return u == v;
   }
 
-  // Is v farther away? If each vertex is, than the one that its way comes from, no way comes round.
+  // Returns whether v is farther away. If each vertex is farther than the one from which its path comes, no path is
+  // cyclic.
   bool is_after(Vertex_index v, Vertex_index u) const
   {
     return m_vertices[u].length.computed < m_vertices[v].length.computed;
@@ -349,7 +355,7 @@ private:
     return arrival.window == null_index ? m_triangulation.input().tail(arrival.along) : m_windows[arrival.window].root;
   }
 
-  // Where a path comes from.
+  // The direction from which a path comes.
   typename Faces::Direction direction(const Arrival& arrival)
   {
     if(arrival.window == null_index)
@@ -365,7 +371,7 @@ private:
     return {m_faces[Faces::previous(side)].halfedge, angle + turn};
   }
 
-  /* Where a path sets out from its start. */
+  /* The direction in which a path leaves its start. */
   typename Faces::Direction departure(const Arrival& arrival)
   {
     if(arrival.window == null_index)
@@ -382,7 +388,7 @@ private:
     return {m_faces[spoke].halfedge, std::atan2(Rounding::nearest(turn.imag()), Rounding::nearest(turn.real()))};
   }
 
-  // The direction of a window's edge in the frame of the window that it follows from.
+  // The direction of a window's edge in the frame of the window from which it follows.
   Vector axis_of(const Window& w)
   {
     const Index side = m_faces.number(m_windows[w.parent].halfedge);
@@ -391,8 +397,8 @@ private:
   }
 
   /*
-   * Does the direction of a path at one of its ends lie within the face there, up to its error? In a face without
-   * area, the rounded direction can point out of the face.
+   * Returns whether the direction of a path at one of its ends lies within the face there, up to its error. In a
+   * degenerate face, the rounded direction can point out of the face.
    */
   bool is_within_face(const Arrival& arrival, const typename Faces::Direction& direction)
   {
@@ -409,14 +415,14 @@ private:
   }
 
   /*
-   * Are two arrivals at a vertex, by paths of some length, of different shortest paths? A path that bends a little at a flat
-   * vertex beside a shortest one is hardly longer, and none.
+   * Returns whether two arrivals at a vertex, by paths of some length, belong to different shortest paths. A path that
+   * bends slightly at a flat vertex beside a shortest one is hardly longer, but is not a different one.
    *
-   * At one end the angle between two paths can be too small to measure, while it is large at the other: for
-   * example, if they pass a convex vertex close to the other end. So it is measured at both ends if legs start at
-   * the same vertex, and the decision is the same from the target to the source. If they start at different vertices,
-   * and the angle where they arrive is too small to measure, then the longer one passes the start of the shorter one, and whether
-   * paths tie is decided where they arrive there.
+   * At one end the angle between two paths can be too small to measure, while it is large at the other: for example, if
+   * they pass a convex vertex close to the other end. The angle is therefore measured at both ends if the last segments
+   * start at the same vertex, and the result is the same from the target to the source. If they start at different
+   * vertices and their angle at the arrival is too small to measure, the longer one passes the start of the shorter
+   * one, and the tie is decided by their arrivals there.
    */
   bool are_apart(const Arrival& a, const Arrival& b, double length)
   {
@@ -439,7 +445,7 @@ private:
     return are_known ? m_faces.angle_between(of_a, of_b, same_way) : 0;
   }
 
-  // No path to v that is known is shorter than this.
+  // Records a lower bound of the paths to v.
   void lower(Vertex_index v, const Number& least, const Number& error)
   {
     Vertex_record& record = m_vertices.write(v);
@@ -451,7 +457,7 @@ private:
       push_vertex(v, (std::min)(least, record.promised));
   }
 
-  // Rays are to start from a vertex, with a length.
+  // Queues rays that start from a vertex with a length.
   void push_vertex(Vertex_index v, const Number& length)
   {
     const double total = Rounding::below(length) + (m_sweep == nullptr ? 0 : m_sweep->distance_lower_bound(v));
@@ -459,13 +465,13 @@ private:
       push(total, m_vertices[v].length.least, v.idx(), true);
   }
 
-  // Have rays to start, as they were to when this was the least length?
+  // Returns whether rays have to start, as decided when this was the lower bound.
   static bool is_due(const Vertex_record& record, const Number& least)
   {
     return record.length.least == least && !(record.has_started && record.started <= least);
   }
 
-  // Can a path of this length be of use?
+  // Returns whether a path of this length can be useful.
   bool is_wanted(double length) const { return m_sweep == nullptr || length <= m_sweep->bound(); }
 
   // Opens windows on all edges opposite to v, and paths along its edges.
@@ -486,14 +492,15 @@ private:
       ++m_number_of_starts;
       const Number along = m_faces.length(h);
       const Number computed = before.computed + along, error = evaluation_error * (before.computed + along);
-      // Never less than where the rays start: ends of an edge that is shorter than the error would lower each other.
+      // Never less than the start of the rays: otherwise the ends of an edge shorter than the error would lower each
+      // other.
       offer(input.tail(twin_index(h)),
             {(std::max)(sigma, sigma + along - error), computed, before.most + along + error, step_error * along},
             {null_index, h, Rounding::nearest(along)});
       if(!input.is_border(h)) {
         const Index opposite = Faces::next(m_faces.number(h));
         const Vector place = m_faces.apex(opposite);
-        const auto& side = m_faces[opposite]; // seen from the other side it is reversed
+        const auto& side = m_faces[opposite]; // reversed, as seen from the other side
         open({twin_index(side.halfedge), null_index, v, 0, side.length, side.length - place.real(),
               (std::max)(place.imag(), Number(0)), sigma, step_error * (side.length + along), 0},
              side.length);
@@ -502,7 +509,7 @@ private:
     } while(h != first);
   }
 
-  // Keeps a window on an edge if it can be of use. The length is a copy, since laying out faces moves their sides.
+  // Stores a window on an edge if it can be useful. The length is a copy, since computing faces moves their sides.
   void open(const Window& w, Number length)
   {
     const auto& input = m_triangulation.input();
@@ -511,7 +518,8 @@ private:
       return;
     const Vertex_index tail = input.tail(w.halfedge), head = input.tail(twin_index(w.halfedge));
     const Number to_from = w.least(w.from), to_to = w.least(w.to);
-    if(most(tail) + w.to < to_to || most(head) + (length - w.from) < to_from) // all through it are shorter
+    if(most(tail) + w.to < to_to || most(head) + (length - w.from) < to_from) // paths by way of an end are shorter
+                                                                              // everywhere in it
       return;
     if(is_border) {
       m_border_windows.push_back(w);
@@ -529,7 +537,7 @@ private:
     push(total, least, static_cast<Index>(m_windows.size()) - 1, false);
   }
 
-  // No path through a window on an edge of some length to the target is shorter. The sweep takes it in doubles.
+  // Returns a lower bound of the paths through a window, on an edge of some length, to the target, computed in doubles.
   double least_to_target(const Window& w, const Number& length) const
   {
     const auto nearest = [](const Number& number) { return Rounding::nearest(number); };
@@ -539,15 +547,15 @@ private:
            (nearest(w.radius) + Ray_window::evaluation_error * (m_sweep->bound() + rounded));
   }
 
-  // The length of a path that there is.
+  // The length of an existing path.
   Number most(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.most : infinity; }
 
-  // Does a vertex take the part of a window whose places are not farther from it than this?
+  // Returns whether a vertex replaces the part of a window whose points are at most this far from it.
   bool goes_along(const Window& w, Vertex_index v, const Number& place, const Number& farthest)
   {
     if(!is_reached(v) || !m_faces.is_passable(v))
       return false;
-    // How far the rays pass from the vertex.
+    // The distance of the rays from the vertex.
     const Number run = norm(place - w.x, w.y) - farthest - w.radius;
     const Number offset = run > 0 ? farthest * (std::min)((w.y + w.radius) / run, Number(1)) : farthest;
     if(offset > 32 * w.radius || !(2 * farthest < m_faces.nearest_edge(v)))
@@ -563,7 +571,7 @@ private:
     return true;
   }
 
-  // Does it pass an edge twice, as no shortest path does [MMP87], but rounded rays in flat faces can?
+  // Returns whether it crosses an edge twice, which no shortest path does [MMP87], but rounded rays in flat faces can.
   bool comes_back(const Window& w) const
   {
     Index before = w.parent;
@@ -580,7 +588,7 @@ private:
     const auto base = m_faces[side], next = m_faces[Faces::next(side)], previous = m_faces[Faces::previous(side)];
     const Edge left = {twin_index(previous.halfedge), previous.length, {base.cosine, base.sine}, 0, 0};
     const Edge right = {twin_index(next.halfedge), next.length, {next.cosine, -next.sine}, base.length, next.length};
-    // Where the ray to the apex passes the edge.
+    // The position at which the ray to the apex crosses the edge.
     using std::abs;
     const Number height = w.y + apex.imag();
     const Number away = norm(w.x, w.y) + base.length + previous.length;
@@ -599,7 +607,7 @@ private:
     const bool is_seen = crossing - crossing_error >= w.from + w.margin && crossing + crossing_error <= w.to - w.margin;
     const Length length = {(std::max)(w.sigma, w.sigma + leg - leg_error), before.computed + leg,
                            is_seen ? before.most + leg + leg_error : infinity, error};
-    if(previous.tail != w.root) // which flat faces can lead back to
+    if(previous.tail != w.root) // to which flat faces can lead back
       offer(previous.tail, length, {id, null_index, Rounding::nearest(leg)});
     const auto [goes_left, goes_right] = sides_to_enter(side, length, crossing, crossing_error);
     const Number margin = (std::max)(w.margin, 2 * crossing_error);
@@ -609,7 +617,8 @@ private:
       enter(id, right, {(std::max)(crossing - crossing_error, w.from), w.to, margin});
   }
 
-  // On which sides of the apex the rays can be of use, of a window with a way to there across the edge of a side.
+  // The sides of the apex on which the rays of a window, with a path to the apex across the edge of a side, can be
+  // useful.
   std::pair<bool, bool> sides_to_enter(Index side, const Length& length, const Number& crossing, const Number& error)
   {
     if(!(length.most < infinity))
@@ -623,11 +632,11 @@ private:
     const bool is_right = crossing - allowed > split.crossing;
     if(!split.is_set || length.most < split.length)
       split = {length.most, crossing, error, true};
-    // One that is not the best at the apex is of no use beyond the best one's ray.
+    // If its path is not the best at the apex, the window is useless beyond the ray of the best one.
     return {!is_worse || !is_right, !is_worse || !is_left};
   }
 
-  // Carries the rays of a window through a part of it on to another edge of the face that they enter.
+  // Propagates the rays of a window through a part of it to another edge of the face that they enter.
   void enter(Index id, const Edge& edge, const Part& part)
   {
     const Window& w = m_windows[id];
@@ -640,7 +649,7 @@ private:
     if(!(seen.imag() < carried))
       return;
     const Number depth = (std::max)(-seen.imag(), Number(0));
-    const Number radius = carried + (depth + seen.imag()); // by that the point has been moved
+    const Number radius = carried + (depth + seen.imag()); // the displacement of the source
     Number margin = 0;
     const auto hit = [&](const Number& b, bool is_end) {
       const Vector point = in_frame(b, 0);
@@ -672,8 +681,8 @@ private:
   std::vector<Window> m_windows, m_border_windows;
   bool m_keeps_border_windows = false;
   Heap_of_four<Entry> m_heap;
-  std::size_t m_number_of_starts = 0; // of rays along edges; a vertex can start rays again and again without a window
-  bool m_may_come_round = false;      // is a vertex not farther away than the one that its way comes from?
+  std::size_t m_number_of_starts = 0; // of rays along edges; a vertex can start rays repeatedly without a window
+  bool m_may_come_round = false;      // may some vertex not be farther away than the one from which its path comes?
 };
 
 } // namespace internal
