@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Windows by the halfedge that they lie on. */
+/* Windows by the halfedge on which they lie. */
 class Windows_by_halfedge
 {
 public:
@@ -57,7 +57,7 @@ private:
   std::vector<Ray_window> m_windows;
 };
 
-/* The same window, seen from the other end of an edge of some length. */
+/* Returns the window as seen from the other end of an edge of some length. */
 inline Ray_window reversed_window(Ray_window w, double length)
 {
   w.x = length - w.x;
@@ -67,7 +67,8 @@ inline Ray_window reversed_window(Ray_window w, double length)
   return w;
 }
 
-/* No two paths through windows, seen from one end of an edge, that meet on it are shorter together. */
+/* Returns a lower bound of the joint length of paths through two windows, seen from one end of an edge, that meet on
+ * it. */
 inline double least_sum(const Ray_window& w, const Ray_window& other)
 {
   const double from = (std::max)(w.from, other.from), to = (std::min)(w.to, other.to);
@@ -79,9 +80,10 @@ inline double least_sum(const Ray_window& w, const Ray_window& other)
 }
 
 /*
- * Lower bounds of distances from a vertex, of paths to a goal that are not longer than a bound. They come from a sweep,
- * or from windows if that fails, as it does on needles. Bounds within 1 % are of no use there anyway: paths along a needle
- * that differ in how often they wind around it are about as long, and far more classes than are needed would be searched.
+ * Lower bounds of the distances from a vertex, for paths to a goal that are not longer than a bound. They come from a
+ * lower-bound propagation, or from windows if that fails, as it does at needle-shaped faces. Bounds within 1% would be
+ * useless there anyway: paths along a needle that wind around it different numbers of times are almost equally long,
+ * and far more classes than necessary would be searched.
  */
 template <class Triangulation>
 class Distance_bounds
@@ -98,14 +100,15 @@ public:
   {
   }
 
-  /* Computes the bounds; returns whether they hold, unless it is interrupted. */
+  /* Computes the bounds; returns whether they are valid, unless it is interrupted. */
   bool sweep(Interruption& interruption)
   {
     m_sweep.run(m_bound, &interruption);
     return m_sweep.is_useful();
   }
 
-  /* Computes them by so many windows at most, or as many as the limit of a search for one path; not a second time. */
+  /* Computes the bounds by at most `most_windows` windows, or as many as the limit of a search for one path; not a
+   * second time. */
   void propagate_windows(std::size_t most_windows, Interruption& interruption)
   {
     if(are_by_windows())
@@ -124,7 +127,7 @@ public:
   bool are_by_windows() const { return m_windows != nullptr; }
   std::size_t number_of_windows() const { return m_windows == nullptr ? 0 : m_windows->number_of_windows(); }
 
-  /* A path to a vertex that was not reached is too long to go on from there, and as long as in space. */
+  /* A path to a vertex that was not reached is too long to continue, and at least the Euclidean distance. */
   double at_vertex(Vertex_index v) const
   {
     const auto& metric = m_triangulation.metric();
@@ -136,8 +139,8 @@ public:
   }
 
   /*
-   * The least bound of ways over the edge of a border halfedge h: from the source over faces on the other side, and on
-   * from the edge of another surface over which h lies, where bounds from the goal are known, in the same way.
+   * Returns a lower bound of the paths across the edge of a border halfedge h: from the source over faces on the other
+   * side, and on from the edge of another surface below h, where bounds from the goal are known in the same way.
    */
   template <class Surface, class Other>
   double beyond(const Surface& surface, Input_halfedge_index h, const Distance_bounds<Other>& other) const
@@ -160,7 +163,7 @@ public:
     return (std::min)(least, across - m_sweep.total_error());
   }
 
-  /* As that of the sweep. */
+  /* See the function of the propagation. */
   double through(Input_halfedge_index h, double length, const Cone& cone, double from, double to) const
   {
     return m_sweep.through(h, length, cone, from, to);
@@ -170,12 +173,12 @@ public:
   const Windows_by_halfedge& windows_inside() const { return m_windows_inside; }
 
 private:
-  // Many, since few cones on needles need them; more than so many on average cost as much as windows.
+  // Many, since few cones at needles require them; a larger average costs as much as windows.
   static constexpr int free_updates = 400;
   static constexpr std::size_t most_updates_per_side = 26;
 
-  // What meets on the edge of h between its ends. Paths to the goal on either side count: those on the one side may be
-  // dropped for shorter ones on the other. Paths that run along the edge pass an end.
+  // The bound for paths that meet on the edge of h between its ends. Paths to the goal on either side count: those on
+  // one side may have been dropped in favor of shorter ones on the other. Paths that run along the edge pass an end.
   template <class Other>
   double between_ends(Input_halfedge_index h, Input_halfedge_index below, double length,
                       const Distance_bounds<Other>& other) const
@@ -197,18 +200,18 @@ private:
   double m_bound;
   Unfolded_faces<Triangulation> m_faces;
   Cone_sweep<Triangulation> m_sweep;
-  std::unique_ptr<Window_search<Triangulation>> m_windows; // null if the sweep's bounds hold
-  double m_unknown_from = 0;                               // no path that the windows have not found is shorter
+  std::unique_ptr<Window_search<Triangulation>> m_windows; // null if the bounds of the propagation are valid
+  double m_unknown_from = 0;                               // lower bound of the paths that the windows have not found
   Windows_by_halfedge m_windows_on_border, m_windows_inside;
 };
 
 /*
- * The shortest paths from one vertex to another in several homotopy classes: shortest paths to the target's lifts in the
- * universal covering, of which a part is laid out.
+ * The shortest paths from one vertex to another in several homotopy classes: shortest paths to the target's lifts in
+ * the universal covering, of which a part is constructed.
  *
- * What leaves the part crosses its frontier. How long such a way is at least, up to there and on to the target, two
- * sweeps tell. The part is enlarged there, until that is more than the paths that are looked for can have: edge paths
- * that are pulled tight in the part say how long these are at most.
+ * Paths that leave the part cross its frontier. Two lower-bound propagations bound their lengths from below, up to the
+ * frontier and on to the target. The part is enlarged at the frontier until this bound exceeds the lengths of the
+ * requested paths: edge paths that are shortened in the part bound these from above.
  */
 template <class Triangulation>
 class Class_paths
@@ -222,7 +225,7 @@ class Class_paths
 public:
   using Place = typename Curve_forms<Covering>::All;
 
-  /* A path, in which class it is, and where it runs in the covering. */
+  /* A path, its class, and its course in the covering. */
   struct Path
   {
     Index lift;
@@ -230,11 +233,11 @@ public:
     std::vector<Place> places;
   };
 
-  /* A class that has no path among the shortest ones. */
+  /* A class without a path among the shortest ones. */
   struct Left_out
   {
     Index lift;
-    double length, lower_bound; // infinite if no path was looked for
+    double length, lower_bound; // infinite if no path was searched for
   };
 
   /* \throws as `Covering_search` */
@@ -249,8 +252,8 @@ public:
   {
   }
 
-  /* Finds the paths of `number` classes, if the covering's part needs no more lifts than `most_lifts`, and the searches
-   * in its parts no more windows than in proportion. If it is interrupted, there are no paths, and the bound is 0. */
+  /* Finds the paths of `number` classes, if the part of the covering requires no more lifts than `most_lifts` and the
+   * searches in it no more windows than in proportion. If it is interrupted, there are no paths, and the bound is 0. */
   void run(std::size_t number, std::size_t most_lifts)
   {
     find_all(number, most_lifts);
@@ -264,28 +267,28 @@ public:
   bool is_interrupted() const { return m_interruption.has_occurred(); }
 
   const Covering_search<Triangulation>& search() const { return m_search; }
-  /* By length. */
+  /* Returns the paths by length. */
   const std::vector<Path>& paths() const { return m_paths; }
   const std::vector<Left_out>& left_out() const { return m_left_out; }
-  /* No path is shorter that is of no class found. */
+  /* Returns a lower bound of the lengths of paths in classes that were not found. */
   double frontier_bound() const { return m_frontier_bound; }
 
-  /* What lies below a halfedge of the covering. */
+  /* Returns the halfedge of the mesh below a halfedge of the covering. */
   Input_halfedge_index below(Input_halfedge_index h) const { return m_surface->below(h); }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  // Few parts need more than a hundred windows for each lift in all; a lift takes about as much time as ten windows.
+  // Few parts require more than a hundred windows per lift in total; a lift takes about as much time as ten windows.
   static constexpr std::size_t least_windows = 1000000, windows_per_lift = 200;
   static constexpr std::size_t most_windows = (std::numeric_limits<std::size_t>::max)() / 2;
 
-  /* A geodesic of a class, which may be held by where the covering's part ended when it was found. */
+  /* A geodesic of a class, which may be obstructed by the frontier of the part in which it was found. */
   struct Geodesic
   {
     double length = infinity;
     bool is_held = true;
-    bool is_shortest = false;                   // of a part
-    std::size_t part = 0, part_of_shortest = 0; // in which it was found, from 1 on
+    bool is_shortest = false;                   // of its part
+    std::size_t part = 0, part_of_shortest = 0; // in which it was found, counted from 1
   };
 
   void find_all(std::size_t number, std::size_t most_lifts)
@@ -298,8 +301,8 @@ private:
     }
   }
 
-  // Lays out what has been searched, and finds the paths if that is enough; goes on with the search otherwise. Returns
-  // whether that was the last part, also if it is interrupted.
+  // Constructs the part that has been searched and finds the paths if it suffices; otherwise continues the search.
+  // Returns whether that was the last part, also if it is interrupted.
   bool try_part(std::size_t number, std::size_t most_lifts)
   {
     if(m_interruption.begin_part())
@@ -342,7 +345,7 @@ private:
     return true;
   }
 
-  // By a sweep if that does; sweeps fail in all parts or in none, mostly.
+  // By lower-bound propagation if possible, which usually fails in all parts or in none.
   template <class Bounds>
   void find_bounds(Bounds& bounds)
   {
@@ -355,7 +358,7 @@ private:
 
   void count_windows(std::size_t number) { m_windows_left -= (std::min)(m_windows_left, number); }
 
-  // What one of the searches may use: no more than without other classes.
+  // The limit for each search: the same as without other classes.
   Window_limit window_limit(const Covering& covering) const
   {
     return Window_limit(
@@ -370,7 +373,7 @@ private:
         m_is_on_frontier[m_surface->tail(h)] = 1;
   }
 
-  // Of all classes whose paths may be among those looked for, the ones with the least bounds first.
+  // Of all classes whose paths may be among the requested ones, those with the least bounds first.
   void find_short_geodesics(Covering& covering, Shortest_edge_path<Covering>& edge_paths,
                             const Distance_bounds<Covering>& bounds, std::size_t number)
   {
@@ -390,10 +393,10 @@ private:
     }
   }
 
-  // Is a lift of the target the start of all paths? Then the path of its class is a point.
+  // Returns whether a lift of the target is the start of all paths, in which case the path of its class is a point.
   bool is_source(Index lift) const { return m_surface->vertex(lift) == m_surface->vertex(0); }
 
-  // Pulls an edge path to a lift of the target tight, unless that has been done, and more of the covering is no help.
+  // Shortens an edge path to a lift of the target, unless that has been done and more of the covering cannot help.
   void find_geodesic(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift)
   {
     Geodesic& geodesic = m_geodesics[lift];
@@ -419,8 +422,8 @@ private:
     covering.rollback();
   }
 
-  // Finds the shortest path of the part if it is at most so long, unless that has been done; the geodesic may be far
-  // longer.
+  // Finds the shortest path of the part if its length is at most `longest`, unless that has been done; the geodesic may
+  // be much longer.
   void find_shortest(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift, double longest)
   {
     Geodesic& geodesic = m_geodesics[lift];
@@ -448,7 +451,7 @@ private:
     geodesic.part = m_part;
   }
 
-  // The longest of the paths of so many classes is no longer, or of all classes found if they are fewer.
+  // Returns the length of the longest among the paths of `number` classes, or of all classes found if there are fewer.
   double length_of_class(std::size_t number) const
   {
     std::vector<double> lengths;
@@ -459,7 +462,7 @@ private:
     return *last * (1 + class_bound_rounding);
   }
 
-  // Where ways leave the part that may be shorter than the longest of the paths.
+  // Finds where paths that may be shorter than the longest of the found ones leave the part.
   std::vector<Open_lift> find_frontier(const Distance_bounds<Covering>& bounds, double bound, double longest)
   {
     std::vector<Open_lift> open;
@@ -532,7 +535,7 @@ private:
     covering.rollback();
   }
 
-  // Is a path held by where the covering's part ends?
+  // Returns whether a path is obstructed by the frontier.
   bool touches_frontier(const Network& network) const
   {
     bool result = false;
@@ -561,7 +564,7 @@ private:
   Covering_search<Triangulation> m_search;
   std::size_t m_windows_left = 0;
   bool m_do_sweeps_fail = false;
-  std::size_t m_part = 0; // how many parts have been laid out
+  std::size_t m_part = 0; // the number of parts constructed so far
   std::unique_ptr<Surface> m_surface;
   std::unique_ptr<Distance_bounds<Triangulation>> m_to_target;
   std::map<Index, Geodesic> m_geodesics;                        // by lift of the target

@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A lift from which a search goes on: no path from the source to it is shorter, nor one to the target by way of it. */
+/* A lift from which a search continues, with lower bounds of the paths from the source to it, and of those to the
+ * target by way of it. */
 struct Open_lift
 {
   Index lift;
@@ -34,24 +35,24 @@ struct Open_lift
 };
 
 /*
- * Shortest edge paths from one vertex to another in homotopy classes, the shortest first: a search in the universal
- * covering of the surface, whose vertices are the classes of paths from the source to each vertex, *lifts* of the vertex.
- * They are made when they are reached.
+ * Shortest edge paths from one vertex to another in homotopy classes, in order of length: a search in the universal
+ * covering of the surface, whose vertices are the *lifts* of each vertex, that is, the classes of paths from the source
+ * to it. They are created when they are reached.
  *
- * A lift is settled in the order of the least length that an edge path to the target by way of it can have. The way on is
- * not shorter than a shortest one of any class, so that the search is directed, and never reaches a lift on a shorter
- * path once it is settled.
+ * Lifts are settled in the order of a lower bound of the edge paths to the target by way of them. The remaining path is
+ * not shorter than a shortest one of any class, so that the search is directed and never reaches a settled lift on a
+ * shorter path.
  *
- * Then the search goes on where shorter paths than those may pass that do not follow edges. On a rough mesh, edge paths
- * are several times as long as these, and there are far more classes of edge paths up to that length than are needed.
+ * Afterwards the search continues where paths that do not follow edges and are shorter than these may pass. On a rough
+ * mesh, edge paths are several times as long, and there are far more classes of edge paths up to that length than
+ * required.
  */
 template <class Triangulation>
 class Covering_search
 {
 public:
-  /* \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_mesh_error,
-   * Invalid_coordinate_error, Interrupted. And `run_to_targets()` Degenerate_face_error, where it meets an edge of
-   * length zero. */
+  /* \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_mesh_error, Invalid_coordinate_error,
+   * Interrupted. `run_to_targets()` also throws Degenerate_face_error if it encounters an edge of length zero. */
   Covering_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target,
                   Interruption& interruption)
     : m_triangulation(triangulation)
@@ -67,7 +68,7 @@ public:
     m_queue.push(m_forest.distance(source), Vertex_index(0));
   }
 
-  /* Goes on until so many lifts of the target are settled, or there are more than `most_lifts` of all, or it is
+  /* Continues until `number` lifts of the target are settled, there are more than `most_lifts` in total, or it is
    * interrupted. */
   void run_to_targets(std::size_t number, std::size_t most_lifts)
   {
@@ -77,11 +78,11 @@ public:
   }
 
   /*
-   * Goes on from lifts that are not settled, those first by way of which paths to the target seem shortest: as far as
-   * they are no longer than `bound`. Half as many lifts more are settled at least, so that few such calls are needed.
-   * No more than as many again are, since a larger part may tell of shorter paths, and of a smaller bound.
+   * Continues from unsettled lifts, beginning with those by way of which paths to the target seem shortest, as long as
+   * these are not longer than `bound`. At least half as many additional lifts are settled, so that few such calls are
+   * necessary; at most as many again, since a larger part may reveal shorter paths and thus a smaller bound.
    *
-   * \param to_target no path from a vertex to the target is shorter
+   * \param to_target lower bound of the length of a path from a vertex to the target
    */
   template <class LowerBound>
   void run_from(const std::vector<Open_lift>& starts, const LowerBound& to_target, double bound, std::size_t most_lifts)
@@ -115,7 +116,7 @@ public:
     }
   }
 
-  /* Makes the paths shortest ones of those among settled lifts, also where these were not settled in their order. */
+  /* Makes the paths shortest ones among settled lifts, even if these were not settled in order. */
   void shorten_paths()
   {
     m_queue.clear();
@@ -126,20 +127,21 @@ public:
       shorten_paths_over(m_queue.pop().idx());
   }
 
-  /* Has the whole covering been searched? */
+  /* Returns whether the whole covering has been searched. */
   bool is_exhausted() const { return m_number_of_settled == m_lifts.size(); }
 
   std::size_t number_of_lifts() const { return m_lifts.size(); }
-  /* The settled lifts of the target; those of `run_to_targets()` by distance, and first. The source is lift 0. */
+  /* Returns the settled lifts of the target, those of `run_to_targets()` first and by distance. The source is lift
+   * 0. */
   const std::vector<Index>& targets() const { return m_targets; }
 
   Vertex_index vertex(Index lift) const { return at(lift).vertex; }
   double distance(Index lift) const { return at(lift).distance; }
   bool is_settled(Index lift) const { return at(lift).neighbors != none; }
-  /* Where halfedge `i` leads that starts at a settled lift's vertex, from `outgoing()` on clockwise. */
+  /* Returns the lift to which halfedge `i` leads, counted clockwise from `outgoing()` at a settled lift's vertex. */
   Index neighbor(Index lift, std::size_t i) const { return m_neighbors[at(lift).neighbors + i]; }
 
-  /* The shortest edge path to a lift. */
+  /* Returns the shortest edge path to a lift. */
   std::vector<Input_halfedge_index> path(Index lift) const
   {
     std::vector<Input_halfedge_index> result;
@@ -155,12 +157,12 @@ private:
   struct Lift
   {
     Vertex_index vertex;
-    Index older; // the one of the same vertex, and key, that was made before, -1 if there is none
+    Index older; // the one created before with the same vertex and key, -1 if there is none
     Path_words::Word word;
     double distance = std::numeric_limits<double>::infinity();
-    Index previous = -1; // on the shortest path, and the edge from there
+    Index previous = -1; // on the shortest path, with the edge from there
     Input_halfedge_index incoming = null_index;
-    std::size_t neighbors = none; // where they begin, once it is settled
+    std::size_t neighbors = none; // the position of the first one, once it is settled
   };
 
   struct Key
@@ -241,7 +243,7 @@ private:
     return {std::move(words), relation};
   }
 
-  // The lift of a vertex to which a path leads that spells a word.
+  // The lift of a vertex to which a path with the given word leads.
   std::size_t lift(Vertex_index v, Path_words::Word word)
   {
     const auto [place, is_new] = m_newest.emplace(Key{v, m_words.key(word)}, -1);
@@ -256,7 +258,7 @@ private:
   void settle_next()
   {
     const Index l = m_queue.pop().idx();
-    if(!is_settled(l)) // else it was put forward since
+    if(!is_settled(l)) // otherwise it has been moved forward
       settle(l);
   }
 
@@ -272,7 +274,7 @@ private:
     do {
       const std::size_t to = lift(input().tail(twin_index(h)), m_words.continued(from.word, h));
       m_neighbors.push_back(static_cast<Index>(to));
-      // No edge of length zero: there would be no end of classes.
+      // Edges of length zero are not allowed: they would lead to infinitely many classes.
       const double distance = from.distance + m_triangulation.metric().length(input(), h);
       if(distance < m_lifts[to].distance && m_lifts[to].neighbors == none) {
         m_lifts[to].distance = distance;
@@ -291,7 +293,7 @@ private:
   Path_words m_words;
   std::vector<Lift> m_lifts;
   std::size_t m_number_of_settled = 0;
-  std::unordered_map<Key, Index, Hash> m_newest; // lift of a vertex, of those that spell words with one key
+  std::unordered_map<Key, Index, Hash> m_newest; // lift of a vertex, among those whose words have one key
   std::vector<Index> m_neighbors;
   std::vector<Index> m_targets;
   Vertex_queue m_queue; // of lifts

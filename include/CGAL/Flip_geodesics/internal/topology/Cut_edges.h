@@ -15,9 +15,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The edges along which each component of a surface is cut to be a disk: those of a tree of shortest paths and those
- * that no cotree crosses, less what leads to nowhere. The border is a cut already. Ways along it count nothing, and its
- * edges are left out in the end. A sphere is cut along the longest of its shortest paths.
+ * The edges along which each component of a surface is cut to become a disk: those of a tree of shortest paths and
+ * those that the cotree does not cross, without dead ends. The border counts as cut. Paths along it have length zero,
+ * and its edges are removed in the end. A sphere is cut along the longest of its shortest paths.
  */
 template <class Triangulation>
 class Cut_edges
@@ -53,7 +53,7 @@ private:
 
   bool is_border_edge(Input_halfedge_index h) const { return input().is_border(h) || input().is_border(twin_index(h)); }
 
-  // The given base points, and a vertex of the border in each other component that has one.
+  // The given base points, and a border vertex in each other component with a border.
   template <class VertexRange>
   std::vector<Vertex_index> with_roots_on_borders(const Edge_forest& components, const VertexRange& base_points) const
   {
@@ -78,7 +78,7 @@ private:
       m_marks[edge_of(as_intrinsic(loop.halfedge))] = 1;
   }
 
-  // Takes edges away that end at a vertex where no other does, and then those of the border.
+  // Repeatedly removes edges with an end at which no other edge ends, and then the border edges.
   void prune()
   {
     Indexed_by<Vertex_index, std::vector<Index>> degree(m_is_on_border.size(), 0);

@@ -25,8 +25,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Throws Invalid_mesh_error unless all faces are triangles, each edge is in one, and no vertex is passed by the border
- * twice: sheets that hang together in a vertex are no surface, and loops through it have no class.
+ * Throws Invalid_mesh_error unless all faces are triangles, each edge belongs to a face, and the border passes each
+ * vertex at most once: umbrellas that are connected at a vertex only do not form a surface, and loops through it have
+ * no class.
  */
 template <class Input_mesh>
 void check_surface(const Input_mesh& input)
@@ -46,8 +47,8 @@ void check_surface(const Input_mesh& input)
   }
 }
 
-/* Calls `use(border)` for each border, as a chain of halfedges with the surface on the left, that of its smallest edge
- * first. */
+/* Calls `use(border)` for each border, a chain of halfedges with the surface on the left, in the order of their
+ * smallest edges. */
 template <class Input_mesh, class Use>
 void for_each_border(const Input_mesh& input, const Use& use)
 {
@@ -66,7 +67,7 @@ void for_each_border(const Input_mesh& input, const Use& use)
   }
 }
 
-/* How many halfedges two chains have in common at first. */
+/* Returns the length of the common start of two chains. */
 inline std::size_t common_start(const std::vector<Halfedge_index>& a, const std::vector<Halfedge_index>& b)
 {
   std::size_t common = 0;
@@ -75,7 +76,7 @@ inline std::size_t common_start(const std::vector<Halfedge_index>& a, const std:
   return common;
 }
 
-/* Two chains between the same vertices from a position on, the second one backwards. */
+/* Concatenates two chains between the same vertices from a position on, the second one reversed. */
 inline std::vector<Halfedge_index> closed_chain(const std::vector<Halfedge_index>& out,
                                                 const std::vector<Halfedge_index>& back, std::size_t first)
 {
@@ -86,19 +87,19 @@ inline std::vector<Halfedge_index> closed_chain(const std::vector<Halfedge_index
 }
 
 /*
- * Shortest paths along the edges of the input from one base point in each component to all its vertices: a tree for each
- * component. `weight(h)` is the length of a halfedge. Of equally long ways, that which was found first stays.
+ * Shortest paths along the edges of the input from one base point in each component to all its vertices: one tree per
+ * component. `weight(h)` is the length of a halfedge. Of equally long paths, the first one found is kept.
  *
- * Where `is_joined(h)` holds, the ends of an edge count as one place: whoever comes to one goes on to the other at once.
- * So a tree has as many of these edges as it can.
+ * If `is_joined(h)`, the ends of an edge count as coincident: a path that reaches one immediately continues to the
+ * other. A tree therefore contains as many of these edges as possible.
  */
 class Edge_forest
 {
 public:
-  /* The path to the tail of an edge and over it, and the path to its other end. */
+  /* The path to the tail of an edge and over the edge, and the path to its other end. */
   using Legs = std::pair<std::vector<Halfedge_index>, std::vector<Halfedge_index>>;
 
-  /* None. */
+  /* An empty forest. */
   Edge_forest() = default;
 
   /* Grows a tree from each base point, and from the first vertex of each other component. \throws Interrupted */
@@ -123,7 +124,7 @@ public:
       throw Invalid_mesh_error("sheets of the surface meet in a vertex only");
   }
 
-  /* The same with no edges joined. */
+  /* Grows the trees without joined edges. */
   template <class Input_mesh, class VertexRange, class Weight>
   Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight,
               Interruption* interruption = nullptr)
@@ -132,23 +133,23 @@ public:
   {
   }
 
-  /* The base point of each component. */
+  /* Returns the base point of each component. */
   const std::vector<Vertex_index>& roots() const { return m_roots; }
-  /* The component of a vertex, -1 if it is isolated. */
+  /* Returns the component of a vertex, -1 if it is isolated. */
   Index component(Vertex_index v) const { return m_component[v]; }
-  /* The length of the path to a vertex. */
+  /* Returns the length of the path to a vertex. */
   double distance(Vertex_index v) const { return m_distance[v]; }
-  /* The last halfedge of the path to a vertex, `null_index` at a base point. */
+  /* Returns the last halfedge of the path to a vertex, `null_index` at a base point. */
   Input_halfedge_index incoming(Vertex_index v) const { return m_incoming[v]; }
 
-  /* Is an edge on a path? */
+  /* Returns whether an edge is on a path. */
   template <class Input_mesh>
   bool contains(const Input_mesh& input, Input_halfedge_index h) const
   {
     return m_incoming[input.tail(h)] == twin_index(h) || m_incoming[input.tail(twin_index(h))] == h;
   }
 
-  /* The path from the base point to a vertex. */
+  /* Returns the path from the base point to a vertex. */
   template <class Input_mesh>
   std::vector<Halfedge_index> path(const Input_mesh& input, Vertex_index v) const
   {
@@ -159,7 +160,7 @@ public:
     return result;
   }
 
-  /* The path to an edge, over it, and the path back to the base point. */
+  /* Returns the path to an edge, over it, and the path back to the base point. */
   template <class Input_mesh>
   std::vector<Halfedge_index> loop(const Input_mesh& input, Input_halfedge_index h) const
   {
@@ -167,7 +168,7 @@ public:
     return closed_chain(out, back, 0);
   }
 
-  /* The same without what it goes out and back. */
+  /* Returns that loop without the common part of its two paths. */
   template <class Input_mesh>
   std::vector<Halfedge_index> cycle(const Input_mesh& input, Input_halfedge_index h) const
   {
@@ -176,7 +177,7 @@ public:
   }
 
 private:
-  // Vertices with a negative key come out at once, the last one first.
+  // Vertices with a negative key are removed immediately, the last one first.
   class Queue : public Vertex_queue
   {
   public:
@@ -228,7 +229,7 @@ private:
     {
     }
 
-    /* Of all searches: the halfedges that start at settled vertices. */
+    /* Returns the number of halfedges that start at settled vertices, in all searches. */
     std::size_t number_of_steps() const { return m_number_of_steps; }
 
     /* \throws Interrupted */
@@ -256,7 +257,7 @@ private:
       return {Base::step(origin, h, w).distance, false};
     }
 
-    /* Checks the length of an edge of which both ends are known, too. */
+    /* Also checks the length of an edge with two known ends. */
     void meet(const Origin& origin, Input_halfedge_index h, Vertex_index w) const { this->length(origin, h, w); }
 
     template <class Label>
@@ -309,9 +310,9 @@ private:
 };
 
 /*
- * Searches for loops along edges through a vertex, its root. A shortest one of a kind consists of a shortest path, an
+ * Searches for loops along edges through a vertex, the root. A shortest loop of a kind consists of a shortest path, an
  * edge and a shortest path back [Erickson, Har-Peled 2004]. Both ends of the edge are nearer than half of its length,
- * so that a search ends at half of the best length so far. The class of a path is kept at its end; the classes of the
+ * so that a search ends at half of the best length found. The class of a path is stored at its end; the classes of the
  * two paths and of the edge determine that of the loop.
  */
 template <class Triangulation, class PathClass>
@@ -330,8 +331,8 @@ public:
   }
 
   /*
-   * The policy of a search, from which those for loops of some kind are derived. They provide the class of a path that
-   * goes on over a halfedge, `extended(path, h)`, and `meet()`, which looks at the loop that an edge closes.
+   * The policy of a search, from which those for loops of some kind are derived. These provide the class of a path that
+   * continues over a halfedge, `extended(path, h)`, and `meet()`, which examines the loop closed by an edge.
    */
   template <class Derived>
   class Policy : public Input_edge_policy<Input_mesh, Metric_weight<Triangulation>>
@@ -359,7 +360,7 @@ public:
 
     const PathClass& class_of_path(Vertex_index v) const { return m_loops.m_classes[v]; }
 
-    /* The length of the loop that a halfedge to a settled vertex closes. */
+    /* Returns the length of the loop closed by a halfedge to a settled vertex. */
     double length_of_loop(const typename Base::Origin& origin, Input_halfedge_index h, Vertex_index w) const
     {
       return this->step(origin, h, w).distance + m_loops.m_search[w].distance;
@@ -369,7 +370,7 @@ public:
     Loop_search& m_loops;
   };
 
-  /* Searches from a vertex, whose path has a class. \throws Interrupted, Invalid_coordinate_error */
+  /* Searches from a vertex, whose path has a given class. \throws Interrupted, Invalid_coordinate_error */
   template <class SearchPolicy>
   void run(Vertex_index root, const PathClass& of_root, SearchPolicy& policy)
   {
@@ -379,7 +380,7 @@ public:
     m_search.run(policy);
   }
 
-  /* The path to the tail of a halfedge and over it, and the path to its head, of the last search. */
+  /* Returns the path of the last search to the tail of a halfedge and over it, and the path to its head. */
   Edge_forest::Legs legs(Input_halfedge_index h) const
   {
     Edge_forest::Legs result = {path(input().tail(h)), path(input().tail(twin_index(h)))};
@@ -399,10 +400,10 @@ private:
   const Triangulation& m_triangulation;
   Interruption* m_interruption;
   Label_setting_search<Search_labels<Input_halfedge_index>> m_search;
-  Indexed_by<Vertex_index, std::vector<PathClass>> m_classes; // of the paths to vertices that are reached
+  Indexed_by<Vertex_index, std::vector<PathClass>> m_classes; // of the paths to reached vertices
 };
 
-/* Sets of indices, which begin as sets of one. */
+/* Sets of indices, initially singletons. */
 using Disjoint_sets = boost::disjoint_sets_with_storage<>;
 
 inline bool are_united(Disjoint_sets& sets, Index a, Index b)
@@ -410,7 +411,7 @@ inline bool are_united(Disjoint_sets& sets, Index a, Index b)
   return sets.find_set(static_cast<std::size_t>(a)) == sets.find_set(static_cast<std::size_t>(b));
 }
 
-/* Unites the sets of two indices; returns whether they were different. */
+/* Unites the sets of two indices; returns whether they were distinct. */
 inline bool unite(Disjoint_sets& sets, Index a, Index b)
 {
   if(are_united(sets, a, b))
@@ -419,27 +420,27 @@ inline bool unite(Disjoint_sets& sets, Index a, Index b)
   return true;
 }
 
-/* What is done with the borders of the surface. */
+/* The treatment of the borders of the surface. */
 enum class Borders {
-  CLOSED_BY_ONE_FACE, // all borders of a component belong to one more face, outside: loops are to be told apart
-  LEFT_OPEN           // edges of the border are not crossed: the surface is to be cut open
+  CLOSED_BY_ONE_FACE, // one additional face is bounded by all borders of a component: for classifying loops
+  LEFT_OPEN           // edges of the border are not crossed: for cutting the surface open
 };
 
 /*
- * A spanning tree of the faces of each component, over edges that are not on the paths of a forest: that which leaves
- * the shortest loops [Erickson, Whittlesey 2005]. The loop of an edge is the path to its one end, the edge, and the path
- * back from its other end. The edges that are neither in the forest nor crossed by the cotree are the *generators*, and
- * their loops a shortest basis.
+ * A spanning tree of the faces of each component, over edges not on the paths of a forest, which leaves the shortest
+ * loops [Erickson, Whittlesey 2005]. The loop of an edge is the path to one end, the edge, and the path back from the
+ * other end. The edges that are neither in the forest nor crossed by the cotree are the *generators*, and their loops
+ * form a shortest basis.
  *
- *         v        w          path - v - w - path back is the loop of edge vw
- *          \_____ /
- *          /     \.
- *         root of the forest
+ *        v        w          path - v - w - path back is the loop of edge vw
+ *         \_____ /
+ *         /     \.
+ *        root of the forest
  */
 class Cotree
 {
 public:
-  /* None. */
+  /* An empty cotree. */
   Cotree() = default;
 
   /* \throws Interrupted */
@@ -468,7 +469,7 @@ public:
   {
     Index component;
     double length;
-    Input_halfedge_index halfedge; // the first of the edge
+    Input_halfedge_index halfedge; // the first halfedge of the edge
 
     friend bool operator<(const Loop& a, const Loop& b)
     {
@@ -476,16 +477,16 @@ public:
     }
   };
 
-  /* The loops of the basis, by component, and the shortest first. */
+  /* Returns the loops of the basis, by component, and in order of length. */
   const std::vector<Loop>& generators() const { return m_generators; }
-  /* Does the cotree cross the edge of a halfedge? */
+  /* Returns whether the cotree crosses the edge of a halfedge. */
   bool is_crossed(Input_halfedge_index h) const { return m_is_crossed[static_cast<std::size_t>(h.idx() / 2)] != 0; }
 
 private:
   template <class Input_mesh>
   void number_faces(const Input_mesh& input, const Edge_forest& forest)
   {
-    m_number_of_faces = static_cast<Index>(forest.roots().size()); // those outside
+    m_number_of_faces = static_cast<Index>(forest.roots().size()); // the outer faces
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
       if(input.is_border(h))
         m_face[h] = forest.component(input.tail(h));
@@ -494,7 +495,7 @@ private:
     }
   }
 
-  // The longest loops first: their edges are crossed wherever they can be.
+  // The longest loops come first: their edges are crossed whenever possible.
   template <class Input_mesh>
   void span(const Input_mesh& input, Borders borders, std::vector<Loop> loops, Interruption* interruption)
   {
@@ -513,7 +514,7 @@ private:
   }
 
   std::vector<char> m_is_crossed;                              // by edge
-  Indexed_by<Input_halfedge_index, std::vector<Index>> m_face; // left of a halfedge
+  Indexed_by<Input_halfedge_index, std::vector<Index>> m_face; // on the left of a halfedge
   Index m_number_of_faces = 0;
   std::vector<Loop> m_generators;
 };

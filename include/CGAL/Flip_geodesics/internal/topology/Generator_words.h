@@ -16,27 +16,27 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Generator i is the letter 2i, its inverse 2i + 1. */
+/* Generator i is the letter 2i, its inverse is 2i + 1. */
 using Letter = Index;
 inline Letter inverse_letter(Letter letter) { return letter ^ 1; }
 
 /*
- * The edges of the input as words in the generators of a cotree: what a loop spells is its class in the fundamental
- * group. Edges of the forest spell nothing. All else follows from the faces, each of which spells nothing as a whole.
+ * The words of the input edges in the generators of a cotree: the word of a loop is its class in the fundamental group.
+ * Edges of the forest have the empty word. The other words follow from the faces, whose boundary words are trivial.
  *
- * One walk around the cotree, counterclockwise in each face, passes each side of the generators once. An edge that the
- * cotree crosses spells what is written of the walk beyond it: so all words are parts of one string.
+ * One walk around the cotree, counterclockwise in each face, passes each side of the generators once. The word of an
+ * edge that the cotree crosses is the part of the walk beyond it, so that all words are substrings of one string.
  *
- *      |   beyond   |
- *      |____________|      the edge from left to right as seen from the face below: g, as a side of that face
- *        g  face        ->  word(g) = letters passed in the part of the cotree beyond g
+ *     |   beyond   |
+ *     |____________|      the edge from left to right as seen from the face below: g, as a side of that face
+ *       g  face        ->  word(g) = letters passed in the part of the cotree beyond g
  *
- * The walk around all faces of a closed component spells the relation of its fundamental group, which has one.
+ * The walk around all faces of a closed component is the relation of its fundamental group, which has only one.
  */
 class Generator_words
 {
 public:
-  /* None. */
+  /* No words. */
   Generator_words() = default;
 
   /* \throws Interrupted */
@@ -69,7 +69,7 @@ public:
     }
   }
 
-  /* Calls `use(letter)` for each letter of what a halfedge spells. */
+  /* Calls `use(letter)` for each letter of a halfedge's word. */
   template <class Use>
   void for_each_letter(Input_halfedge_index h, const Use& use) const
   {
@@ -82,7 +82,7 @@ public:
         use(inverse_letter(m_letters[static_cast<std::size_t>(i)]));
   }
 
-  /* What the border of a closed component spells when it is cut open, nothing of other components. */
+  /* Returns the boundary word of a closed component that is cut open; empty for other components. */
   std::vector<Letter> relation(Index component) const
   {
     const Part& part = m_relations[static_cast<std::size_t>(component)];
@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  // A part of the walk, as which the first or the second side of an edge is spelled.
+  // The part of the walk that is the word of the first or the second side of an edge.
   struct Part
   {
     Index begin = 0, end = 0;
@@ -100,10 +100,10 @@ private:
   // A face on the walk.
   struct Visit
   {
-    Input_halfedge_index entry; // the side by which it was entered, if it was
-    Input_halfedge_index side;  // the next one to be passed
+    Input_halfedge_index entry; // the side by which it was entered, if any
+    Input_halfedge_index side;  // the next side to be passed
     int sides_left;
-    Index begin; // of what is spelled from here on
+    Index begin; // of its part of the walk
   };
 
   template <class Input_mesh>
@@ -146,19 +146,19 @@ private:
 };
 
 /*
- * The fundamental group of a component: free if there is no relation, and so where the surface has a border.
+ * The fundamental group of a component, which is free if there is no relation and hence if the surface has a border.
  *
- * Of a closed surface of genus g, the relation has 4g letters, each generator and each inverse once. The graph of the
- * generators' loops has one vertex, at which all 4g ends meet in one cycle. So no two letters stand side by side in two
- * places of the relation and its inverse: what is common to two places is a single letter, 1/4g of the relation. From
- * genus 2 on that is below 1/6, and Dehn's algorithm decides: whatever spells the neutral element, and is not empty,
- * has inverse letters side by side or more than half of the relation in a row, which the other half can replace
- * [Lyndon, Schupp 1977, Theorem V.4.4]. The group of the torus is that of pairs of integers.
+ * On a closed surface of genus g, the relation has 4g letters, each generator and each inverse once. The graph of the
+ * generators' loops has one vertex, at which all 4g ends meet in one cycle. No two adjacent letters therefore occur
+ * twice in the relation and its inverse: common parts consist of a single letter, 1/4g of the relation. From genus 2 on
+ * that is below 1/6, and Dehn's algorithm applies: each nonempty word for the neutral element has adjacent inverse
+ * letters or more than half of the relation as a subword, which the other half can replace [Lyndon, Schupp 1977,
+ * Theorem V.4.4]. The group of the torus is that of pairs of integers.
  */
 class Surface_group
 {
 public:
-  /* \pre empty, or a relation as above */
+  /* \pre the relation is empty, or as described above */
   explicit Surface_group(const std::vector<Letter>& relation)
     : m_size(relation.size())
   {
@@ -169,7 +169,7 @@ public:
     }
   }
 
-  /* Does a word spell the neutral element? Linear in the word and the genus. */
+  /* Returns whether a word represents the neutral element. Linear in the length of the word and the genus. */
   bool is_neutral(std::vector<Letter> word) const
   {
     if(m_size == 4)
@@ -193,7 +193,7 @@ public:
     return read.empty();
   }
 
-  /* Does each generator stand in a word as often as its inverse? */
+  /* Returns whether each generator occurs in a word as often as its inverse. */
   static bool is_balanced(std::vector<Letter> word)
   {
     std::sort(word.begin(), word.end());
@@ -208,7 +208,7 @@ public:
   }
 
 private:
-  // A letter, and how many up to it stand in a row in the relation, and in its inverse.
+  // A letter, and the lengths of the subwords of the relation and of its inverse that end at it.
   struct Read_letter
   {
     Letter letter;
@@ -230,7 +230,7 @@ private:
     return result;
   }
 
-  // Takes a row of more than half of the relation back, and puts the inverse of its other letters to be read.
+  // Removes a subword of more than half of the relation, and puts the inverse of its other letters back to be read.
   void replace_end(std::vector<Read_letter>& read, std::vector<Letter>& unread, bool is_inverse) const
   {
     Letter letter = read.back().letter;
@@ -238,7 +238,7 @@ private:
     read.resize(read.size() - size);
     for(std::size_t i = size; i < m_size; ++i) {
       letter = following(letter, is_inverse);
-      unread.push_back(inverse_letter(letter)); // what was pushed last is read first
+      unread.push_back(inverse_letter(letter)); // the last one pushed is read first
     }
   }
 

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A point of a face: the mean of its corners with weights whose sum is `whole`. */
+/* A point of a face: the weighted mean of its corners; `whole` is the sum of the weights. */
 struct Weighted_place
 {
   static constexpr int whole = 64;
@@ -39,8 +39,8 @@ struct Weighted_place
 };
 
 /*
- * Signs of determinants of vectors between places of a mesh in space, exactly: in double with a bound of the error, and
- * with integers where that does not decide.
+ * Exact signs of determinants of vectors between points of a mesh in space: in doubles with an error bound, and in
+ * integers after a filter failure.
  */
 class Places_in_space
 {
@@ -48,7 +48,7 @@ public:
   using Coordinates = std::array<double, 3>;
   using Direction = std::array<std::int64_t, 3>; // of numbers below 2^21
 
-  /* `place(v)` gives the coordinates of each of `n` vertices, which are finite. */
+  /* `place(v)` must return the finite coordinates of each of `n` vertices. */
   template <class Place>
   Places_in_space(Index n, const Place& place)
   {
@@ -66,7 +66,7 @@ public:
     }
   }
 
-  /* From the first vertex to a place, rounded. */
+  /* Returns the rounded vector from the first vertex to a point. */
   Coordinates close_by(const Weighted_place& p) const
   {
     Coordinates result = {0, 0, 0};
@@ -79,10 +79,10 @@ public:
     return result;
   }
 
-  /* More than what coordinates of `close_by()` are off. */
+  /* Returns a bound of the error of `close_by()`. */
   double rounding() const { return weighted_place_error * m_size; }
 
-  /* Is c on the left of the line from a to b, as seen against a direction? */
+  /* Returns whether c is on the left of the line from a to b, as seen against a direction. */
   Sign side(const Weighted_place& a, const Weighted_place& b, const Weighted_place& c, const Direction& direction) const
   {
     const Coordinates along = {double(direction[0]), double(direction[1]), double(direction[2])};
@@ -93,7 +93,7 @@ public:
                                Exact_vector{Integer(direction[0]), Integer(direction[1]), Integer(direction[2])}));
   }
 
-  /* The sign of the determinant of ab, cd and ef. */
+  /* Returns the sign of the determinant of ab, cd and ef. */
   Sign orientation(const std::array<Weighted_place, 6>& p) const
   {
     const Sign sign = sign_of_determinant(vector(p[0], p[1]), vector(p[2], p[3]), vector(p[4], p[5]));
@@ -102,15 +102,15 @@ public:
     return sign_of(determinant(exact_vector(p[0], p[1]), exact_vector(p[2], p[3]), exact_vector(p[4], p[5])));
   }
 
-  /* Six times the volume of the tetrahedron of three places and the first vertex, rounded, and more than what it is off.
-   */
+  /* Returns six times the volume of the tetrahedron of three points and the first vertex, rounded, and a bound of its
+   * error. */
   std::array<double, 2> volume(const std::array<Weighted_place, 3>& p) const
   {
     const Coordinates a = close_by(p[0]), b = close_by(p[1]), c = close_by(p[2]);
     return {determinant(a, b, c), error(a, b, c)};
   }
 
-  /* The same exactly, in a unit that is the same for all. */
+  /* Returns that volume exactly, in a unit common to all. */
   Integer exact_volume(const std::array<Weighted_place, 3>& p) const
   {
     const Weighted_place first = Weighted_place::at_vertex(Vertex_index(0));
@@ -131,7 +131,7 @@ private:
 
   static double largest(const Coordinates& v) { return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
-  // More than what a determinant is off: six products, of entries that are off by twice the rounding.
+  // A bound of the error of a determinant: six products, of entries with errors of twice the rounding.
   double error(const Coordinates& u, const Coordinates& v, const Coordinates& w) const
   {
     const double a = largest(u), b = largest(v), c = largest(w), off = 2.1 * rounding();
@@ -139,7 +139,7 @@ private:
            underflow_of_small_products;
   }
 
-  // ZERO if that cannot be told.
+  // ZERO if the sign is uncertain.
   Sign sign_of_determinant(const Coordinates& u, const Coordinates& v, const Coordinates& w) const
   {
     const double value = determinant(u, v, w);
@@ -179,12 +179,12 @@ private:
   }
 
   Indexed_by<Vertex_index, std::vector<Coordinates>> m_points;
-  std::vector<double> m_near; // three for each vertex, from the first
+  std::vector<double> m_near; // three for each vertex, relative to the first
   double m_size = 0;
   int m_least_exponent = 2000;
 };
 
-/* Numbers that look random, the same in each run [Steele, Lea, Flood 2014]. */
+/* Pseudorandom numbers, the same in each run [Steele, Lea, Flood 2014]. */
 inline std::uint64_t scrambled(std::uint64_t n)
 {
   n += 0x9e3779b97f4a7c15;
@@ -193,7 +193,7 @@ inline std::uint64_t scrambled(std::uint64_t n)
   return n ^ (n >> 31);
 }
 
-/* The cotree of a closed surface as a tree of faces below a root in each component. */
+/* The cotree of a closed surface as a rooted tree of faces in each component. */
 template <class Input_mesh>
 class Rooted_cotree
 {
@@ -208,14 +208,14 @@ public:
         grow(cotree, face(h));
   }
 
-  /* The smallest halfedge of the face on the left. */
+  /* Returns the smallest halfedge of the face on the left. */
   Input_halfedge_index face(Input_halfedge_index h) const
   {
     return (std::min)({h, m_input.next(h), m_input.previous(h)});
   }
 
-  /* Calls `pass(side, is_left)` on the way from the face on the left of h to the one on its right: for each side of a
-   * face that leads up, on the way to the left of where the two meet or to the right of it. */
+  /* Calls `pass(side, is_left)` along the path from the face on the left of h to the one on its right: for each side of
+   * a face that leads up, to the left or to the right of where the two paths to the root meet. */
   template <class Pass>
   void for_each_side_between(Input_halfedge_index h, const Pass& pass) const
   {
@@ -248,30 +248,32 @@ private:
   }
 
   const Input_mesh& m_input;
-  Indexed_by<Input_halfedge_index, std::vector<Input_halfedge_index>> m_up; // by face: the side that leads to the root
+  Indexed_by<Input_halfedge_index, std::vector<Input_halfedge_index>> m_up; // by face: the side towards the root
   Indexed_by<Input_halfedge_index, std::vector<Index>> m_depth;             // by face
 };
 
 /*
- * Which loops of a closed surface in space bound something outside of it, and which inside, by linking numbers.
+ * Determines by linking numbers which loops of a closed surface in space bound something outside of it, and which
+ * inside.
  *
- * The loops of the generators run along edges. Each has a dual loop: over the edge of its generator, from right to left,
- * and back by the cotree. It meets the first loop there, once, and no other one. So two loops are apart, but for that
- * one point, and the linking number of the loop of generator i and dual loop j pushed off the surface is counted by
- * crossings in a projection, with the sign of each:
+ * The loops of the generators run along edges. Each has a dual loop: across the edge of its generator, from right to
+ * left, and back by the cotree. It meets the first loop there, once, and no other one. Two loops are therefore disjoint
+ * except for that point, and the linking number of the loop of generator i and dual loop j pushed off the surface is
+ * the sum of the signs of the crossings in a projection:
  *
  *          t |               edge pq of a loop passes over piece st of a dual loop: +1 if that runs to the left,
  *     p -----|----> q        0 if it passes under it
  *          s |
  *
- * Where the two meet, the dual loop is pushed towards the viewer, and so counts nothing there. That is outwards where the
- * surface faces the viewer, and elsewhere the number of the loop pushed outwards is one less. With N the numbers of loops
- * pushed outwards, those pushed inwards have N + 1, the unit matrix. A class x bounds inside if and only if x N = 0
- * [Alexander duality], outside if x (N + 1) = 0, and each class is the sum of one of either kind, so -N is a projector:
- * N (N + 1) = 0, of rank g. It is no projector where the surface crosses itself between the loops.
+ * Where the two meet, the dual loop is pushed towards the viewer and therefore contributes nothing. That is outwards
+ * where the surface faces the viewer; elsewhere the number of the loop pushed outwards is one less. If N is the matrix
+ * of the loops pushed outwards, that of those pushed inwards is N + 1, with the unit matrix 1. A class x bounds inside
+ * if and only if x N = 0 [Alexander duality], outside if x (N + 1) = 0, and each class is the sum of one of either
+ * kind, so that -N is a projector: N (N + 1) = 0, of rank g. It is not a projector if the surface crosses itself
+ * between the loops.
  *
- * Exact: places are means of vertices with integers for weights, and signs are decided by integers where doubles do not
- * suffice. If three places that matter lie in line in the projection, another one is taken.
+ * The computation is exact: points are means of vertices with integer weights, and integers decide the signs after
+ * filter failures. If three relevant points are collinear in the projection, another projection is used.
  */
 template <class Triangulation>
 class Linking_matrix
@@ -304,22 +306,22 @@ public:
     check_matrix();
   }
 
-  /* The projector -N: row i has the part of class i that bounds outside. */
+  /* Returns the projector -N: row i contains the part of class i that bounds outside. */
   const std::vector<Row>& rows() const { return m_rows; }
 
 private:
   using Direction = Places_in_space::Direction;
 
-  // How often loops pass something, by their numbers.
+  // The numbers of times that loops pass an element, by the loops' numbers.
   using Passes = std::vector<std::pair<std::size_t, int>>;
 
-  // Of a loop or a dual loop, from one place to another.
+  // A piece of a loop or a dual loop, from one point to another.
   struct Piece
   {
     Weighted_place from, to;
     Edge_index edge; // on which it lies, or to which it leads
     Passes passes;
-    std::array<double, 2> low = {0, 0}, high = {0, 0}; // what it covers in the projection
+    std::array<double, 2> low = {0, 0}, high = {0, 0}; // its extent in the projection
   };
 
   const auto& input() const { return m_triangulation.input(); }
@@ -359,7 +361,7 @@ private:
     }
   }
 
-  // Dual loops by halves of edges of the dual graph: from a place in a face to one on a side of it.
+  // Dual loops consist of halves of edges of the dual graph: from a point in a face to one on a side of it.
   void collect_pieces()
   {
     std::map<Input_halfedge_index, Passes> passes;
@@ -376,7 +378,7 @@ private:
       m_pieces.push_back({in_face(side), on_edge(side), edge_of(as_intrinsic(side)), of_loops});
   }
 
-  // Counts crossings in a projection; false if it is not generic.
+  // Counts crossings in a projection; returns false if it is not generic.
   bool project(std::uint64_t seed)
   {
     Direction direction;
@@ -397,13 +399,13 @@ private:
     return result;
   }
 
-  // Is a dual loop that crosses an edge pushed outwards if it is pushed towards the viewer? The outside is where faces are
-  // counterclockwise. Where one face is turned away, it lies before or behind the other one:
+  // Returns whether a dual loop that crosses an edge is pushed outwards if it is pushed towards the viewer. Seen from
+  // the outside, faces are counterclockwise. If one face is turned away, it lies in front of or behind the other one:
   //
-  //        viewer                       viewer        The loop lies in the faces, and is pushed past the edge o where it
+  //        viewer                       viewer        The loop lies in the faces and is pushed past the edge o when it
   //       ____o   ridge: inwards,     ____            is moved from between them to the other side. On a ridge that is
-  //          /    as into the wedge       \           outwards, so towards the viewer is inwards. In a valley it is the
-  //         /                          ____o valley   other way round.
+  //          /    as into the wedge       \           outwards, so that towards the viewer is inwards. In a valley it
+  //         /                          ____o valley   is the reverse.
   bool is_pushed_outwards(Input_halfedge_index h, const Direction& direction)
   {
     const auto left = corners(h), right = corners(twin_index(h));
@@ -437,7 +439,7 @@ private:
     }
   }
 
-  // Goes through the pieces from left to right of each edge, as far as it reaches.
+  // Examines the pieces from left to right for each edge, within its extent.
   void count_crossings(const Direction& direction)
   {
     double widest = 0;
@@ -460,7 +462,8 @@ private:
     }
   }
 
-  // A place of a dual loop that is in line with an edge counts as left of it: it is not on it, but beyond one of its ends.
+  // A point of a dual loop that is collinear with an edge counts as left of it: it is not on the edge, but beyond one
+  // of its ends.
   void count(const Piece& edge, const Piece& piece, const Direction& direction)
   {
     const Weighted_place &p = edge.from, &q = edge.to, &s = piece.from, &t = piece.to;
@@ -479,7 +482,7 @@ private:
         m_rows[i][j] -= crossing * of_edge * of_piece;
   }
 
-  // Of a projector, the trace is the rank. Squared modulo 2^64, with a vector that nobody has chosen.
+  // The trace of a projector is its rank. The square is checked modulo 2^64, with a pseudorandom vector.
   void check_matrix() const
   {
     std::vector<std::uint64_t> vector, once;
@@ -513,7 +516,7 @@ private:
   std::size_t m_first, m_size;
   std::vector<Piece> m_edges, m_pieces; // of the loops, and of the dual loops
   std::vector<Row> m_rows;
-  bool m_is_generic = true; // no places of the projection are in line
+  bool m_is_generic = true; // no points of the projection are collinear
 };
 
 } // namespace internal

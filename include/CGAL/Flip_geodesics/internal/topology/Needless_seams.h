@@ -16,19 +16,18 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Finds which edges of a network are needed to cut each component of the surface open to a disk, where the network cuts
+ * Finds which edges of a network are required to cut each component of the surface open to a disk, if the network cuts
  * it into several.
  *
- * The complement of a cut graph is one disk. Pulled tight, strands of it can come to lie on one another, or to touch in
- * a vertex, and what lies between them has no width: the disk is pinched there, and its parts are disks that hang
- * together by nothing.
+ * The complement of a cut graph is one disk. After shortening, parts of the graph can overlap or touch at a vertex, and
+ * the region between them has no width: the disk is pinched there, and its parts are disconnected disks.
  *
  *       _______            _____
- *      /       \          /  a  \          a, b: two disks. Two disks that are joined along a chain are a disk, so one of
- *      \__ = __/    ->    >--=--<          their common chains is no seam, and the strip between the strands is cut once.
+ *      /       \          /  a  \          a, b: two disks. Two disks joined along a chain form a disk, so that one of
+ *      \__ = __/    ->    >--=--<          their common chains is not a seam, and the strip between them is cut once.
  *      /       \          \  b  /
  *
- * So seams are dropped along a spanning forest of the pieces, the longest first.
+ * Seams are therefore dropped along a spanning forest of the pieces, the longest first.
  */
 template <class Network>
 class Needless_seams
@@ -50,8 +49,8 @@ public:
     unite_pieces();
   }
 
-  /* Leaves the network with the chains of the seams that are needed, between vertices where other than two of them meet.
-   * Returns false, with nothing changed, if all are needed. */
+  /* Reduces the network to the chains of the required seams, between vertices at which a number of them other than two
+   * meet. Returns false and changes nothing if all are required. */
   bool remove()
   {
     if(!is_in_pieces())
@@ -72,7 +71,7 @@ private:
     return triangulation().is_border(h) || triangulation().is_border(Triangulation::twin(h));
   }
 
-  // A piece is a set of halfedges: of a face, and over edges that are no seams.
+  // A piece is a set of halfedges, connected within faces and across edges that are not seams.
   void unite_pieces()
   {
     for(Halfedge_index h : descriptors<Halfedge_index>(triangulation().number_of_halfedges())) {
@@ -115,7 +114,7 @@ private:
       if(!unite(m_pieces, chain.front().idx(), Triangulation::twin(chain.front()).idx()))
         continue;
       if(m_network.is_closed(c))
-        chain.resize(1); // two disks with all of it in common are a sphere, which is to be cut
+        chain.resize(1); // two disks with their whole boundary in common form a sphere, which must be cut
       drop(chain);
       is_changed = true;
     }
@@ -131,7 +130,7 @@ private:
     }
   }
 
-  // Takes chains away that lead to nowhere now. One between two such ends stays: a sphere is cut along it.
+  // Removes chains that have become dead ends. A chain between two such ends is kept: a sphere is cut along it.
   void prune(const Indexed_by<Vertex_index, std::vector<Index>>& degree_before)
   {
     for(Vertex_index leaf : descriptors<Vertex_index>(triangulation().number_of_vertices()))

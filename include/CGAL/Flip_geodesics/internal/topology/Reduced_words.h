@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Words in which no letter stands beside its inverse, by numbers: a tree of words that are others with one letter more. */
+/* Words without adjacent inverse letters, represented by numbers: a tree in which each word extends another one by a
+ * letter. */
 class Reduced_words
 {
 public:
@@ -25,14 +26,14 @@ public:
 
   Reduced_words() { clear(); }
 
-  /* Only the empty word is left. */
+  /* Keeps the empty word only. */
   void clear()
   {
     m_nodes.assign(1, {-1, empty_word});
     m_children.clear();
   }
 
-  /* A word with one letter more, or less if that cancels. */
+  /* Returns a word extended by one letter, or shortened if that cancels. */
   Word appended(Word word, Letter letter)
   {
     if(word != empty_word && m_nodes[word].last == inverse_letter(letter))
@@ -43,7 +44,7 @@ public:
     return place->second;
   }
 
-  /* The letters of a word and of the inverse of another one. */
+  /* Returns the letters of a word followed by the inverse of another one. */
   std::vector<Letter> quotient(Word numerator, Word denominator) const
   {
     std::vector<Letter> backwards, result;
@@ -67,18 +68,19 @@ private:
 };
 
 /*
- * What edge paths from one vertex spell in the generators of its component. Two paths to the same vertex are homotopic if
- * the one and the other backwards spell the neutral element.
+ * The words of edge paths from one vertex in the generators of its component. Two paths to the same vertex are
+ * homotopic if one of them and the reverse of the other represent the neutral element.
  *
- * Where the surface has a border, words in which all is cancelled that can be are equal then, and not else. On a closed
- * surface, most words that differ do so in how often they have a generator: sums of numbers drawn for each tell.
+ * If the surface has a border, this is the case if and only if the reduced words are equal. On a closed surface, most
+ * different words differ in the number of occurrences of a generator, which sums of random numbers for the generators
+ * detect.
  */
 class Path_words
 {
 public:
   using Word = Reduced_words::Word;
 
-  /* For the component that has a relation; an empty one says that its group is free. */
+  /* For the component with the given relation, which is empty if its group is free. */
   Path_words(Generator_words words, const std::vector<Letter>& relation)
     : m_words(std::move(words))
     , m_group(relation)
@@ -87,7 +89,7 @@ public:
   {
   }
 
-  /* What a path spells that goes on over a halfedge. */
+  /* Returns the word of a path that continues over a halfedge. */
   Word continued(Word word, Input_halfedge_index h)
   {
     m_words.for_each_letter(h, [&](Letter letter) {
@@ -99,17 +101,17 @@ public:
     return word;
   }
 
-  /* The same for two paths to the same vertex if they are homotopic, and rarely else. */
+  /* Returns a key that is equal for homotopic paths to the same vertex, and rarely for others. */
   std::uint64_t key(Word word) const { return m_is_free ? static_cast<std::uint64_t>(word) : m_sums[word]; }
 
-  /* Are two paths to the same vertex homotopic? */
+  /* Returns whether two paths to the same vertex are homotopic. */
   bool are_homotopic(Word a, Word b) const
   {
     return a == b || (!m_is_free && m_sums[a] == m_sums[b] && m_group.is_neutral(m_reduced_words.quotient(a, b)));
   }
 
 private:
-  // The same for a generator each time, and its negative for its inverse [Steele et al. 2014, SplitMix].
+  // A constant random number for a generator, and its negative for the inverse [Steele et al. 2014, SplitMix].
   static std::uint64_t drawn_number(Letter letter)
   {
     std::uint64_t z = (static_cast<std::uint64_t>(letter / 2) + 1) * 0x9e3779b97f4a7c15u;

@@ -30,10 +30,10 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Vectors of integers that are part of a basis of all of them, taken one by one.
+ * Integer vectors that are part of a basis of all integer vectors, added one by one.
  *
- * A unimodular matrix U is kept, such that the k vectors times U have nothing but zeros from column k on. So another one
- * can be taken if what it has there, times U, has no common divisor.
+ * A unimodular matrix U is maintained such that the k vectors times U are zero from column k on. Another vector can be
+ * added if its product with U has no common divisor there.
  */
 class Primitive_rows
 {
@@ -49,7 +49,7 @@ public:
 
   std::size_t size() const { return m_size; }
 
-  /* Takes a vector if it is part of a basis together with those that are there. Is it? */
+  /* Adds a vector if it is part of a basis together with the present ones; returns whether it is. */
   bool add(const Row& row)
   {
     std::vector<Integer> rest = rest_of(row);
@@ -77,8 +77,8 @@ public:
     return true;
   }
 
-  /* Combinations of rows that generate the same as all of them, together with the vectors that are there.
-   * \pre those are combinations of the rows, which have a basis that is part of one of all vectors */
+  /* Returns combinations of rows that, together with the present vectors, generate the same as all rows.
+   * \pre the vectors are combinations of the rows, which have a basis that is part of a basis of all vectors */
   std::vector<Row> completed_by(const std::vector<Row>& rows) const
   {
     std::vector<Pair> pairs;
@@ -86,7 +86,7 @@ public:
       pairs.push_back({rest_of(row), std::vector<Integer>(row.begin(), row.end())});
     std::vector<Row> result;
     for(std::size_t c = 0; c < m_matrix.size() - m_size; ++c) {
-      // Euclid's algorithm for rows: one is left with something in this column, and taken.
+      // Euclid's algorithm for rows: one is left with a nonzero entry in this column, and is used.
       auto pivot = smallest(pairs, c);
       if(pivot == pairs.end())
         continue;
@@ -112,7 +112,7 @@ private:
     std::vector<Integer> rest, row;
   };
 
-  // A row times the columns of the matrix that are not used up.
+  // Returns a row times the unused columns of the matrix.
   std::vector<Integer> rest_of(const Row& row) const
   {
     std::vector<Integer> result(row.size() - m_size, Integer(0));
@@ -129,7 +129,7 @@ private:
     return a.sign() != 0 && (b.sign() == 0 || absolute(a) < absolute(b));
   }
 
-  // The smallest number that is not zero, the end if there is none.
+  // The smallest nonzero number, or the end if there is none.
   static std::size_t smallest(const std::vector<Integer>& numbers)
   {
     const auto found = std::min_element(numbers.begin(), numbers.end(), is_smaller);
@@ -154,11 +154,11 @@ private:
   }
 
   std::vector<std::vector<Integer>> m_matrix;
-  std::size_t m_size = 0; // of the vectors that are there
+  std::size_t m_size = 0; // of the present vectors
 };
 
-/* What tells classes apart modulo 2^64: sums over the edges of a loop. It does not bound on the surface if its name is
- * not zero, and bounds on a side in space if its remainder on that side is zero. */
+/* Sums over the edges of a loop, modulo 2^64, that distinguish classes. The loop does not bound on the surface if its
+ * name is not zero, and bounds on a side in space if its remainder on that side is zero. */
 struct Class_sums
 {
   std::uint64_t name = 0;
@@ -177,8 +177,8 @@ struct Class_sums
 };
 
 /*
- * The shortest loops through a vertex that are made of a shortest path, an edge and a shortest path back, and bound
- * behind the surface or in front of it: one of either kind, of those that are wanted. The search ends where longer ones
+ * The shortest loops through a vertex that consist of a shortest path, an edge and a shortest path back, and bound
+ * behind the surface or in front of it: one of either kind, among the wanted ones. The search ends where longer ones
  * begin, or when many vertices were reached.
  */
 template <class Triangulation>
@@ -188,15 +188,15 @@ public:
   using Sums = Indexed_by<Edge_index, std::vector<Class_sums>>;
   using Loop = std::vector<Halfedge_index>;
 
-  /* `sums` are those of the first sides of edges; searches can be stopped. */
+  /* `sums` are those of the first sides of edges; searches can be interrupted. */
   Bounding_loop_search(const Triangulation& triangulation, const Sums& sums, Interruption* interruption)
     : m_sums(sums)
     , m_search(triangulation, interruption)
   {
   }
 
-  /* The loops of which `is_wanted(side, sums)` holds, empty where none was found among `most` vertices; without a way
-   * that is passed out and back. \throws Interrupted */
+  /* Returns the loops for which `is_wanted(side, sums)` holds, empty if none was found among `most` vertices, without
+   * the common part of their two paths. \throws Interrupted */
   template <class IsWanted>
   std::array<Loop, 2> operator()(Vertex_index root, std::size_t most, const IsWanted& is_wanted)
   {
@@ -208,7 +208,7 @@ public:
 private:
   using Search = Loop_search<Triangulation, Class_sums>;
 
-  // Keeps the edges that close the best loops of either kind.
+  // Stores the edges that close the best loops of either kind.
   template <class IsWanted>
   class Policy : public Search::template Policy<Policy<IsWanted>>
   {
@@ -260,7 +260,7 @@ private:
     std::size_t m_most, m_number_of_reached = 1; // the root
     const IsWanted& m_is_wanted;
     std::array<double, 2> m_lengths;               // of the best loops
-    std::array<Input_halfedge_index, 2> m_closing; // their edges that are in no path
+    std::array<Input_halfedge_index, 2> m_closing; // their edges that are on no path
   };
 
   Loop loop(Input_halfedge_index h) const
@@ -276,12 +276,12 @@ private:
 };
 
 /*
- * Loops of a closed surface in space that bound inside of it, and such that bound outside: a basis of either.
+ * Loops of a closed surface in space that bound inside of it, and loops that bound outside: a basis of either kind.
  *
- * Whether a class is in one of the two kernels is seen by a number modulo 2^64, that of the class times a projector and
- * a vector that nobody has chosen, and then made sure of. So a number for each edge is all that a search needs. There are
- * many loops to choose from: those of all edges that are not in the tree of shortest paths, and the shortest ones through
- * the vertices where loops of the generators turn back, which are far from the base point.
+ * Whether a class is in one of the two kernels is tested by a number modulo 2^64, that of the class times a projector
+ * and a pseudorandom vector, and then verified. A search therefore requires only one number per edge. There are many
+ * loops to choose from: those of all edges outside the tree of shortest paths, and the shortest ones through the
+ * vertices at which the generators' loops turn back, which are far from the base point.
  */
 template <class Triangulation>
 class Solid_loops
@@ -329,7 +329,7 @@ private:
     }
   };
 
-  // Of loops of one class, or of the opposite one, the shortest is kept.
+  // Of loops of the same or the opposite class, the shortest is kept.
   using Candidates = std::map<std::uint64_t, Candidate>;
 
   struct Basis
@@ -374,7 +374,7 @@ private:
     return result;
   }
 
-  // Halfedges outside the forest, by component.
+  // Collects the halfedges outside the forest, by component.
   void list_edges()
   {
     m_edges.resize(m_forest.roots().size());
@@ -443,9 +443,9 @@ private:
     return result;
   }
 
-  // The shortest ones through a vertex of each generator's loop; at first, whatever their class, through that where it
-  // turns back, then those of new classes, through others. All searches of a round take the time of a few of the whole
-  // component.
+  // Adds the shortest loops through a vertex of each generator's loop: in the first round those of any class through
+  // the vertex at which it turns back, then those of new classes through other vertices. All searches of a round
+  // together take the time of a few searches of the whole component.
   void add_near_loops(Bounding_loop_search<Triangulation>& search, std::size_t round,
                       std::array<Candidates, 2>& candidates) const
   {
@@ -475,7 +475,7 @@ private:
       found->second = candidate;
   }
 
-  // Is the volume positive, with faces counterclockwise?
+  // Returns whether the volume is positive, with faces counterclockwise.
   bool faces_outwards(std::size_t component) const
   {
     double sum = 0, off = 0, largest = 0;
@@ -533,7 +533,7 @@ private:
     return 2 * bases[0].taken.size() == m_size && 2 * bases[1].taken.size() == m_size;
   }
 
-  // Completes it, if need be, to one of all classes that `rows` generate.
+  // Completes it, if necessary, to a basis of all classes that `rows` generate.
   void append_basis(const Basis& basis, const std::vector<Row>& rows, std::vector<Loop>& loops) const
   {
     loops.insert(loops.end(), basis.loops.begin(), basis.loops.end());
@@ -574,7 +574,7 @@ private:
     return std::all_of(product.begin(), product.end(), [](std::int64_t x) { return x == 0; });
   }
 
-  // Adds others to a class as long as loops that it is made of get shorter by that.
+  // Adds other classes to a class as long as this shortens the loops of which it consists.
   void shorten(std::vector<Row>& rows, std::size_t i, const std::vector<Row>& classes) const
   {
     const auto is_improved_by = [&](const Row& other) {
@@ -604,7 +604,7 @@ private:
     return result;
   }
 
-  // The generators' loops one after the other, without what is passed out and back.
+  // The concatenated loops of the generators, without parts traversed back and forth.
   Loop loop_of(const Row& row) const
   {
     Loop result;
@@ -638,7 +638,7 @@ private:
   Places_in_space m_places;
   std::vector<std::vector<Input_halfedge_index>> m_edges;    // outside the forest, by component
   typename Bounding_loop_search<Triangulation>::Sums m_sums; // zero on the forest
-  std::size_t m_first = 0, m_size = 0;                       // of the generators of the component looked at
+  std::size_t m_first = 0, m_size = 0;                       // of the generators of the current component
   std::vector<Loop> m_inside, m_outside;
 };
 
