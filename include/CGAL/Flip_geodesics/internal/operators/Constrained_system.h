@@ -25,8 +25,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Splits a symmetric system over all vertices into the free ones and those whose value is given: the free block, which
- * is to be solved, and the block that carries the given values to its right-hand side.
+ * Splits a symmetric system over all vertices into the free ones and those with given values: the free block, which is
+ * to be solved, and the block that maps the given values to its right-hand side.
  */
 template <class Scalar>
 class Constrained_system
@@ -35,7 +35,7 @@ public:
   using Matrix = Eigen::SparseMatrix<Scalar>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  /* is_left_out: neither free nor given, such as isolated vertices. */
+  /* \param is_left_out vertices neither free nor given, such as isolated ones */
   Constrained_system(const Matrix& matrix, const std::vector<char>& is_given, const std::vector<char>& is_left_out)
     : m_number(is_given.size(), null_index)
   {
@@ -65,7 +65,7 @@ public:
   const Matrix& inner() const { return m_inner; }
   const std::vector<Index>& free_vertices() const { return m_free; }
 
-  /* The right-hand side of the free block. values: of all vertices, 0 where not given. */
+  /* Returns the right-hand side of the free block. \param values of all vertices, 0 if not given */
   Vector right_hand_side(const Vector& load, const Vector& values) const { return restricted(load) - m_outer * values; }
 
   Vector restricted(const Vector& all) const
@@ -88,7 +88,7 @@ private:
   Matrix m_inner, m_outer;
 };
 
-/* Marks the listed vertices. Throws Vertex_out_of_range_error. */
+/* Returns marks for the listed vertices. \throws Vertex_out_of_range_error */
 inline std::vector<char> marked_vertices(std::size_t number_of_vertices, const std::vector<Vertex_index>& vertices)
 {
   std::vector<char> result(number_of_vertices, 0);
@@ -99,7 +99,7 @@ inline std::vector<char> marked_vertices(std::size_t number_of_vertices, const s
   return result;
 }
 
-/* For each vertex a vertex of its component, itself if it is isolated. */
+/* Returns for each vertex a representative vertex of its component, itself if it is isolated. */
 inline std::vector<Index> components(std::size_t number_of_vertices, const std::vector<Intrinsic_face>& faces)
 {
   std::vector<Index> rank(number_of_vertices, 0), parent(number_of_vertices);
@@ -138,9 +138,9 @@ inline void check_every_component(const std::vector<Index>& component, const std
 }
 
 /*
- * Where the entries of finite element matrices lie, found once; then any matrix is filled column by column, all columns
- * at the same time if wanted, with the same bits. Sorting triplets, the usual way, takes most of an assembly and cannot
- * be shared out.
+ * The positions of the entries of finite element matrices, determined once. Any matrix is then filled column by column,
+ * in parallel if desired, with bitwise identical results. Sorting triplets, the usual method, takes most of the
+ * assembly time and cannot be parallelized.
  */
 template <class ConcurrencyTag>
 class Matrix_pattern
@@ -166,7 +166,8 @@ public:
     find_neighbors(faces);
   }
 
-  /* The n x n matrix that sums entry(f, i, j) over faces f, at the row of corner i and the column of corner j. */
+  /* Returns the n x n matrix that sums entry(f, i, j) over faces f, at the row of corner i and the column of corner
+   * j. */
   template <class Entry>
   Matrix vertex_matrix(const std::vector<Intrinsic_face>& faces, const Entry& entry) const
   {
@@ -186,12 +187,12 @@ public:
     return result;
   }
 
-  /* The 2m x n matrix with the two numbers entry(f, i) in rows 2f and 2f + 1 and the column of corner i. */
+  /* Returns the 2m x n matrix with the two numbers entry(f, i) in rows 2f and 2f + 1 and the column of corner i. */
   template <class Entry>
   Matrix face_matrix(const Entry& entry) const
   {
     const std::size_t n = m_first.size() - 1, m = m_corners.size() / 3;
-    // A face that has one vertex at several corners has one pair of entries in its column.
+    // A face with one vertex at several corners has one pair of entries in its column.
     std::vector<Storage_index> first(n + 1, 0);
     for_each_index<ConcurrencyTag>(n, [&](std::size_t column) {
       std::size_t last = m;
@@ -244,7 +245,7 @@ private:
 
   using Neighbors = boost::container::small_vector<Storage_index, 64>;
 
-  // The vertex with itself and those that share a face with it, in order.
+  // The vertex itself and those that share a face with it, in order.
   Neighbors neighbors(std::size_t v, const std::vector<Intrinsic_face>& faces) const
   {
     Neighbors result;

@@ -14,10 +14,10 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The surface of an intrinsic triangulation cut open along some edges, without touching it: the corners about a vertex
- * fall into sectors between cut edges and the border, and each sector is a vertex of the cut surface, a *copy*.
+ * The surface of an intrinsic triangulation cut open along some edges, without modifying it: the corners around a
+ * vertex form sectors between cut edges and the border, and each sector is a vertex of the cut surface, a *copy*.
  *
- * is_cut(h) tells whether the edge of halfedge h is cut.
+ * `is_cut(h)` returns whether the edge of halfedge h is cut.
  */
 template <class Triangulation>
 class Cut_surface
@@ -35,18 +35,18 @@ public:
   }
 
   Index number_of_copies() const { return static_cast<Index>(m_vertices.size()); }
-  /* The copy to which the corner at the tail of h belongs, in the face on the left of h. */
+  /* Returns the copy to which the corner at the tail of h belongs, in the face on the left of h. */
   Vertex_copy_index copy_at(Halfedge_index h) const { return m_copy_at[h]; }
   Vertex_index vertex(Vertex_copy_index copy) const { return m_vertices[copy]; }
   bool is_on_border(Vertex_copy_index copy) const { return m_is_on_border[copy] != 0; }
-  /* Of the cut surface; a disk, and of connected surfaces only a disk, has 1. */
+  /* Returns the Euler characteristic of the cut surface; among connected surfaces, only a disk has 1. */
   std::ptrdiff_t euler_characteristic() const { return m_euler_characteristic; }
 
 private:
   template <class Predicate>
   void add_sector(const Triangulation& triangulation, Halfedge_index start, const Predicate& is_cut)
   {
-    // Clockwise as far as it goes, then back.
+    // Clockwise as far as possible, then back.
     Halfedge_index first = start;
     bool is_closed = false;
     while(!is_closed && !is_cut(first)) {
@@ -69,7 +69,7 @@ private:
   template <class Predicate>
   void count(const Triangulation& triangulation, const std::vector<Intrinsic_face>& faces, const Predicate& is_cut)
   {
-    std::ptrdiff_t edges = 0; // an edge that is cut or on the border counts once a side
+    std::ptrdiff_t edges = 0; // a cut or border edge counts once per side
     for(const Intrinsic_face& face : faces)
       for(Halfedge_index h : face.halfedges) {
         const bool is_shared = !triangulation.is_border(Triangulation::twin(h)) && !is_cut(h);
