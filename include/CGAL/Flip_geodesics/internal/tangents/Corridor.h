@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A part of a curve that crosses edges, but passes no vertex: its first face, by any halfedge, and what it crosses. */
+/* A part of a curve that crosses edges but passes no vertex: its first face, given by any halfedge, and the crossed
+ * edges. */
 struct Corridor_leg
 {
   Input_halfedge_index face;
@@ -35,7 +36,7 @@ struct Corridor_leg
   Input_halfedge_index last_face() const { return crossed.empty() ? face : twin_index(crossed.back()); }
 };
 
-/* The same the other way. */
+/* Returns the reverse part. */
 inline Corridor_leg reversed(const Corridor_leg& leg)
 {
   Corridor_leg result = {leg.last_face(), {}};
@@ -44,7 +45,7 @@ inline Corridor_leg reversed(const Corridor_leg& leg)
   return result;
 }
 
-/* The weights of a canonical location in a face that has it, told from its halfedge h on. */
+/* Returns the weights of a canonical surface point in a face that contains it, relative to the face's halfedge h. */
 template <class Input_mesh>
 std::array<double, 3> weights_told_from(const Input_mesh& input, const Surface_location& place, Input_halfedge_index h)
 {
@@ -57,8 +58,9 @@ std::array<double, 3> weights_told_from(const Input_mesh& input, const Surface_l
 }
 
 /*
- * The faces of a leg laid out in the plane of the first one, with the leg's start at the origin and the first face's
- * halfedge along the positive real axis. Faces are added as products of the vectors of their gates, as in a `Ray`.
+ * The faces of a part of a curve, unfolded into the plane of the first one, with the start at the origin and the first
+ * face's halfedge along the positive real axis. Faces are added as products of the vectors of their portals, as in a
+ * `Ray`.
  */
 template <class Triangulation>
 class Unfolded_leg
@@ -66,7 +68,7 @@ class Unfolded_leg
 public:
   using Vector = std::complex<double>;
 
-  /* An end of a gate on the wrong side of the straight line from start to end, the farthest one. */
+  /* The farthest end of a portal on the wrong side of the straight line from start to end. */
   struct Violation
   {
     double distance = 0; // from the line
@@ -74,7 +76,7 @@ public:
     std::size_t gate = 0;
   };
 
-  /* \param start, end canonical locations
+  /* \param start, end canonical surface points
    * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error */
   Unfolded_leg(const Triangulation& triangulation, const Surface_location& start, const Corridor_leg& leg,
                const Surface_location& end)
@@ -88,10 +90,10 @@ public:
     find_end(end);
   }
 
-  /* From the start to the end. */
+  /* Returns the vector from the start to the end. */
   const Vector& end() const { return m_end; }
 
-  /* The direction, of length 1, of the halfedge by which the last face is told. */
+  /* Returns the direction, of length 1, of the reference halfedge of the last face. */
   const Vector& turn() const { return m_turn; }
 
   Violation violation() const
@@ -122,7 +124,7 @@ private:
       worst = {distance, v, gate};
   }
 
-  // The vectors of the last face, turned so that its halfedge has the direction of a vector.
+  // Computes the vectors of the last face, rotated such that its halfedge has the given direction.
   void lay_out(const Vector& direction)
   {
     const auto face = input_face_geometry(m_triangulation, m_halfedge);
@@ -162,15 +164,15 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  Input_halfedge_index m_halfedge; // the last face is told from it
+  Input_halfedge_index m_halfedge; // the reference of the last face
   std::array<Vector, 3> m_vectors = {}, m_corners = {};
   std::vector<Gate> m_gates;
   Vector m_turn = 1, m_end = 0;
 };
 
 /*
- * The faces along a polyline: places, and between each two in a row a leg, the edges that are crossed there. Vectors are
- * carried along it, and it can be pulled tight. Each two places in a row are different.
+ * The sleeve of faces along a polyline: surface points and, between two consecutive ones, the crossed edges. Vectors
+ * are transported along it, and it can be shortened to a geodesic. Consecutive points differ.
  */
 template <class Triangulation>
 class Corridor
@@ -178,15 +180,15 @@ class Corridor
 public:
   using Vector = std::complex<double>;
 
-  /* How a leg starts. */
+  /* The start of a part. */
   struct Start
   {
-    Vector vector;   // from the start to the end, in the frame of the leg's face
-    double position; // of its direction, in the start's `frame()` with the leg's first face
+    Vector vector;   // from the start to the end, in the frame of the first face
+    double position; // of its direction, in the start's `frame()` with the first face
     Vector unit() const { return vector == Vector(0) ? Vector(1) : vector / std::abs(vector); }
   };
 
-  /* \throws Invalid_curve_error if there is no location, or no face has two in a row
+  /* \throws Invalid_curve_error if there is no point, or two consecutive ones have no common face
    * \throws Invalid_location_error */
   template <class LocationRange>
   Corridor(const Triangulation& triangulation, const LocationRange& locations)
@@ -211,7 +213,7 @@ public:
   }
 
   Place_frame<Triangulation> frame(std::size_t place) const { return {m_triangulation, m_places[place]}; }
-  /* With the directions of a face that has the place, also in another umbrella. */
+  /* Returns a frame with the directions of a face that contains the point, also in another umbrella. */
   Place_frame<Triangulation> frame(std::size_t place, Input_halfedge_index face) const
   {
     return {m_triangulation, m_places[place], face};
@@ -224,9 +226,10 @@ public:
   }
 
   /*
-   * Where a position at the first place is carried to: the position at the last one. At each place on the way the angle
-   * to the curve is kept; positions about vertices are stretched to a whole turn before [PS98].
-   * \throws Invalid_mesh_error if it leads from one umbrella to another, or from or to another than that of `frame()`
+   * Returns the position at the last point to which a position at the first one is transported. At each point in
+   * between, the angle to the curve is preserved; positions at vertices are first scaled to a full turn [PS98].
+   * \throws Invalid_mesh_error if the curve leads from one umbrella to another, or its ends are not in the umbrellas of
+   * `frame()`
    */
   double transported(double position) const
   {
@@ -244,16 +247,16 @@ public:
   }
 
   /*
-   * Pulls it tight, but for rounding; only vertices at which it bends stay on its way. For a path that is nearly
-   * shortest: so there are few rounds. A round can bring back what rounding errors made the one before change; the path
-   * is nearly straight then.
+   * Shortens the curve to a geodesic, up to rounding errors; it keeps only vertices at which it bends. The curve should
+   * be nearly shortest, so that few rounds are necessary. A round can restore what rounding errors made the previous
+   * one change; the path is then nearly straight.
    *
    * \throws Degenerate_face_error if it is not
    */
   void straighten()
   {
     join_pieces();
-    constexpr int most_rounds = 1000; // more than one means that shortest paths differ by roundings
+    constexpr int most_rounds = 1000; // several rounds mean that shortest paths differ by rounding errors only
     bool has_changed = true;
     for(int round = 0; round < most_rounds && has_changed; ++round) {
       has_changed = divide_legs();
@@ -274,8 +277,8 @@ private:
     return !input().is_border(h) && std::find(faces.begin(), faces.end(), face_name(input(), h)) != faces.end();
   }
 
-  // The face between two places: that of the second one's halfedge, as curves name the face that they leave, or else
-  // any.
+  // The face between two points: that of the second one's halfedge if curves name the face that they leave, or else any
+  // common face.
   Input_halfedge_index face_between(const Surface_location& p, const Surface_location& q,
                                     Input_halfedge_index named) const
   {
@@ -317,7 +320,7 @@ private:
     return face_name(input(), g) == face_name(input(), h);
   }
 
-  // Where the corridor goes through an edge or a face, it passes no vertex.
+  // Joins parts at points on edges and in faces, where the curve passes no vertex.
   void join_pieces()
   {
     std::vector<Surface_location> places = {m_places.front()};
@@ -359,7 +362,7 @@ private:
     return kind(place) == Location_kind::EDGE && are_of_one_edge(place.halfedge, h);
   }
 
-  // A leg does not cross the edges that its ends lie on.
+  // A part must not cross the edges on which its ends lie.
   void trim(std::size_t i)
   {
     Corridor_leg& leg = m_legs[i];
@@ -376,7 +379,7 @@ private:
     return {m_triangulation, m_places[i], m_legs[i], m_places[i + 1]};
   }
 
-  // Divides legs that are not straight at the vertex that is the farthest from the straight line.
+  // Divides parts that are not straight at the vertex that is farthest from the straight line.
   bool divide_legs()
   {
     bool has_changed = false;
@@ -410,7 +413,7 @@ private:
     m_places.insert(m_places.begin() + next, canonical_location(input(), {input().outgoing(v), {{1, 0, 0}}}));
   }
 
-  // Leads it past vertices on a side where its angle is less than pi.
+  // Leads the curve past vertices on a side on which its angle is less than pi.
   bool join_legs()
   {
     bool has_changed = false;
@@ -438,7 +441,8 @@ private:
     return true;
   }
 
-  // Over the edges about the vertex, which is on the other side; none if both legs are in one corner and no full turn.
+  // Across the edges around the vertex, on the other side of it; none if both parts are in one corner and this is not a
+  // full turn.
   void go_round(std::size_t i, bool is_left, bool is_direct)
   {
     Corridor_leg& leg = m_legs[i - 1];

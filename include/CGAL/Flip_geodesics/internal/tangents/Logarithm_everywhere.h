@@ -26,9 +26,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * What a `Logarithmic_map` says of many places: a path to a place is one to the vertex at which it bends last, and a
- * straight leg, so that only that leg is new. Where windows do not tell it, or a path could be pulled tighter, that
- * logarithm is asked.
+ * Evaluates a `Logarithmic_map` at many points: a path to a point consists of the path to the vertex at which it bends
+ * last and a straight segment, so that only that segment is new. If windows do not determine it, or a path could be
+ * shortened, the logarithmic map itself is evaluated.
  */
 template <class Triangulation>
 class Logarithm_everywhere
@@ -37,14 +37,15 @@ class Logarithm_everywhere
   using Frame = Place_frame<Triangulation>;
 
 public:
-  /* A path's polar coordinates at the source, and what its direction there becomes where it ends. */
+  /* The polar coordinates of a path at the source, and the direction at its end to which its direction there is
+   * transported. */
   struct Arrival
   {
     Polar_coordinates polar;
-    double carried; // an angle from the halfedge by which the place is told
+    double carried; // an angle from the reference halfedge of the point
   };
 
-  /* \param source that of the logarithm */
+  /* \param source that of the logarithmic map */
   Logarithm_everywhere(const Triangulation& triangulation, const Logarithmic_map<Triangulation>& logarithm,
                        const Surface_location& source)
     : m_triangulation(triangulation)
@@ -56,10 +57,10 @@ public:
   {
   }
 
-  /* Of a vertex of the input. */
+  /* Returns the coordinates of a vertex of the input. */
   Polar_coordinates operator()(Vertex_index v)
   {
-    std::vector<std::pair<Vertex_index, std::optional<Straight_leg>>> open; // each the root of the one before it
+    std::vector<std::pair<Vertex_index, std::optional<Straight_leg>>> open; // each is the root of the previous one
     for(std::optional<Vertex_index> w = v; w && !m_vertices[*w];) {
       open.emplace_back(*w, leg_to(*w));
       const auto& leg = open.back().second;
@@ -70,7 +71,7 @@ public:
     return m_vertices[v]->polar;
   }
 
-  /* Of a point inside the face of h. */
+  /* Returns the arrival at a point inside the face of h. */
   Arrival operator()(Input_halfedge_index h, const Face_weights& weights)
   {
     const Surface_location location = {h, weights};
@@ -87,15 +88,16 @@ private:
   static constexpr double pi = boost::math::constants::pi<double>();
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // A vertex as one at which paths can bend. Directions are positions in its `Place_frame`.
+  // A vertex at which paths can bend. Directions are positions in its `Place_frame`.
   struct End
   {
     Polar_coordinates polar;
-    double back = std::numeric_limits<double>::quiet_NaN(); // from where the path comes; NaN if that is not known
-    double carried = 0;                                     // what the path's direction at the source becomes
+    double back = std::numeric_limits<double>::quiet_NaN(); // the direction from which the path comes; NaN if unknown
+    double carried = 0;                                     // the transported direction of the path at the source
   };
 
-  // A path with one more leg, and the angle to that from what the path's direction at the source has become.
+  // A path with an additional segment, and the angle between that and the transported direction of the path at the
+  // source.
   struct Continued
   {
     Polar_coordinates polar;
@@ -133,7 +135,7 @@ private:
     return result;
   }
 
-  // None if the path can be pulled tighter at the start of the leg.
+  // Returns nothing if the path can be shortened at the start of the segment.
   std::optional<Continued> continued(const Straight_leg& leg)
   {
     const double length = std::abs(leg.end);

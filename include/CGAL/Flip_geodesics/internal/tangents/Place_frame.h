@@ -19,14 +19,14 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The smallest halfedge of the face of h. */
+/* Returns the smallest halfedge of the face of h. */
 template <class Input_mesh>
 Input_halfedge_index face_name(const Input_mesh& input, Input_halfedge_index h)
 {
   return (std::min)({h, input.next(h), input.next(input.next(h))});
 }
 
-/* The direction, of length 1, of a side of the face of h in the frame in which h is the positive real axis. */
+/* Returns the direction, of length 1, of a side of the face of h in the frame in which h is the positive real axis. */
 template <class Triangulation>
 std::complex<double> direction_of_side(const Triangulation& triangulation, Input_halfedge_index h,
                                        Input_halfedge_index side)
@@ -40,9 +40,9 @@ std::complex<double> direction_of_side(const Triangulation& triangulation, Input
 }
 
 /*
- * The directions at a place as positions, in radians, counterclockwise over all faces that have it: the angles
- * of a `Vertex_fan`, which begin at the halfedge of the place unless that is a vertex. At a non-manifold vertex they are
- * those of one umbrella.
+ * The directions at a surface point as positions, in radians, counterclockwise over all faces that contain it: the
+ * angles of a `Vertex_fan`, which begin at the halfedge of the point unless that is a vertex. At a non-manifold vertex
+ * they are those of one umbrella.
  */
 template <class Triangulation>
 class Place_frame
@@ -50,7 +50,7 @@ class Place_frame
 public:
   using Vector = std::complex<double>;
 
-  /* \param place a canonical location */
+  /* \param place a canonical surface point */
   Place_frame(const Triangulation& triangulation, const Surface_location& place)
     : m_triangulation(triangulation)
     , m_place(place)
@@ -62,7 +62,7 @@ public:
                      kind(place) == Location_kind::EDGE && input().is_border(twin_index(place.halfedge)));
   }
 
-  /* The same in the umbrella of a face that has the place. */
+  /* In the umbrella of a face that contains the point. */
   Place_frame(const Triangulation& triangulation, const Surface_location& place, Input_halfedge_index face)
     : Place_frame(triangulation, place)
   {
@@ -70,27 +70,28 @@ public:
       m_fan = umbrella_of(triangulation, corner(face));
   }
 
-  /* Has it the directions of a face that has the place? */
+  /* Returns whether it has the directions of a face that contains the point. */
   bool has(Input_halfedge_index face) const { return !is_vertex() || m_fan.has(corner(face)); }
 
-  /* The angle counterclockwise from one position to another; infinite if the border intervenes. */
+  /* Returns the angle counterclockwise from one position to another; infinite if the border intervenes. */
   double counterclockwise(double from, double to) const { return m_fan.counterclockwise(from, to); }
 
   bool has_border() const { return m_fan.has_border(); }
 
-  /* Are directions that differ by all angles the same? A point of an edge has the other half of its plane. */
+  /* Returns whether directions that differ by the total angle are the same. A point of a border edge has the other half
+   * of its plane. */
   bool has_whole_turns() const { return !is_vertex() || !has_border(); }
 
-  /* All angles at the place. */
+  /* Returns the total angle at the point. */
   double total() const { return m_fan.total(); }
 
-  /* By how much positions are stretched, so that a whole turn is 2 pi; not on the border. */
+  /* Returns the factor that scales positions such that a full turn is 2 pi; 1 on the border. */
   double stretch() const
   {
     return is_vertex() && !has_border() ? boost::math::constants::two_pi<double>() / total() : 1;
   }
 
-  /* The position of a direction in a face that has the place, in the frame of the face's halfedge h. */
+  /* Returns the position of a direction in a face that contains the point, in the frame of the face's halfedge h. */
   double position(Input_halfedge_index h, const Vector& direction) const
   {
     if(is_vertex()) {
@@ -102,8 +103,8 @@ public:
     return std::arg(-direction / direction_of_side(m_triangulation, h, twin_index(m_place.halfedge)));
   }
 
-  /* The position of a side of a face that has the place, or of a halfedge that starts there.
-   * \throws Invalid_parameter_error if it is none */
+  /* Returns the position of a side of a face that contains the point, or of a halfedge that starts there.
+   * \throws Invalid_parameter_error if it is neither */
   double position(Input_halfedge_index h) const
   {
     if(!h.is_valid() || h.idx() >= input().number_of_halfedges())
@@ -119,15 +120,16 @@ public:
     throw_no_side(h);
   }
 
-  /* The angle counterclockwise to a position from that of a halfedge; from 0 on, but at vertices of the border. */
+  /* Returns the angle counterclockwise to a position from that of a halfedge; nonnegative except at vertices of the
+   * border. */
   double angle(double position, Input_halfedge_index from) const
   {
     const double result = position - this->position(from);
     return has_whole_turns() ? reduced(result) : result;
   }
 
-  /* Of the angles of a direction, which differ by whole turns, the one that `angle()` tells: at vertices of the border
-   * that nearest to the middle of the surface, where another one leads out of it. */
+  /* Returns, of the angles of a direction, which differ by full turns, the one returned by `angle()`: at vertices of
+   * the border that nearest to the middle of the surface, where other angles lead out of it. */
   double same_direction(double angle, Input_halfedge_index from) const
   {
     if(has_whole_turns())
@@ -136,13 +138,13 @@ public:
     return angle + turn * std::round((total() / 2 - position(from) - angle) / turn);
   }
 
-  /* A halfedge that directions at a location can be told from: its own, or else that of the place. */
+  /* Returns a halfedge to which directions at a surface point can refer: its own, or else that of the frame's point. */
   Input_halfedge_index reference(const Surface_location& location) const
   {
     return input().is_border(location.halfedge) ? m_place.halfedge : location.halfedge;
   }
 
-  /* The halfedge of the face of h that starts at the place. \pre it is a vertex */
+  /* Returns the halfedge of the face of h that starts at the point. \pre it is a vertex */
   Input_halfedge_index corner(Input_halfedge_index h) const
   {
     const Vertex_index v = vertex();
@@ -179,7 +181,8 @@ private:
     const Input_halfedge_index c = corner(h);
     if(input().tail(c) != v)
       throw_no_side(h);
-    // Clockwise about the face, as a `Direction_finder` goes: a whole turn more or less is another direction there.
+    // Clockwise around the face, like a `Direction_finder`: angles that differ by a full turn are different directions
+    // there.
     const double angle = std::arg(direction_of_side(m_triangulation, c, h));
     return m_fan.angle_of(c, v) + angle - (h == input().next(c) ? boost::math::constants::two_pi<double>() : 0);
   }

@@ -40,19 +40,19 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A direction in the face of a halfedge: these times the vectors from the tail of the halfedge to its head, and to the
- * third corner. Each is 0, or between 1e-100 and 1e100 without its sign. */
+/* A direction in the face of a halfedge: the coefficients of the vectors from the tail of the halfedge to its head and
+ * to the third corner. Each is 0, or has an absolute value between 1e-100 and 1e100. */
 using Face_direction = std::array<double, 2>;
 
 /*
- * On which side of a ray does the corner lie behind the last halfedge that it crosses: the sign of the exact number that
- * the start, the direction and the input define. POSITIVE is on the left.
+ * Computes the side of a ray on which the corner behind the last crossed halfedge lies: the sign of the exact number
+ * defined by the start, the direction and the input. POSITIVE is the left side.
  *
- * A ray that has passed a corner and runs into another one is the line through these two. So numbers do not grow with
- * what it has crossed before.
+ * A ray that has passed a corner and runs into another one is the line through these two corners. Numbers therefore do
+ * not grow with the edges crossed before.
  *
- * Numbers of 50 digits, with a bound of their error, are carried on from one question to the next, so that many along
- * one ray are linear in its length; what they do not decide goes through the stages of `Exact_sign`.
+ * Numbers of 50 digits with an error bound are carried on from one query to the next, so that many queries along one
+ * ray take linear time in its length; undecided signs pass through the stages of `Exact_sign`.
  */
 class Exact_ray_side
 {
@@ -62,10 +62,10 @@ class Exact_ray_side
 
   struct State
   {
-    Unfolding_chain direction, corner; // the corner's, up to where the ray has been asked for
+    Unfolding_chain direction, corner; // of the corner up to the last query
     Arithmetic::Complex value;         // of the direction
     Arithmetic::Gate gate;
-    std::size_t number_of_gates = 0; // that the chain has passed
+    std::size_t number_of_gates = 0; // passed by the chain
   };
 
 public:
@@ -101,7 +101,8 @@ public:
     return Exact_sign(statistics, sign_work_limit(triangulation))({state.direction, corner});
   }
 
-  /* The ray runs into a corner that it is going to pass. If it has passed one before, it is the line from there. */
+  /* Must be called when the ray runs into a corner that it will pass. If it has passed one before, it becomes the line
+   * from there. */
   template <class Triangulation, class ExactFaces>
   void reach_corner(const Triangulation& triangulation, const ExactFaces& faces,
                     const std::vector<Input_halfedge_index>& crossed)
@@ -124,7 +125,7 @@ public:
     m_state.reset();
   }
 
-  /* The ray leaves the tail of h in the face of h, and has passed so many gates before. */
+  /* Must be called when the ray leaves the tail of h in the face of h, after passing `gates` portals. */
   void leave_corner(Input_halfedge_index h, std::size_t gates)
   {
     m_passed = h;
@@ -132,7 +133,7 @@ public:
   }
 
 private:
-  // Over a gate, up to the next one, or to the corner behind the last one.
+  // Across a portal, up to the next one, or to the corner behind the last one.
   template <class Triangulation, class ExactFaces>
   static Unfolding_step step(const Triangulation& triangulation, const ExactFaces& faces,
                              const std::vector<Input_halfedge_index>& crossed, std::size_t i)
@@ -167,13 +168,13 @@ private:
     return result;
   }
 
-  // The ends of the first gate, as seen from the place; without a step.
+  // The ends of the first portal, relative to the start; without a step.
   template <class Triangulation>
   Unfolding_chain corner_of_first_face(const Triangulation& triangulation, const Exact_face& face,
                                        Input_halfedge_index crossed) const
   {
     const std::array<Integer, 3> w = integer_weights(m_place.weights);
-    const auto corner = [&](int i) { // from the place, times the sum of the weights
+    const auto corner = [&](int i) { // relative to the start, times the sum of the weights
       std::array<Integer, 3> sides = {0, 0, 0};
       sides[(i + 2) % 3] = w[(i + 2) % 3];
       sides[i] = -w[(i + 1) % 3];
@@ -190,22 +191,22 @@ private:
     return result;
   }
 
-  Surface_location m_place; // where the ray starts, or the last corner but one that it has passed
+  Surface_location m_place; // the start of the ray, or the last corner but one that it has passed
   Face_direction m_face_direction;
-  std::optional<Unfolding_chain> m_direction; // none before it has passed two corners
-  std::size_t m_first_gate = 0;               // from m_place on
-  std::optional<State> m_state;               // none before the first question
+  std::optional<Unfolding_chain> m_direction; // none until it has passed two corners
+  std::size_t m_first_gate = 0;               // after m_place
+  std::optional<State> m_state;               // none before the first query
 
   Input_halfedge_index m_passed = null_index; // where it leaves the last corner that it has passed
   std::size_t m_gates_before = 0;
 };
 
 /*
- * A straight ray over input faces, from a place in one of them. It passes gates, which are edges. On which side of it
- * the corner of the next face lies is the sign of the exact number that the place's weights, the direction and the
- * input define.
+ * A straight ray over input faces, from a point in one of them. It passes portals, which are edges. The side of the ray
+ * on which the corner of the next face lies is the sign of the exact number defined by the weights of the start, the
+ * direction and the input.
  *
- * The faces are unfolded into the plane of the first one, with the place at the origin and its halfedge along the
+ * The faces are unfolded into the plane of the first one, with the start at the origin and its halfedge along the
  * positive real axis.
  */
 template <class Triangulation>
@@ -216,7 +217,7 @@ class Ray
 public:
   using Vector = std::complex<double>;
 
-  /* \pre the weights are those of a location, and the direction is not zero
+  /* \pre the weights are those of a surface point, and the direction is not zero
    * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error */
   Ray(const Triangulation& triangulation, const Exact_input_faces<Triangulation>& exact_faces,
       const Surface_location& place, const Face_direction& direction, Decision_statistics& statistics)
@@ -234,8 +235,8 @@ public:
   }
 
   /*
-   * Goes up to the side through which the ray leaves the first face; false if there is none, since it leaves it at a
-   * corner, or at once.
+   * Advances to the side through which the ray leaves the first face; returns false if there is none, since the ray
+   * leaves the face at a corner, or immediately.
    */
   bool leave_first_face()
   {
@@ -247,10 +248,10 @@ public:
     return false;
   }
 
-  /* Goes up to the corner that the ray runs into in the first face; false if there is none. */
+  /* Advances to the corner into which the ray runs in the first face; returns false if there is none. */
   bool reach_first_corner()
   {
-    for(int i = 0; i < 3; ++i) // but not one in the place of the start, which is not ahead
+    for(int i = 0; i < 3; ++i) // except one that coincides with the start, which is not ahead
       if(m_sides[i] == ZERO && (std::conj(m_unit) * m_faces.corners()[i].position).real() > 0) {
         m_apex = i;
         return true;
@@ -258,8 +259,8 @@ public:
     return false;
   }
 
-  /* Passes the gate, and goes up to the next one; false if the ray runs into the corner opposite to the gate.
-   * \pre there is a face behind it */
+  /* Passes the portal and advances to the next one; returns false if the ray runs into the corner opposite to the
+   * portal. \pre there is a face behind it */
   bool pass_gate()
   {
     m_entry_distance = distance_of_gate();
@@ -274,10 +275,10 @@ public:
   }
 
   /*
-   * Passes the corner that the ray runs into, as if that lay on its left: around it over the faces on the right of the
-   * ray. Goes up to the next gate; false if it runs into another corner.
+   * Passes the corner into which the ray runs as if it lay on its left: around it over the faces on the right of the
+   * ray. Advances to the next portal; returns false if the ray runs into another corner.
    *
-   * \pre the angles about the corner are 2 pi, exactly, and the faces about it have areas
+   * \pre the angles around the corner sum up to exactly 2 pi, and the faces around it are not degenerate
    */
   bool pass_corner()
   {
@@ -298,17 +299,17 @@ public:
     return true;
   }
 
-  /* The halfedge that is crossed at the gate, as a side of the face before it. */
+  /* Returns the halfedge that is crossed at the portal, as a side of the face before it. */
   Input_halfedge_index gate() const { return m_crossed.back(); }
 
-  /* Is it the edge that the ray starts on? */
+  /* Returns whether it is the edge on which the ray starts. */
   bool starts_on_gate() const
   {
     const Input_halfedge_index h = m_place.halfedge, g = m_crossed.front();
     return m_crossed.size() == 1 && m_place.weights[g == h ? 2 : (g == m_triangulation.input().next(h) ? 0 : 1)] == 0;
   }
 
-  /* How far the gate is, in the direction of the ray. */
+  /* Returns the distance of the portal along the ray. */
   double distance_of_gate() const
   {
     if(starts_on_gate())
@@ -318,7 +319,7 @@ public:
     return whole > 0 ? (std::max)(cross(m_faces.right().position, to_left) / whole, 0.0) : 0.0;
   }
 
-  /* Where the ray passes the gate, from 0 at its right end to 1 at its left end. */
+  /* Returns the position at which the ray passes the portal, from 0 at its right end to 1 at its left end. */
   double place_on_gate() const
   {
     if(starts_on_gate()) {
@@ -330,14 +331,15 @@ public:
     return right + left > 0 ? right / (right + left) : 0.5;
   }
 
-  /* The corner that the ray runs into, by the halfedge of the last face that starts there; and how far it is. */
+  /* Returns the corner into which the ray runs, by the halfedge of the last face that starts there; below, its
+   * distance. */
   Input_halfedge_index corner() const { return m_faces.side(m_apex); }
   double distance_of_corner() const { return magnitude(m_faces.corners()[m_apex].position); }
 
   /*
-   * Where the ray is at a distance, in the last face that it has entered. Between the places where it enters it and leaves
-   * it, or runs into a corner; those are inaccurate where it grazes a side. Or nearest to where it is in the plane; that
-   * is inaccurate in a face that is nearly without area.
+   * Returns the point of the ray at a distance, in the last face that it has entered. It is interpolated between the
+   * points at which the ray enters the face and leaves it or runs into a corner, which is inaccurate if the ray grazes
+   * a side; or it is the point nearest to that in the plane, which is inaccurate in an almost degenerate face.
    */
   Surface_location location_at(double distance, bool is_at_gate) const
   {
@@ -352,18 +354,18 @@ public:
     return {halfedge(), weights};
   }
 
-  /* The last face, by the halfedge over which it was entered, or that of the place; and the angle from there on to the
-   * ray, counterclockwise. */
+  /* Returns the last face, by the halfedge across which it was entered, or that of the start; below, the angle from
+   * there counterclockwise to the ray. */
   Input_halfedge_index halfedge() const { return m_faces.halfedge(); }
   double angle() const { return std::arg(product(m_unit, std::conj(m_faces.sides()[0]))); }
 
-  /* The angle from corner() on to the ray's way back, counterclockwise. */
+  /* Returns the angle from corner() counterclockwise to the reverse ray. */
   double angle_at_corner() const { return std::arg(product(-m_unit, std::conj(m_faces.sides()[m_apex]))); }
 
 private:
   using Faces = Face_strip<Layout>;
 
-  // The sine of the angle between the ray and the gate.
+  // The sine of the angle between the ray and the portal.
   double sine_at_gate() const { return std::abs(cross(m_unit, m_faces.gate())) / magnitude(m_faces.gate()); }
 
   std::array<double, 3> nearest_to(const Vector& p) const
@@ -415,7 +417,7 @@ private:
     m_unit_error = face_ratio_error * (1 + size / magnitude(direction));
   }
 
-  // Enters a face over the gate.
+  // Enters a face across the portal.
   void enter_face(Input_halfedge_index entered)
   {
     check_triangle(m_triangulation.input(), entered);
@@ -423,7 +425,7 @@ private:
     m_apex = 2;
   }
 
-  // The gate is a side of the last face now.
+  // Makes a side of the last face the portal.
   void leave_over(int i)
   {
     m_faces.leave_over(i);
@@ -431,8 +433,8 @@ private:
   }
 
   /*
-   * The side of a corner of the first face: weights and direction say it alone. Areas in the face are determinants of
-   * barycentric coordinates.
+   * The side of a corner of the first face, which depends on weights and direction only. Areas in the face are
+   * determinants of barycentric coordinates.
    */
   Sign side_of_first_corner(int i) const
   {
@@ -464,19 +466,19 @@ private:
   Face_direction m_direction;
   Decision_statistics& m_statistics;
   Exact_ray_side m_exact_side;
-  std::array<Sign, 3> m_sides = {}; // of the ray, of the first corners
+  std::array<Sign, 3> m_sides = {}; // of the ray, for the first corners
   double m_sum = 0, m_unit_error = 0;
   Vector m_unit = 0;
 
   Faces m_faces;
-  std::array<double, 3> m_entry = {};            // the weights of the place where the last face is entered
+  std::array<double, 3> m_entry = {};            // the weights of the point at which the last face was entered
   double m_entry_distance = 0, m_entry_sine = 1; // and of the angle between ray and side there
-  int m_apex = 2;                                // the corner that the ray runs into
+  int m_apex = 2;                                // the corner into which the ray runs
   std::vector<Input_halfedge_index> m_crossed;
 };
 
-/* Where a ray starts: a place told from a halfedge of its first face, and a direction in that face. Or a vertex of the
- * border, and an angle from that halfedge out of the surface. */
+/* The start of a ray: a surface point relative to a halfedge of its first face, and a direction in that face.
+ * Alternatively a vertex of the border, and an angle from that halfedge out of the surface. */
 struct Ray_start
 {
   Surface_location place;
@@ -485,7 +487,8 @@ struct Ray_start
   double angle = 0;
 };
 
-/* Turns angles and vectors in space into directions in faces. These are rounded; what follows from them is exact. */
+/* Converts angles and vectors in space into directions in faces. These are rounded; everything derived from them is
+ * exact. */
 template <class Triangulation>
 class Direction_finder
 {
@@ -496,9 +499,10 @@ public:
   }
 
   /*
-   * By an angle counterclockwise from a side of a face that has the location; at a vertex over all faces about it.
+   * Returns a ray by its angle counterclockwise from a side of a face that contains the point; at a vertex over all
+   * faces around it.
    *
-   * \throws Invalid_parameter_error if it is no such halfedge
+   * \throws Invalid_parameter_error if it is not such a halfedge
    */
   Ray_start by_angle(const Surface_location& location, Input_halfedge_index h, double angle) const
   {
@@ -516,8 +520,8 @@ public:
     return told_well(at, h, angle);
   }
 
-  /* By a direction in the face of the location's halfedge, which is taken as it is unless it leaves the face at once at
-   * a vertex. */
+  /* Returns a ray by a direction in the face of the point's halfedge, which is used unchanged unless it leaves the face
+   * immediately at a vertex. */
   Ray_start by_direction(const Surface_location& location, const Face_direction& direction) const
   {
     check_location(input(), location);
@@ -537,7 +541,7 @@ public:
     return at_vertex(start.place.halfedge, std::arg(start.direction[0] * length + start.direction[1] * third));
   }
 
-  /* On from a vertex, at an angle counterclockwise from a halfedge that starts there. */
+  /* Returns a ray from a vertex, at an angle counterclockwise from a halfedge that starts there. */
   Ray_start at_vertex(Input_halfedge_index h, double angle) const
   {
     const Vertex_fan fan = fan_of(h);
@@ -552,13 +556,13 @@ public:
     return {{turn.halfedge, {{1, 0, 0}}}, inside_corner(turn.halfedge, turn.angle, turn.corner), false, 0};
   }
 
-  /* On from a vertex, at an angle from a side of a face that has it. */
+  /* Returns a ray from a vertex, at an angle from a side of a face that contains it. */
   Ray_start at_vertex_of_face(Input_halfedge_index h, Vertex_index v, double angle) const
   {
     if(input().tail(h) == v)
       return at_vertex(h, angle);
     Input_halfedge_index side = h;
-    while(input().tail(side) != v) { // the next side is turned by the outer angle between them
+    while(input().tail(side) != v) { // the next side is rotated by the outer angle between them
       side = input().next(side);
       if(side == h || input().is_border(h))
         throw Invalid_parameter_error("a direction is told from halfedge " + std::to_string(h.idx()) +
@@ -568,7 +572,7 @@ public:
     return at_vertex(side, angle);
   }
 
-  /* The sum of the angles about the tail of a halfedge; infinite on the border. */
+  /* Returns the sum of the angles around the tail of a halfedge; infinite on the border. */
   double total_angle(Input_halfedge_index h) const
   {
     const Vertex_fan fan = fan_of(h);
@@ -578,7 +582,7 @@ public:
 private:
   const auto& input() const { return m_triangulation.input(); }
 
-  // With the corners as they are in the frames of directions.
+  // With the corners used in the frames of directions.
   Vertex_fan fan_of(Input_halfedge_index h) const
   {
     Vertex_fan fan;
@@ -591,7 +595,7 @@ private:
     return !input().is_border(face) && internal::is_side_of(input(), h, face);
   }
 
-  // From the tail of h: its head, on the real axis, and the third corner of its face.
+  // Relative to the tail of h: its head, on the real axis, and the third corner of its face.
   std::pair<double, std::complex<double>> corners(Input_halfedge_index h) const
   {
     const auto face = input_face_geometry(m_triangulation, h);
@@ -612,8 +616,8 @@ private:
   }
 
   /*
-   * An angle from a side, told from another one if that one's corner is far less acute or obtuse: a direction in two
-   * sides that are nearly parallel would lose its digits.
+   * An angle from a side, expressed relative to another side if the corner there is far less acute or obtuse: a
+   * direction expressed in two nearly parallel sides would lose its digits.
    */
   Ray_start told_well(const Surface_location& at, Input_halfedge_index h, double angle) const
   {
@@ -626,14 +630,15 @@ private:
       side = input().next(side);
       angle -= boost::math::constants::pi<double>() - corner(side);
       angle_at_edge = side == at.halfedge ? angle : angle_at_edge;
-      if(before * length(side) < least) { // twice the area is this times the sine of the corner
+      if(before * length(side) < least) { // twice the area divided by the sine of the corner
         least = before * length(side);
         best = side;
         best_angle = angle;
       }
     }
     const Face_direction direction = in_face(best, std::cos(best_angle), std::sin(best_angle));
-    // An angle along the border is along it, though rounding leads out of the surface, or into it a little.
+    // An angle along the border counts as exactly along it, even if rounding errors lead slightly out of the surface or
+    // into it.
     const double off = std::abs(std::sin(angle_at_edge));
     if(kind(at) == Location_kind::EDGE && input().is_border(twin_index(at.halfedge)) &&
        off <= (away_from_side(at.halfedge, best, direction) < 0 ? off_border : into_border))
@@ -641,7 +646,8 @@ private:
     return {{best, weights_in_face(input(), at, best)}, direction, false, 0};
   }
 
-  // How the weight opposite to a side of a face changes in a direction that is told from any side; its sign is exact.
+  // The change of the weight opposite to a side of a face in a direction expressed relative to any side; its sign is
+  // exact.
   double away_from_side(Input_halfedge_index side, Input_halfedge_index told_from, const Face_direction& d) const
   {
     if(side == told_from)
@@ -651,7 +657,7 @@ private:
 
   double length(Input_halfedge_index h) const { return m_triangulation.metric().length(input(), h); }
 
-  // In the corner at the tail of h, whose sides are met by rounding as well.
+  // In the corner at the tail of h, whose sides can be reached by rounding as well.
   Face_direction inside_corner(Input_halfedge_index h, double angle, double whole) const
   {
     if(angle <= 0)
@@ -662,7 +668,8 @@ private:
     return normalized({(std::max)(d[0], 0.0), (std::max)(d[1], 0.0)});
   }
 
-  // Over a power of two, so that the larger number is between 1 and 2, without numbers whose products could underflow.
+  // Divided by a power of two, so that the larger number is between 1 and 2, without small numbers whose products could
+  // underflow.
   static Face_direction normalized(const Face_direction& d)
   {
     const int exponent = std::ilogb((std::max)(std::abs(d[0]), std::abs(d[1])));
