@@ -16,12 +16,12 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A stack of records in blocks of one size. It takes the memory of what it holds and at most a block more, where a
- * vector takes up to twice that, and thrice while it grows; and nothing is moved. What is taken back from the end
- * leaves some blocks for reuse.
+ * A stack of records in blocks of one size. It takes the memory of its contents plus at most one block, whereas a
+ * vector takes up to twice that, and three times while it grows; records do not move. Removing records leaves some
+ * blocks for reuse.
  *
- * The invariant: `m_end` lies behind the last record, in the block that begins at `m_begin`; so the record before it is
- * always the last one. All three pointers are null while the stack is empty.
+ * Invariant: `m_end` lies behind the last record, in the block that begins at `m_begin`, so that the record before it
+ * is always the last one. All three pointers are null while the stack is empty.
  */
 template <class T>
 class Block_array
@@ -51,7 +51,7 @@ public:
   T& back() { return *(m_end - 1); }
   const T& back() const { return *(m_end - 1); }
 
-  /* If it throws, nothing has changed. */
+  /* Changes nothing if it throws. */
   void push_back(T&& record)
   {
     if(BOOST_UNLIKELY(m_end == m_end_of_block)) {
@@ -71,7 +71,7 @@ public:
       leave_block();
   }
 
-  /* Adds records, all the same, or takes some back. */
+  /* Adds copies of a record, or removes records. */
   void resize(std::size_t size, const T& record)
   {
     while(m_size > size)
@@ -80,7 +80,7 @@ public:
       push_back(T(record));
   }
 
-  /* The bytes that it takes, up to a block. */
+  /* Returns the memory in bytes, up to a block. */
   std::size_t memory() const { return m_size * sizeof(T); }
 
 private:
@@ -130,7 +130,7 @@ private:
     std::swap(m_end_of_block, other.m_end_of_block);
   }
 
-  std::vector<std::unique_ptr<Place[]>> m_blocks; // each has room for `block_size` records
+  std::vector<std::unique_ptr<Place[]>> m_blocks; // each with space for `block_size` records
   std::size_t m_size = 0;
   T *m_begin = nullptr, *m_end = nullptr, *m_end_of_block = nullptr;
 };

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Has a metric its faces in exact numbers? */
+/* Detects metrics that provide faces in exact numbers. */
 template <class Metric, class = void>
 struct Has_exact_faces : std::false_type
 {
@@ -26,13 +26,14 @@ struct Has_exact_faces<Metric, std::void_t<decltype(std::declval<const Metric&>(
 {
 };
 
-/* Has the face no area, and does the vertex opposite to its first side lie between the ends of that? */
+/* Returns whether the face is degenerate and the vertex opposite to its first side lies between the ends of that
+ * side. */
 inline bool is_apex_on_side(const Exact_face& face)
 {
   return face.doubled_area_squared == 0 && face.dot_next < 0 && face.dot_previous < 0;
 }
 
-/* Do the apexes of two faces lie on the first side, in one place? Of the other face it is the first the other way. */
+/* Returns whether the apexes of two faces coincide on the first side, which is that of the other face reversed. */
 inline bool are_apexes_in_one_place(const Exact_face& face, const Exact_face& other)
 {
   return is_apex_on_side(face) && is_apex_on_side(other) &&
@@ -40,7 +41,8 @@ inline bool are_apexes_in_one_place(const Exact_face& face, const Exact_face& ot
              -(face.squared_length * other.squared_length);
 }
 
-/* What a `Zero_edge_contractor` asks of the metric of a mesh. Without exact faces nothing is folded for certain. */
+/* The operations that a `Zero_edge_contractor` requires of the metric of a mesh. Without exact faces, none is certainly
+ * folded. */
 template <class Metric>
 struct Contracted_metric
 {

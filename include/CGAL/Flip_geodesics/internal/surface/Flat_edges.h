@@ -14,12 +14,12 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Of which input edges it is known whether the faces beside them lie unfolded in one plane. Several threads may ask at
- * once, and may compute the same then. */
+/* Records for input edges whether the faces beside them, unfolded, lie in one plane. Several threads may query at once
+ * and may then perform the same computation. */
 class Flat_edges
 {
 public:
-  /* With room for what is known of so many edges; with none, nothing is kept. */
+  /* With space for the results of `number_of_edges` edges; with none, nothing is stored. */
   explicit Flat_edges(std::size_t number_of_edges = 0)
     : m_states(number_of_edges)
   {
@@ -27,7 +27,7 @@ public:
 
   std::size_t size() const { return m_states.size(); }
 
-  /* The answer for the edge of h, from `compute()` if it is asked for the first time. */
+  /* Returns the result for the edge of h, which is that of `compute()` in the first query. */
   template <class Compute>
   bool operator()(Input_halfedge_index h, const Compute& compute)
   {

@@ -29,16 +29,17 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A mesh with its edges of length zero contracted: what the halfedges of the input have become, and how those that are
- * left hang together. Vertices keep their numbers; those that are merged into another one are isolated.
+ * The result of contracting the degenerate edges of a mesh: the new halfedges of the old ones, and the new
+ * connectivity. Vertices keep their numbers; those merged into another one are isolated.
  */
 struct Contraction
 {
-  /* What becomes of a halfedge that is no more: its ends are one vertex; no face with an area is left beside it; or it
-   * leads along two others. */
+  /* The states of a removed halfedge: its ends are one vertex; no nondegenerate face remains beside it; or it runs
+   * along two others. */
   static constexpr Input_halfedge_index is_point{-1}, is_hair{-2}, is_fold{-3};
 
-  /* The two halfedges of the input that another one leads along, and how far from its tail they meet. */
+  /* The two halfedges of the input along which another one runs, and the distance of their common vertex from its
+   * tail. */
   struct Fold
   {
     Input_halfedge_index first, second;
@@ -47,20 +48,20 @@ struct Contraction
 
   using Halfedges = Indexed_by<Input_halfedge_index, std::vector<Input_halfedge_index>>;
 
-  Indexed_by<Vertex_index, std::vector<Vertex_index>> vertex; // of each vertex of the input, the one that it is now
-  Halfedges halfedge;                                         // of each halfedge of the input
-  Halfedges input_halfedge; // of each halfedge that is left, one of the input's that it was
+  Indexed_by<Vertex_index, std::vector<Vertex_index>> vertex; // for each vertex of the input, its new vertex
+  Halfedges halfedge;                                         // for each halfedge of the input
+  Halfedges input_halfedge;                                   // for each new halfedge, one of its input halfedges
   Halfedges next;
   Indexed_by<Input_halfedge_index, std::vector<Vertex_index>> tail;
   Indexed_by<Input_halfedge_index, std::vector<char>> is_border;
-  Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> outgoing; // none if isolated
-  std::map<Input_halfedge_index, Fold> folds;                           // of halfedges of the input
-  bool has_split_point = false; // do sheets of the surface that only met in a point have vertices of their own there?
+  Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> outgoing; // null_index if isolated
+  std::map<Input_halfedge_index, Fold> folds;                           // for halfedges of the input
+  bool has_split_point = false; // do umbrellas that met only at a point have separate vertices there?
 };
 
 /*
- * What an indexed mesh was before its edges of length zero were contracted, and how the two belong together; a mesh on
- * which nothing was contracted has none.
+ * The state of an indexed mesh before its degenerate edges were contracted, and the relation between the two; none if
+ * nothing was contracted.
  */
 template <class Indexed_mesh>
 struct Uncontracted
@@ -73,16 +74,16 @@ template <class Indexed_mesh>
 class Possibly_contracted
 {
 public:
-  /* Were edges of length zero contracted? */
+  /* Returns whether degenerate edges were contracted. */
   bool is_contracted() const { return m_origin != nullptr; }
 
-  /* The other side of the edge. */
+  /* Returns the other side of the edge. */
   static Input_halfedge_index twin(Input_halfedge_index h) { return twin_index(h); }
 
-  /* Do sheets of the surface that met in a point have different vertices? */
+  /* Returns whether umbrellas that met at a point have separate vertices. */
   bool has_split_point() const { return is_contracted() && m_origin->contraction.has_split_point; }
 
-  /* What vertex or halfedge `i` of the mesh as it was before has become. */
+  /* Returns the new vertex, and below the new halfedge, of number `i` in the mesh before the contraction. */
   Vertex_index contracted_vertex(Vertex_index v) const
   {
     return is_contracted() && v.is_valid() ? m_origin->contraction.vertex[v] : v;
@@ -92,16 +93,17 @@ public:
     return is_contracted() && h.is_valid() ? m_origin->contraction.halfedge[h] : h;
   }
 
-  /* The two halfedges along which one of that mesh leads. \pre `contracted_halfedge(h)` is `Contraction::is_fold` */
+  /* Returns the two halfedges along which a halfedge of the old mesh runs. \pre `contracted_halfedge(h)` is
+   * `Contraction::is_fold` */
   const Contraction::Fold& fold(Input_halfedge_index h) const { return m_origin->contraction.folds.at(h); }
 
-  /* The mesh before. */
+  /* Returns the mesh before the contraction. */
   const Indexed_mesh& uncontracted() const
   {
     return is_contracted() ? m_origin->mesh : static_cast<const Indexed_mesh&>(*this);
   }
 
-  /* One of the halfedges there that have become h, and the vertices at which it starts and ends. */
+  /* Returns one of the old halfedges that have become h, and below the vertices at which it starts and ends. */
   Input_halfedge_index uncontracted_halfedge(Input_halfedge_index h) const
   {
     return is_contracted() ? m_origin->contraction.input_halfedge[h] : h;
@@ -117,12 +119,12 @@ protected:
 };
 
 /*
- * A FaceListGraph seen through consecutive integers, with twin(h) == h ^ 1.
+ * A FaceListGraph as seen through consecutive integers, with twin(h) == h ^ 1.
  *
  * The general model numbers edges and vertices in the order of `edges(mesh)` and `vertices(mesh)` and copies the
- * connectivity once, O(mesh). It asks nothing of the descriptors but `<`, whose order reaches no result.
+ * connectivity once, in linear time. It requires only `<` of the descriptors, whose order affects no result.
  *
- * `is_triangle()` takes a face of one side for a triangle, which `Halfedge_store` does not.
+ * `is_triangle()` accepts a face with one side as a triangle, which `Halfedge_store` does not.
  */
 template <class TriangleMesh>
 class Indexed_mesh : public Possibly_contracted<Indexed_mesh<TriangleMesh>>
@@ -142,7 +144,7 @@ public:
 
   Index number_of_vertices() const { return static_cast<Index>(m_vertices.size()); }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
-  /* If all are triangles. */
+  /* \pre all faces are triangles */
   Index number_of_faces() const { return (number_of_halfedges() - m_number_of_border_halfedges) / 3; }
 
   vertex_descriptor vertex(Vertex_index v) const { return m_vertices[v]; }
@@ -161,10 +163,10 @@ public:
   bool is_triangle(Input_halfedge_index h) const { return next(next(h)) == previous(h); }
   Vertex_index tail(Input_halfedge_index h) const { return m_tail[h]; }
   bool is_border(Input_halfedge_index h) const { return m_is_border[h] != 0; }
-  /// A halfedge that starts at `v`, or `null_index` at an isolated vertex.
+  /// Returns a halfedge that starts at `v`, or `null_index` at an isolated vertex.
   Input_halfedge_index outgoing(Vertex_index v) const { return m_outgoing[v]; }
 
-  /* Makes this the mesh that is left by a contraction. */
+  /* Replaces the mesh by the result of a contraction. */
   void replace_connectivity(Contraction&& contraction)
   {
     auto origin = std::make_shared<Uncontracted<Indexed_mesh>>(Uncontracted<Indexed_mesh>{*this, {}});
@@ -253,8 +255,8 @@ private:
 };
 
 /*
- * A `Surface_mesh` is numbered the same way already, so that nothing is copied and nothing read before it is asked. If
- * edges are contracted, there is another `Surface_mesh` of what is left, without points.
+ * A `Surface_mesh` already has this numbering, so that nothing is copied and nothing is read before it is requested. If
+ * edges are contracted, a second `Surface_mesh` without points represents the result.
  */
 template <class P>
 class Indexed_mesh<CGAL::Surface_mesh<P>> : public Possibly_contracted<Indexed_mesh<CGAL::Surface_mesh<P>>>
@@ -304,7 +306,7 @@ public:
     return h == Graph::null_halfedge() ? null_index : twin_index(of_own(h));
   }
 
-  /* As above. */
+  /* Replaces the mesh by the result of a contraction. */
   void replace_connectivity(Contraction&& contraction)
   {
     auto left = std::make_shared<Mesh>();
@@ -359,7 +361,7 @@ private:
 
   const Mesh* m_mesh;
   Index m_number_of_vertices, m_number_of_halfedges;
-  std::shared_ptr<const Mesh> m_contracted_mesh; // what `m_mesh` is then
+  std::shared_ptr<const Mesh> m_contracted_mesh; // to which `m_mesh` then refers
 };
 
 } // namespace internal

@@ -10,17 +10,17 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * What the library uses of its own classes beyond their documentation. The header of such a class specializes this
- * template. Other models of a concept have nothing but what the concept requires, and the library does without the
- * rest.
+ * The members of the library's own classes that it uses beyond their documentation. The header of such a class
+ * specializes this template. Other models of a concept provide only what the concept requires, and the library works
+ * without the rest.
  */
 template <class Model>
 struct Internals
 {
-  static constexpr bool has_exact_faces = false;     // with exact_face()
-  static constexpr bool has_precise_numbers = false; // with precise_edge(), precise_halfedge() and flat_edges()
+  static constexpr bool has_exact_faces = false;     // provides exact_face()
+  static constexpr bool has_precise_numbers = false; // provides precise_edge(), precise_halfedge() and flat_edges()
 
-  /* Makes a point a vertex of a triangulation. That it lies close to a known piece is not used. */
+  /* Inserts a point as a vertex of a triangulation, without using the known piece close to it. */
   template <class OnSplit>
   static Vertex_index insert(Model& model, const Surface_location& location, const OnSplit& on_split, Known_piece&)
   {

@@ -18,11 +18,12 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Asks a visitor at regular intervals whether a search is to continue. Once it is interrupted, it remains so. */
+/* Calls a visitor at regular intervals to determine whether a search continues. Once interrupted, it remains
+ * interrupted. */
 class Interruption
 {
 public:
-  /* \param visitor must outlive it; only `go_further()` is called */
+  /* \param visitor must outlive this object; only `go_further()` is called */
   template <class Visitor>
   explicit Interruption(Visitor& visitor)
     : m_go_further([&visitor] { return static_cast<bool>(visitor.go_further()); })
@@ -31,11 +32,11 @@ public:
 
   bool has_occurred() const { return m_has_occurred; }
 
-  /* Counts a step that is about to be taken; returns whether it is not to be. */
+  /* Counts a step that is about to be taken; returns whether it must not be taken. */
   bool count_step() { return ++m_steps % interval == 0 ? begin_part() : m_has_occurred; }
 
-  /* Calls the visitor before a part of a computation that takes far longer than a step; returns whether the part is not
-   * to be computed. */
+  /* Calls the visitor before a part of a computation that takes far longer than a step; returns whether the part must
+   * be skipped. */
   bool begin_part()
   {
     m_has_occurred = m_has_occurred || !m_go_further();
@@ -43,7 +44,7 @@ public:
   }
 
 private:
-  // Steps of a search take a microsecond at most on average, and a visitor may read a clock.
+  // Steps of a search take at most a microsecond on average, whereas a visitor may read a clock.
   static constexpr std::size_t interval = 1024;
 
   std::function<bool()> m_go_further;
@@ -52,8 +53,8 @@ private:
 };
 
 /*
- * A visitor for the parts of a computation that several threads take at the same time, each with an `Interruption` of
- * its own. Only the thread that has made it asks the caller's visitor; the others learn the outcome.
+ * A visitor for the parts of a computation that several threads process simultaneously, each with an `Interruption` of
+ * its own. Only the thread that constructed it calls the caller's visitor; the others receive the result.
  */
 class Shared_interruption
 {
@@ -77,25 +78,25 @@ private:
   std::atomic<bool> m_has_occurred;
 };
 
-/* Counts a step of a search which may be one that cannot be interrupted. */
+/* Counts a step of a search that may be uninterruptible. */
 inline bool is_interrupted(Interruption* interruption) { return interruption != nullptr && interruption->count_step(); }
 
-/* The same of a search that is compiled without interruptions, and takes no time for them. */
+/* Does so for a search compiled without interruptions, at no cost. */
 constexpr bool is_interrupted() { return false; }
 
-/* Begins a part of a computation which may be one that cannot be interrupted. */
+/* Begins a part of a computation that may be uninterruptible. */
 inline bool is_interrupted_before_part(Interruption* interruption)
 {
   return interruption != nullptr && interruption->begin_part();
 }
 
-/* What a computation throws to end itself if its parts are of no use unless all are complete. The functions between its
- * innermost loops and the public one return trees, searches and bases, which a status would have to accompany. */
+/* Thrown by a computation to end itself if its partial results are useless. The functions between its innermost loops
+ * and the public one return trees, searches and bases, which would otherwise have to be accompanied by a status. */
 struct Interrupted
 {
 };
 
-/* Returns what `compute()` returns, or a value-initialised result if it is interrupted. */
+/* Returns the result of `compute()`, or a value-initialised result if it is interrupted. */
 template <class Compute>
 auto result_unless_interrupted(const Compute& compute) -> decltype(compute())
 {
@@ -120,7 +121,7 @@ inline void throw_if_interrupted_before_part(Interruption* interruption)
     throw Interrupted();
 }
 
-/* Has a computation been interrupted, if it can be? */
+/* Returns whether a computation has been interrupted, if that is possible. */
 inline bool has_been_interrupted(const Interruption* interruption)
 {
   return interruption != nullptr && interruption->has_occurred();
@@ -141,7 +142,7 @@ struct Visitor_holder<std::reference_wrapper<T>>
   T& get() { return visitor.get(); }
 };
 
-/* The visitor of the named parameters: a copy, the caller's own by `std::ref()`, or one that does nothing. */
+/* Returns the visitor of the named parameters: a copy, the caller's own by `std::ref()`, or one that does nothing. */
 template <class NamedParameters>
 auto make_visitor(const NamedParameters& np)
 {
@@ -153,7 +154,7 @@ auto make_visitor(const NamedParameters& np)
   }
 }
 
-/* Returns what `compute(interruption)` returns, where the interruption is null unless a visitor is given, or a
+/* Returns the result of `compute(interruption)`, where the interruption is null unless a visitor is given, or a
  * value-initialised result if the visitor stops it. */
 template <class NamedParameters, class Compute>
 auto result_unless_stopped(const NamedParameters& np, const Compute& compute)

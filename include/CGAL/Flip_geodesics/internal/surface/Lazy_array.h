@@ -17,11 +17,11 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * An array whose elements start as zero bytes. Where the operating system gives cleared pages, they cost nothing until
- * they are written, so that a workspace as large as the mesh is made in constant time. It has room for some more
- * elements, and moves to twice the room when that is used up.
+ * An array whose elements are initially zero bytes. If the operating system provides cleared pages, they cost nothing
+ * until they are written, so that a workspace as large as the mesh is created in constant time. It has capacity for
+ * some additional elements, and doubles it when it is exhausted.
  *
- * Elements that are not trivially copyable (number types that own memory) fall back to a vector.
+ * Elements that are not trivially copyable, such as number types that own memory, are stored in a vector.
  */
 template <class T, bool IsTrivial = std::is_trivially_copyable<T>::value>
 class Lazy_array
@@ -47,7 +47,7 @@ public:
   const T& operator[](std::size_t i) const { return m_data.get()[i]; }
   std::size_t size() const { return m_size; }
 
-  /// Changes the size; new elements are zero bytes. \pre elements that are cut off are zero bytes
+  /// Changes the size; new elements are zero bytes. \pre removed elements are zero bytes
   void resize(std::size_t size)
   {
     if(size > m_capacity) {

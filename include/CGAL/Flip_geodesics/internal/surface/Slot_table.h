@@ -17,14 +17,14 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Gives slots to the elements of a sequence, by blocks, in the order in which they are first used. What is kept of the
- * elements lies in an array by slots then, where all that was used is together, however the sequence is numbered. Kept
- * by elements, far from each other, each would take a page of memory of its own, and to be given one by the operating
- * system takes more time than most of what is done with an element.
+ * Assigns slots to the elements of a sequence, in blocks, in the order of their first use. Data of the elements is then
+ * stored in an array by slots, in which all used elements are close together, however the sequence is numbered. Stored
+ * by elements, distant data would take one page of memory each, and obtaining a page from the operating system takes
+ * longer than most operations on an element.
  *
- * The slots of block 0 are nobody's: those of elements that were never used.
+ * The slots of block 0 are those of elements that were never used.
  *
- * If the table `IsShared`, other threads may look up slots while one thread gives some.
+ * If the table `IsShared`, other threads may look up slots while one thread assigns some.
  */
 template <std::size_t BlockSize, bool IsShared = false>
 class Slot_table
@@ -38,15 +38,15 @@ public:
     checked_index_bound(largest_number_of_slots());
   }
 
-  /* The slot of an element; below `block_size` if it has none. */
+  /* Returns the slot of an element; it is less than `block_size` if none is assigned. */
   Index operator[](Index i) const { return start_of(i) + static_cast<Index>(position(i)); }
 
   bool has_slot(Index i) const { return start_of(i) != 0; }
 
   /*
-   * Gives an element and the others of its block the slots from `number_of_slots()` on. Other threads may look up slots
-   * at the same time: what was written at these slots before is seen by those that find them. Returns the first of them.
-   * \pre it has none
+   * Assigns the slots from `number_of_slots()` on to the block of an element. Other threads may look up slots
+   * simultaneously: data written at these slots before is visible to threads that find them. Returns the first of these
+   * slots. \pre the element has none
    */
   Index add(Index i)
   {
@@ -56,13 +56,13 @@ public:
     return static_cast<Index>(start);
   }
 
-  /* Those that were given, and those of nobody. */
+  /* Returns the number of assigned slots, plus those of block 0. */
   std::size_t number_of_slots() const { return load_relaxed(m_number_of_slots); }
 
-  /* The number of slots when all elements have one. */
+  /* Returns the number of slots when all elements have one. */
   std::size_t largest_number_of_slots() const { return (m_starts.size() + 1) * block_size; }
 
-  /* Makes room for more elements. */
+  /* Adds elements up to a new number. */
   void grow(std::size_t number_of_elements)
   {
     if(number_of_blocks(number_of_elements) > m_starts.size())

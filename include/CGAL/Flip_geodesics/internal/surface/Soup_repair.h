@@ -28,7 +28,8 @@ template <class Kernel>
 using Soup_mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
 
 /*
- * A soup as a mesh, for what needs neighbors: vertex v of the soup has index v, triangle t index t.
+ * Returns a soup as a mesh, for operations that require neighbors: vertex v of the soup has index v, triangle t index
+ * t.
  *
  * \pre the soup is an oriented manifold
  */
@@ -44,7 +45,7 @@ Soup_mesh<Kernel> make_soup_mesh(const Triangle_soup<Kernel>& soup)
   return mesh;
 }
 
-/* The corners of a face, from the head of its halfedge on. */
+/* Returns the corners of a face, starting with the head of its halfedge. */
 template <class Mesh>
 std::array<std::size_t, 3> corners(const Mesh& mesh, typename Mesh::Face_index f)
 {
@@ -53,7 +54,7 @@ std::array<std::size_t, 3> corners(const Mesh& mesh, typename Mesh::Face_index f
           static_cast<std::size_t>(mesh.source(h))};
 }
 
-/* For each face its component, connected by edges, counted from 0 in the order of their first faces. */
+/* Returns for each face its edge-connected component, counted from 0 in the order of their first faces. */
 template <class Mesh>
 std::vector<std::size_t> face_components(Mesh& mesh)
 {
@@ -66,12 +67,12 @@ std::vector<std::size_t> face_components(Mesh& mesh)
 }
 
 /*
- * Stitches borders of a soup that lie in the same place in opposite directions: first pairs of border edges of one
- * component, so that what was cut open where parts touch closes again, then those of any two components. Where more
- * than two edges remain in one place, none is stitched, as there is no telling which belong together. Pairs stay open if
- * their vertices, once merged, would be the ends of two edges, which had to be cut again.
+ * Stitches coinciding borders of a soup with opposite directions: first pairs of border edges of one component, so that
+ * cuts where parts touch are closed again, then those of any two components. If more than two edges coincide, none is
+ * stitched, since it is ambiguous which belong together. Pairs stay open if their vertices, once merged, would be the
+ * ends of two edges, which would have to be cut again.
  *
- * \pre the soup is an oriented manifold, which it is afterwards, too
+ * \pre the soup is an oriented manifold, and it remains one
  */
 template <class Kernel>
 class Soup_stitcher
@@ -84,7 +85,7 @@ class Soup_stitcher
 
   struct Border_edge
   {
-    std::size_t component, low, high; // places
+    std::size_t component, low, high; // points of the input
     bool is_ascending;
     Halfedge h;
 
@@ -103,7 +104,7 @@ public:
   {
   }
 
-  /* Were borders stitched? */
+  /* Returns whether borders were stitched. */
   bool operator()()
   {
     collect_border_edges();
@@ -112,7 +113,7 @@ public:
     for(Border_edge& edge : m_edges)
       edge.component = 0;
     take_pairs(pairs);
-    std::sort(pairs.begin(), pairs.end()); // an order that does not depend on the numbers of points
+    std::sort(pairs.begin(), pairs.end()); // an order independent of the numbers of points
     while(!pairs.empty() && Polygon_mesh_processing::stitch_borders(m_mesh, pairs) > 0) {
       find_stitched();
       const std::vector<char> is_doubled = ends_of_doubled_edges();
@@ -138,7 +139,7 @@ private:
     }
   }
 
-  // Moves edges of which there are two with the same key, of opposite directions, to the pairs.
+  // Moves edges to the pairs if there are exactly two with the same key and opposite directions.
   void take_pairs(std::vector<Pair>& pairs)
   {
     std::sort(m_edges.begin(), m_edges.end());
@@ -155,7 +156,7 @@ private:
     m_edges = std::move(rest);
   }
 
-  // Stitching keeps faces and places, but neither vertices nor where the corners of a face begin.
+  // Stitching preserves faces and positions, but neither vertices nor the first corner of a face.
   void find_stitched()
   {
     m_stitched.clear();
@@ -171,7 +172,7 @@ private:
     }
   }
 
-  // Marks vertices of the stitched mesh that are the ends of a side of two triangles, in the same direction; empty if
+  // Marks vertices of the stitched mesh that are the ends of a side of two triangles in the same direction; empty if
   // there are none. Two borders from one vertex to another in opposite directions are one edge of the soup.
   std::vector<char> ends_of_doubled_edges() const
   {
@@ -189,7 +190,7 @@ private:
     return result;
   }
 
-  // An edge is doubled since a pair at one of its ends was stitched.
+  // An edge is doubled because a pair at one of its ends was stitched.
   void remove_pairs_at(const std::vector<char>& is_doubled, std::vector<Pair>& pairs) const
   {
     const auto is_removed = [&](const Pair& pair) {
@@ -201,7 +202,7 @@ private:
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_removed), pairs.end());
   }
 
-  // The vertices of a stitched triangle become the least of those that they were made of.
+  // The vertices of a stitched triangle become the least of those from which they were merged.
   void read_back()
   {
     std::vector<std::size_t> representative(m_soup.origins.size(), Soup::none);
@@ -220,24 +221,24 @@ private:
   Mesh m_mesh;
   std::vector<Border_edge> m_edges;
   std::vector<Triangle> m_stitched;
-  std::vector<std::size_t> m_now; // for each vertex of the soup that of the stitched mesh, none if it has no faces
+  std::vector<std::size_t> m_now; // for each vertex of the soup its stitched vertex, none if it has no faces
 };
 
 /*
- * Removes triangles whose corners are collinear, which have their middle corner B on their longest edge AC. Where a
- * triangle ACD with area lies beyond that edge, a flip makes two triangles with area of both, and the surface stays as
- * it is:
+ * Removes triangles with collinear corners, which have their middle corner B on their longest edge AC. If a
+ * nondegenerate triangle ACD lies beyond that edge, a flip converts both into two nondegenerate triangles, and the
+ * surface is unchanged:
  *
  *        D                 D
  *      /   \             / | \
  *     A-----C    ->     A--B--C
  *      \-B-/
  *
- * Where ACD is collinear too and AC its longest edge, a flip makes the sum of lengths smaller; if another one is, that
- * is looked at first, which is longer. So there is an end. What no flip can help is dropped: at a border the surface is
- * the same without it; elsewhere it leaves a slit.
+ * If ACD is collinear as well and AC is its longest edge, a flip decreases the sum of lengths; if another edge is
+ * longest, that longer edge is examined first. The process therefore terminates. A triangle that no flip can remove is
+ * dropped: at a border the surface is the same without it; elsewhere this leaves a slit.
  *
- * \pre the soup is an oriented manifold, which it may not be afterwards, and no triangle has two corners in one place
+ * \pre the soup is an oriented manifold, which it need not be afterwards, and no triangle has two coincident corners
  */
 template <class Kernel>
 class Soup_flips
@@ -254,7 +255,7 @@ public:
   {
   }
 
-  /* Was anything changed? */
+  /* Returns whether anything was changed. */
   bool operator()()
   {
     for(std::size_t t = 0; t < m_soup.triangles.size(); ++t)
@@ -286,7 +287,7 @@ private:
     if(m_mesh.is_border(o) || m_flips_left == 0)
       return drop(f);
     const Face g = m_mesh.face(o);
-    if(m_is_dropped[g] != 0) // as good as a border
+    if(m_is_dropped[g] != 0) // equivalent to a border
       return drop(f);
     if(!is_done(g) && longest(g) != o)
       m_stack.insert(m_stack.end(), {f, g});
@@ -317,7 +318,7 @@ private:
     }
   }
 
-  // The halfedge of a collinear face opposite to the corner between the others.
+  // The halfedge of a collinear face opposite to the middle corner.
   Halfedge longest(Face f) const
   {
     const auto is_ordered = Kernel().collinear_are_ordered_along_line_3_object();
@@ -351,7 +352,7 @@ private:
   std::size_t m_flips_left = 0;
 };
 
-/* Notes which triangles CGAL's orientation turns over, and which edges it finds to have more than two. */
+/* Records which triangles CGAL's orientation reverses, and which edges it finds to have more than two triangles. */
 class Orientation_recorder : public Polygon_mesh_processing::Default_orientation_visitor
 {
 public:
@@ -376,14 +377,15 @@ private:
 };
 
 /*
- * Makes an oriented manifold without collinear triangles of a soup. A round drops triangles that occur twice, orients
- * all alike, cuts them apart where they are not a manifold, stitches borders in one place, and flips collinear triangles
- * away or drops them. Rounds repeat until one changes nothing. Hence a repair of the result, which is a round that
- * starts from the same triangles in the same order, changes nothing either.
+ * Converts a soup into an oriented manifold without collinear triangles. A round drops duplicate triangles, orients all
+ * consistently, cuts them apart where they are not a manifold, stitches coinciding borders, and flips or drops
+ * collinear triangles. Rounds repeat until one changes nothing. A repair of the result, which is a round that starts
+ * from the same triangles in the same order, therefore changes nothing either.
  *
- * There is a last round: the number of triangles never grows, a flip makes the number of collinear ones smaller or, with
- * the same number, the sum of lengths, and a stitch, which needs no cut, makes borders shorter. What makes a later one of
- * these larger has made an earlier one smaller, and there are finitely many triangles on the vertices of the soup.
+ * The process terminates: the number of triangles never grows, a flip decreases the number of collinear ones or, with
+ * the same number, the sum of lengths, and a stitch, which requires no cut, shortens borders. A step that increases one
+ * of the later quantities has decreased an earlier one, and there are finitely many triangles on the vertices of the
+ * soup.
  */
 template <class Kernel>
 class Soup_repair
@@ -460,7 +462,7 @@ private:
     return result;
   }
 
-  // Of the triangles in one place, the first stays; others go if they have the same vertices, or no neighbors.
+  // Of coinciding triangles, the first is kept; others are dropped if they have the same vertices, or no neighbors.
   bool drop_duplicates()
   {
     std::vector<Place_triangle> order;
@@ -483,7 +485,7 @@ private:
     return count > 0;
   }
 
-  // Two triangles back to back, each the only neighbor of the other, are a closed surface, and no duplicates.
+  // Two triangles back to back, each the only neighbor of the other, are a closed surface and not duplicates.
   bool is_duplicate(std::size_t first, std::size_t t, const std::vector<Edge>& edges) const
   {
     const Triangle &a = m_soup.triangles[first], &b = m_soup.triangles[t];
@@ -500,7 +502,7 @@ private:
     return most > 2 || is_even(a, b);
   }
 
-  // Is b a rotation of a?
+  // Returns whether b is a rotation of a.
   static bool is_even(const Triangle& a, const Triangle& b)
   {
     const auto at = std::find(b.begin(), b.end(), a[0]);
@@ -520,8 +522,8 @@ private:
     return false;
   }
 
-  // Reverses triangles so that borders in one place have opposite directions and can be stitched. Triangles are passed
-  // with the least place first, since CGAL's choice between conflicting neighbors depends on the corner that is first.
+  // Reverses triangles such that coinciding borders have opposite directions and can be stitched. Triangles are passed
+  // with the least place first, since CGAL's choice between conflicting neighbors depends on the first corner.
   void align_parts()
   {
     std::vector<Triangle> triangles = m_soup.triangles;
@@ -540,7 +542,7 @@ private:
         m_soup.reverse(t);
   }
 
-  // The alignment of parts serves the stitch only: if there is none, orientations stay as they were.
+  // The alignment of parts serves only the stitching: if nothing is stitched, the original orientations are kept.
   void stitch()
   {
     const std::vector<Triangle> triangles = m_soup.triangles;
@@ -553,7 +555,7 @@ private:
     m_soup.is_reversed = is_reversed;
   }
 
-  // Orients, and cuts apart. Vertices that this adds are appended to the origins, as copies.
+  // Orients and cuts apart. Vertices added by this are appended to the origins, as copies.
   void orient()
   {
     std::vector<Edge> edges;
@@ -567,7 +569,7 @@ private:
       m_soup.merged_into.push_back(v);
   }
 
-  // CGAL orients as the first triangle of a component is; that may turn over all others.
+  // CGAL orients a component like its first triangle, which may reverse all others.
   void keep_most_orientations()
   {
     if(std::count(m_soup.is_reversed.begin(), m_soup.is_reversed.end(), 1) == 0)
@@ -598,7 +600,7 @@ private:
 
   Soup& m_soup;
   Repair_record& m_record;
-  std::vector<Edge> m_edges; // that were cut, by the points of the input
+  std::vector<Edge> m_edges; // edges that were cut, by the points of the input
   bool m_is_manifold = false;
 };
 

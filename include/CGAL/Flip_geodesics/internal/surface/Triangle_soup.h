@@ -28,7 +28,7 @@ namespace internal {
 
 /*
  * The triangles on which a repair works. A vertex is a point of the input, with the same number, or a copy of one,
- * numbered after them. Vertices in the same place have the same `place`, the least number of a point there.
+ * numbered after them. Coincident vertices have the same `place`, the least number of a coincident point.
  */
 template <class Kernel_>
 struct Triangle_soup
@@ -70,7 +70,7 @@ struct Triangle_soup
     return Kernel().collinear_3_object()(point(t[0]), point(t[1]), point(t[2]));
   }
 
-  /* Keeps the order of the others. */
+  /* Preserves the order of the others. */
   void remove(const std::vector<char>& is_dropped)
   {
     std::size_t kept = 0;
@@ -98,7 +98,7 @@ struct Triangle_soup
     permute(is_reversed, order);
   }
 
-  /* The vertex that v became part of. */
+  /* Returns the vertex into which v was merged. */
   std::size_t resolve(std::size_t v) const
   {
     while(merged_into[v] != v)
@@ -156,13 +156,13 @@ Soup_coordinates soup_coordinates(const Point_3& p)
   return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
 }
 
-/* The largest difference of two coordinates. */
+/* Returns the largest difference of two coordinates. */
 inline double maximum_distance(const Soup_coordinates& p, const Soup_coordinates& q)
 {
   return (std::max)({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])});
 }
 
-/* The least corner of the bounding box of those points that are finite, and the length of its longest side. */
+/* The least corner of the bounding box of the finite points, and the length of its longest side. */
 struct Soup_box
 {
   explicit Soup_box(const std::vector<Soup_coordinates>& points)
@@ -183,8 +183,8 @@ struct Soup_box
 };
 
 /*
- * Finds the points whose coordinates differ from those of a place by a distance at most. They are sorted by the cells of
- * a grid, so that those near a place lie in its cell or in neighbors of that.
+ * Finds the points whose coordinates differ from those of a given point by at most a distance. They are sorted by the
+ * cells of a grid, so that points near the given one lie in its cell or in neighbors of that.
  *
  * \pre the points are finite, and so is the longest side of their box
  */
@@ -202,7 +202,7 @@ public:
     std::sort(m_cells.begin(), m_cells.end());
   }
 
-  /* Calls `use(i, distance)` for each point near a place. */
+  /* Calls `use(i, distance)` for each point near the given one. */
   template <class Function>
   void for_each(const Soup_coordinates& place, const Function& use) const
   {
@@ -218,7 +218,7 @@ public:
   }
 
 private:
-  static constexpr double cell_size = 2; // a rounded quotient errs by less than the half
+  static constexpr double cell_size = 2; // the error of a rounded quotient is less than half of this
 
   Soup_coordinates cell(const Soup_coordinates& p) const
   {
@@ -233,9 +233,9 @@ private:
 };
 
 /*
- * Moves points into the place of the nearest point before them that was not moved, if there is one within a tolerance,
- * which is relative to the longest side of the bounding box. Returns how many were moved. Those that were not are farther
- * from each other, so that nothing is left to be moved.
+ * Moves each point to the nearest unmoved point before it within a tolerance, which is relative to the longest side of
+ * the bounding box. Returns the number of moved points. The unmoved ones are farther from each other, so that a second
+ * call moves nothing.
  */
 template <class Point_3>
 std::size_t weld_points(std::vector<Point_3>& points, double tolerance)
@@ -270,7 +270,7 @@ std::size_t weld_points(std::vector<Point_3>& points, double tolerance)
 
 /*
  * Finds border edges that nearly coincide with others: their ends are near the ends of another border edge in a
- * different place, which is what points written with few digits, or computed in two ways, make of a seam.
+ * different place. Points written with few digits, or computed in two ways, cause this at seams.
  */
 template <class Kernel>
 class Near_borders
@@ -319,7 +319,8 @@ private:
     return result;
   }
 
-  // The distance of the ends of edge i to those of the nearest other one, in either direction; infinite if there is none.
+  // The distance of the ends of edge i to those of the nearest other one, in either direction; infinite if there is
+  // none.
   double distance_to_nearest(std::size_t i, const Near_points& tails, double distance) const
   {
     double result = std::numeric_limits<double>::infinity();
@@ -338,7 +339,7 @@ private:
     return maximum_distance(m_tails[i], m_heads[i]) >= least_length * distance;
   }
 
-  // So is an edge itself.
+  // True also for the edge itself.
   bool is_in_same_place(std::size_t i, std::size_t j) const
   {
     const auto places = [this](const Edge& e) { return std::minmax({m_soup.place(e.first), m_soup.place(e.second)}); };
@@ -351,9 +352,9 @@ private:
 };
 
 /*
- * Cuts polygons of a soup into triangles, by corners of the polygon: a quadrilateral along the better diagonal, others
- * by a constrained Delaunay triangulation of their projection along an axis in which they are simple. Those that are
- * simple in none are cut into a fan.
+ * Triangulates polygons of a soup, by corners of the polygon: a quadrilateral along the better diagonal, others by a
+ * constrained Delaunay triangulation of their projection along an axis in which they are simple. Polygons that are
+ * simple in no projection are cut into a fan.
  */
 template <class Kernel>
 class Soup_polygon_triangulator
@@ -364,7 +365,7 @@ class Soup_polygon_triangulator
   using Face_base =
       CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
   using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
-  // A simple polygon needs no intersections of constraints, so all is decided by predicates on the input.
+  // A simple polygon requires no intersections of constraints, so that predicates on the input suffice.
   using Triangulation =
       CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
                                                  CGAL::No_constraint_intersection_requiring_constructions_tag>;
@@ -378,7 +379,7 @@ public:
   {
   }
 
-  /* \pre three corners or more */
+  /* \pre there are at least three corners */
   std::vector<Triangle> operator()(const Corners& corners) const
   {
     if(corners.size() == 3)
@@ -420,7 +421,7 @@ private:
     return result;
   }
 
-  // The diagonal at which both halves have much area and turn the same way, as CGAL chooses it.
+  // The diagonal for which both halves have a large area and the same orientation, as CGAL chooses it.
   std::vector<Triangle> halves(const Corners& c) const
   {
     const auto product = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -433,7 +434,7 @@ private:
     return {{c[0], c[1], c[2]}, {c[0], c[2], c[3]}};
   }
 
-  // The axes, that in whose direction the polygon is widest first.
+  // The axes, beginning with that in whose direction the polygon is widest.
   std::array<int, 3> axes(const Corners& corners) const
   {
     std::array<double, 3> total = {0, 0, 0};
@@ -491,7 +492,7 @@ private:
     }
   }
 
-  // In the order of their least corners, which each starts with.
+  // In the order of their least corners, with which each starts.
   static std::vector<Triangle> inner_triangles(const Corners& corners, const Triangulation& triangulation,
                                                bool is_clockwise)
   {
@@ -515,7 +516,7 @@ private:
   const Soup& m_soup;
 };
 
-/* Makes the triangles of a soup from polygons, and says what it did. */
+/* Constructs the triangles of a soup from polygons, and reports the changes. */
 template <class Kernel>
 class Soup_polygons
 {
@@ -572,7 +573,7 @@ private:
     Corners open;
     for(std::size_t v : corners) {
       const std::size_t first = position_in(open, v);
-      if(first < open.size()) { // the same place again: what lies between is a part
+      if(first < open.size()) { // the same place again: the corners in between are a part
         if(open.size() - first >= 3)
           parts.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
         open.resize(first);
@@ -585,7 +586,7 @@ private:
     return parts;
   }
 
-  // Where the place of v is among the open corners, or their number.
+  // The position of the place of v among the open corners, or their number.
   std::size_t position_in(const Corners& open, std::size_t v)
   {
     m_position.resize(m_soup.points.size(), 0);
@@ -596,7 +597,7 @@ private:
   Soup& m_soup;
   Repair_record& m_record;
   Soup_polygon_triangulator<Kernel> m_triangulate;
-  std::vector<std::size_t> m_position; // of a place in the polygon at hand; may be out of date
+  std::vector<std::size_t> m_position; // of a place in the current polygon; may be out of date
 };
 
 } // namespace internal

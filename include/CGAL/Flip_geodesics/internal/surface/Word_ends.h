@@ -15,14 +15,15 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* What an intrinsic vertex is on the input. */
+/* Returns the kind of an intrinsic vertex on the input. */
 template <class Triangulation>
 Location_kind vertex_kind(const Triangulation& triangulation, Vertex_index v)
 {
   return triangulation.is_inserted(v) ? kind(triangulation.location(v)) : Location_kind::VERTEX;
 }
 
-/* The halfedge that the corners of the face of a gap are told from: of that between letters gap - 1 and gap of a word. */
+/* Returns the halfedge to which the corners of the face of a gap refer: that between crossed edges gap - 1 and gap of
+ * an edge sequence. */
 inline Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t gap)
 {
   if(word.along != null_index)
@@ -31,9 +32,9 @@ inline Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t g
 }
 
 /*
- * The word of an edge does not lead to the end that it is to have. Refinement and the reader of networks catch this,
- * since they undo the flips and go on without the point. It is found in the innermost loops of flips, insertions and
- * predicates, whose results are words, positions and signs; other callers of these cannot undo anything.
+ * Thrown if the edge sequence of an edge does not lead to its end. Refinement and the reader of networks catch this,
+ * since they undo the flips and continue without the point. It is detected in the innermost loops of flips, insertions
+ * and predicates, whose results are edge sequences, positions and signs; their other callers cannot undo anything.
  */
 [[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
 {
@@ -42,7 +43,8 @@ inline Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t g
                         {static_cast<std::size_t>(face.idx())});
 }
 
-/* The side of an input face, given by any of its halfedges, that a point of an edge lies on; inside, its halfedge. */
+/* Returns the side of an input face, given by any of its halfedges, on which a point of an edge lies; for an interior
+ * point, its halfedge. */
 template <class Input_mesh>
 Input_halfedge_index location_anchor(const Input_mesh& input, const Surface_location& location,
                                      Input_halfedge_index face)
@@ -56,8 +58,9 @@ Input_halfedge_index location_anchor(const Input_mesh& input, const Surface_loca
 }
 
 /*
- * The halfedge of an input face, given by any of its halfedges, that a vertex in it is told by: an input vertex by the
- * halfedge that starts there, a point of an edge by the side of that edge, a point inside by its location's halfedge.
+ * Returns the reference halfedge of a vertex in an input face, given by any of its halfedges: for an input vertex the
+ * halfedge that starts there, for a point of an edge the side of that edge, for an interior point the halfedge of its
+ * surface point.
  */
 template <class Triangulation>
 Input_halfedge_index anchor(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index face)
@@ -71,7 +74,7 @@ Input_halfedge_index anchor(const Triangulation& triangulation, Vertex_index v, 
   throw_wrong_flips(face);
 }
 
-/* Is a vertex the tail of input halfedge h, or a point inside its edge? */
+/* Returns whether a vertex is the tail of input halfedge h, or a point inside its edge. */
 template <class Triangulation>
 bool is_on_halfedge(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
 {
@@ -80,7 +83,7 @@ bool is_on_halfedge(const Triangulation& triangulation, Vertex_index v, Input_ha
   return vertex_kind(triangulation, v) == Location_kind::EDGE && are_of_one_edge(triangulation.location(v).halfedge, h);
 }
 
-/* Is a vertex inside the face of input halfedge h, or on its border? */
+/* Returns whether a vertex is inside the face of input halfedge h, or on its border. */
 template <class Triangulation>
 bool is_in_face(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
 {
@@ -91,7 +94,7 @@ bool is_in_face(const Triangulation& triangulation, Vertex_index v, Input_halfed
   return false;
 }
 
-/* Is a vertex there, but not on the edge of h? */
+/* Returns whether a vertex is inside that face or on its border, but not on the edge of h. */
 template <class Triangulation>
 bool is_opposite_vertex(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
 {
@@ -99,8 +102,8 @@ bool is_opposite_vertex(const Triangulation& triangulation, Vertex_index v, Inpu
          !is_on_halfedge(triangulation, v, twin_index(h));
 }
 
-/* An end of a word as seen from there: the input halfedge that it leaves along, the first one that it crosses, a
- * halfedge of its first face, each `null_index` if there is none; and the vertex. */
+/* An end of an edge sequence as seen from there: the input halfedge along which it leaves, the first one that it
+ * crosses, a halfedge of its first face, each `null_index` if there is none; and the vertex. */
 struct Word_end
 {
   Input_halfedge_index along, crossed, face;
@@ -119,8 +122,8 @@ inline Word_end head_end(const Crossing_word& word)
 }
 
 /*
- * The anchor of the tail of a word in its first face. Over an input halfedge that the word runs along, that halfedge,
- * whose face is on the left. The directions of edges at a vertex are told from here.
+ * Returns the anchor of the tail of an edge sequence in its first face. If the sequence runs along an input halfedge,
+ * it is that halfedge, whose face is on the left. The directions of edges at a vertex refer to it.
  */
 template <class Triangulation>
 Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Word_end& tail)
@@ -139,8 +142,9 @@ Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Cross
 }
 
 /*
- * The anchor of the head of a word in its last face, that on the left of a word along an input halfedge. It is also the
- * first direction of an input edge, strictly, that a turn clockwise about the head meets.
+ * Returns the anchor of the head of an edge sequence in its last face, which is on the left if the sequence runs along
+ * an input halfedge. It is also the first direction of an input edge, strictly, that a clockwise turn around the head
+ * meets.
  */
 template <class Triangulation>
 Input_halfedge_index head_anchor(const Triangulation& triangulation, const Word_end& head)
@@ -157,7 +161,7 @@ Input_halfedge_index head_anchor(const Triangulation& triangulation, const Cross
   return head_anchor(triangulation, head_end(word));
 }
 
-/* The direction of an input edge after `spoke`, clockwise about vertex v. */
+/* Returns the direction of an input edge after `spoke`, clockwise around vertex v. */
 template <class Triangulation>
 Input_halfedge_index next_spoke(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index spoke)
 {
@@ -165,7 +169,7 @@ Input_halfedge_index next_spoke(const Triangulation& triangulation, Vertex_index
   return triangulation.is_inserted(v) ? t : triangulation.input().next(t);
 }
 
-/* The weights of a canonical location, of an edge or inside, in the face of h, told from h on. */
+/* Returns the weights of a canonical surface point, on an edge or in the interior, in the face of h, relative to h. */
 template <class Input_mesh>
 std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_location& location, Input_halfedge_index h)
 {
@@ -179,7 +183,7 @@ std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_loc
   return result;
 }
 
-/* The weights of a vertex in the face of h, told from h on. */
+/* Returns the weights of a vertex in the face of h, relative to h. */
 template <class Triangulation>
 std::array<double, 3> vertex_weights(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
 {

@@ -23,9 +23,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Contracts the edges of length zero. The vertices that they join are one point of the surface. A face with one such
- * edge has no area, and its two other sides are one; so a fan of them makes one edge of many. A face of three is a
- * part of the point.
+ * Contracts degenerate edges. The vertices that they connect are one point of the surface. A face with one such edge is
+ * degenerate, and its two other sides become one, so that a fan of such faces merges many edges into one. A face with
+ * three such edges is part of the point.
  *
  *        c                    c
  *      / | ^                  ^
@@ -35,25 +35,25 @@ namespace internal {
  *      v | /                  |
  *        d                    d
  *
- * Two faces without area that share their longest side can have their other vertices in one place, though no edge joins
- * them. These are one point, too. The faces vanish, and what was their longest side leads along the two others.
+ * Two degenerate faces that share their longest side can have coincident opposite vertices, though no edge connects
+ * these. They are one point as well. The faces vanish, and their longest side runs along the two others.
  *
  *        b
  *      /   \
- *     a --> c       ==>     a --- bd --- c       b and d in one place on ac
+ *     a --> c       ==>     a --- bd --- c       b and d coincide on ac
  *      \   /
  *        d
  *
- * Around the point the surface is a disk, or a half disk at the border, if the vertices hang together like a tree of
- * triangles; a hole whose border has length zero is closed. Otherwise sheets of the surface meet there in nothing but
- * a point, and each sheet gets a vertex of its own.
+ * Around the point the surface is a disk, or a half disk at the border, if the vertices are connected like a tree of
+ * triangles; a hole whose border has length zero is closed. Otherwise several umbrellas meet only at the point, and
+ * each gets a vertex of its own.
  */
 template <class Input_mesh>
 class Zero_edge_contractor
 {
 public:
-  /* `metric.length(h)` is that of an edge, not a number if it has none; `metric.is_folded(h, t)`, whether the
-   * vertices opposite to h and t, two directions of one segment, lie on it in one place. */
+  /* `metric.length(h)` must return the length of an edge, NaN if it has none; `metric.is_folded(h, t)`, whether the
+   * vertices opposite to h and t, two directions of one segment, coincide on it. */
   template <class Metric>
   Zero_edge_contractor(const Input_mesh& input, const Metric& metric)
     : m_input(input)
@@ -76,7 +76,7 @@ public:
     unfold(metric);
   }
 
-  /* Is there anything to contract? */
+  /* Returns whether there is anything to contract. */
   bool is_needed() const { return m_is_needed; }
 
   Contraction operator()()
@@ -111,7 +111,7 @@ private:
   Input_halfedge_index next(Input_halfedge_index h) const { return m_input.next(h); }
   bool is_border(Input_halfedge_index h) const { return m_input.is_border(h); }
 
-  /* The next side of the face that is no point; h itself if there is no other. */
+  /* Returns the next side of the face whose length is not zero; h itself if there is no other. */
   Input_halfedge_index next_side(Input_halfedge_index h) const
   {
     Input_halfedge_index g = next(h);
@@ -120,17 +120,17 @@ private:
     return g;
   }
 
-  /* Is the face of h left out of the surface, as it has no area? */
+  /* Returns whether the face of h is removed from the surface because it is degenerate. */
   bool is_gone(Input_halfedge_index h) const { return is_needle(h) || m_across.count(h) != 0; }
 
-  /* The side by which one leaves a face that is left out, where one enters it by h. */
+  /* Returns the side through which a path leaves a removed face that it enters across h. */
   Input_halfedge_index across(Input_halfedge_index h) const
   {
     const auto found = m_across.find(h);
     return found == m_across.end() ? next_side(h) : found->second;
   }
 
-  /* Have two sides of a face a length, and no other? \pre that of h has */
+  /* Returns whether exactly two sides of a face have nonzero length. \pre that of h has */
   bool is_needle(Input_halfedge_index h) const
   {
     if(is_border(h))
@@ -139,7 +139,7 @@ private:
     return g != h && next_side(g) == h;
   }
 
-  // The sides of a needle are one, so they must agree.
+  // The two long sides of a needle become one, so that their lengths must agree.
   template <class Length>
   void check_needles(const Length& length) const
   {
@@ -159,7 +159,7 @@ private:
     }
   }
 
-  // Until no faces lie folded: those that vanish let others meet.
+  // Repeats until no faces lie folded: faces that vanish let others meet.
   template <class Metric>
   void unfold(const Metric& metric)
   {
@@ -171,7 +171,7 @@ private:
     }
   }
 
-  // Of all faces with three lengths of which one is the sum of the others, but for roundings. Sorted.
+  // Of all faces with three nonzero lengths, one of which is the sum of the others up to rounding errors. Sorted.
   template <class Metric>
   std::vector<Input_halfedge_index> longest_sides_of_flat_faces(const Metric& metric) const
   {
@@ -186,7 +186,7 @@ private:
     return result;
   }
 
-  // The faces on both sides of h, if they lie folded; what is between them is gone.
+  // Examines the faces on both sides of h, between which all faces are removed, and removes them if they lie folded.
   template <class Metric>
   bool unfold(Input_halfedge_index h, const std::vector<Input_halfedge_index>& sides, const Metric& metric)
   {
@@ -206,7 +206,7 @@ private:
     return m_is_needed = true;
   }
 
-  // For h, t, and the sides of needles between.
+  // For h, t, and the sides of needles in between.
   void add_fold(Input_halfedge_index h, const Contraction::Fold& of_h, Input_halfedge_index t,
                 const Contraction::Fold& of_t)
   {
@@ -218,7 +218,7 @@ private:
     m_result.folds[t] = of_t;
   }
 
-  /* Each side that is left, of a face with an area or on the border, is paired with what lies beyond those gone. */
+  /* Pairs each remaining side, of a nondegenerate face or on the border, with the one beyond the removed faces. */
   void pair_sides()
   {
     m_result.halfedge.resize(m_is_zero.size());
@@ -235,7 +235,7 @@ private:
   {
     const Input_halfedge_index t = far_side(h);
     if(is_border(h) && is_border(t))
-      return; // there are no faces with an area
+      return; // there are no nondegenerate faces
     const Input_halfedge_index first(static_cast<Index>(m_result.input_halfedge.size()));
     m_result.input_halfedge.push_back(h);
     m_result.input_halfedge.push_back(t);
@@ -247,7 +247,7 @@ private:
     }
   }
 
-  /* What lies beyond h and the faces beside it that are gone. */
+  /* Returns the side beyond h and the removed faces beside it. */
   Input_halfedge_index far_side(Input_halfedge_index h) const
   {
     Input_halfedge_index t = twin_index(h);
@@ -285,11 +285,11 @@ private:
     return twin_index(before);
   }
 
-  /* The halfedges that start in a vertex make a ring, or a fan between borders. A vertex that has more of them than
-   * one is a point where sheets meet. */
+  /* The halfedges that start at a vertex form a ring, or a fan between borders. A vertex with more than one of these is
+   * a point at which umbrellas meet. */
   void number_sheets()
   {
-    const Vertices merged = m_result.vertex; // the smallest of those in one place
+    const Vertices merged = m_result.vertex; // the smallest of coincident ones
     m_result.outgoing.assign(merged.size(), null_index);
     for(Input_halfedge_index g : descriptors<Input_halfedge_index>(static_cast<Index>(m_result.next.size()))) {
       if(m_result.tail[g] != null_index)
@@ -300,7 +300,7 @@ private:
     place_vertices(merged);
   }
 
-  // A vertex in the place of v that no sheet has yet; v comes first.
+  // Returns a vertex coincident with v that no umbrella has yet; v comes first.
   Vertex_index free_vertex(const Vertices& merged, Vertex_index v)
   {
     if(m_result.outgoing[v] == null_index)
@@ -324,7 +324,7 @@ private:
     std::sort(m_members.begin(), m_members.end());
   }
 
-  /* Numbers the ring or fan of g. Returns its last halfedge clockwise at the border, else g. */
+  /* Numbers the ring or fan of g. Returns its last halfedge clockwise at the border, otherwise g. */
   Input_halfedge_index number_sheet(Input_halfedge_index g, Vertex_index v)
   {
     Input_halfedge_index last = g;
@@ -341,7 +341,8 @@ private:
     return is_ring ? g : last;
   }
 
-  /* Where the vertices of the input are: in the first of their sheets; one of needles only, where its place is. */
+  /* Assigns the vertices of the input: to the first of their umbrellas, or to their point if they belong to needles
+   * only. */
   void place_vertices(const Vertices& merged)
   {
     m_result.vertex.assign(merged.size(), null_index);
@@ -361,7 +362,7 @@ private:
     for(Input_halfedge_index g : descriptors<Input_halfedge_index>(static_cast<Index>(m_result.next.size()))) {
       if(m_result.is_border[g] == 0)
         continue;
-      Input_halfedge_index i = twin_index(g); // from the head of g on
+      Input_halfedge_index i = twin_index(g); // starting with the head of g
       while(m_result.is_border[i] == 0)
         i = counterclockwise(i);
       m_result.next[g] = i;
@@ -372,11 +373,11 @@ private:
   Indexed_by<Input_halfedge_index, std::vector<char>> m_is_zero;
   bool m_is_needed = false;
   std::map<Input_halfedge_index, Input_halfedge_index> m_across; // of faces that lie folded
-  std::vector<std::pair<Vertex_index, Vertex_index>> m_members;  // of each place, sorted
+  std::vector<std::pair<Vertex_index, Vertex_index>> m_members;  // of each point, sorted
   Contraction m_result;
 };
 
-/* The same mesh with its edges of length zero contracted, by a metric as the contractor asks for. */
+/* Returns the mesh with its degenerate edges contracted, by a metric as the contractor requires. */
 template <class Input_mesh, class Metric>
 Input_mesh contracted(const Input_mesh& input, const Metric& metric)
 {

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A number of elements as an index, if all of them can be numbered; throws `Invalid_mesh_error` otherwise. */
+/* Converts a number of elements to a bound of indices; throws `Invalid_mesh_error` if it is too large. */
 template <class Count>
 Index checked_index_bound(Count count)
 {
@@ -28,7 +28,7 @@ Index checked_index_bound(Count count)
   return static_cast<Index>(count);
 }
 
-/* Names the vertices of the face on the left of h, the first of them if there are many. */
+/* The message lists the vertices of the face on the left of h, the first of them if there are many. */
 template <class Input_mesh>
 [[noreturn]] BOOST_NOINLINE void throw_no_triangle(const Input_mesh& input, Input_halfedge_index h)
 {
@@ -46,9 +46,9 @@ template <class Input_mesh>
 }
 
 /*
- * Throws Invalid_mesh_error unless the face on the left of input halfedge h is a triangle. Whatever enters a face of the
- * input through its own links, and not through those of a triangulation, has to ask: a walk round the corners of
- * another polygon, as if there were three, need not end.
+ * Throws Invalid_mesh_error unless the face on the left of input halfedge h is a triangle. Any code that enters a face
+ * of the input through its own links, and not through those of a triangulation, must call this: traversing the corners
+ * of another polygon as if there were three need not terminate.
  */
 template <class Input_mesh>
 void check_triangle(const Input_mesh& input, Input_halfedge_index h)
@@ -70,7 +70,7 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
                            {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
 }
 
-/* A descriptor of no vertex of the mesh has the index `null_index`, which is not named. */
+/* A descriptor of no vertex of the mesh has the index `null_index`, which the message omits. */
 [[noreturn]] inline void throw_vertex_out_of_range(Vertex_index v, Index number_of_vertices, const std::string& place,
                                                    const std::vector<std::size_t>& elements)
 {
@@ -81,7 +81,7 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
 
 inline bool is_vertex(Vertex_index v, Index number_of_vertices) { return v.is_valid() && v.idx() < number_of_vertices; }
 
-/* Throws Vertex_out_of_range_error unless `v` is one of so many vertices. */
+/* Throws Vertex_out_of_range_error unless `v` is less than the number of vertices. */
 inline void check_vertex(Vertex_index v, Index number_of_vertices)
 {
   if(!is_vertex(v, number_of_vertices))
@@ -90,7 +90,7 @@ inline void check_vertex(Vertex_index v, Index number_of_vertices)
                                            : std::vector<std::size_t>());
 }
 
-/* The same for a vertex of a curve. */
+/* Throws Vertex_out_of_range_error unless a vertex of a curve is less than the number of vertices. */
 inline void check_vertex(Vertex_index v, Index number_of_vertices, std::size_t position)
 {
   if(!is_vertex(v, number_of_vertices))
@@ -98,7 +98,8 @@ inline void check_vertex(Vertex_index v, Index number_of_vertices, std::size_t p
                               {position});
 }
 
-/* The vectors of the input face on the left of h, from h on, in the numbers of some traits; it has to be a triangle. */
+/* Returns the vectors of the input face on the left of h, starting with h, in the numbers of some traits; the face must
+ * be a triangle. */
 template <class Triangulation, class Traits>
 auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h, const Traits& traits)
 {
@@ -106,7 +107,7 @@ auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_inde
   return triangulation.metric().face_geometry(triangulation.input(), h, traits);
 }
 
-/* The same in double, with h on the positive real axis, of a face that has been found to be a triangle. */
+/* Returns the vectors in doubles, with h on the positive real axis, of a face known to be a triangle. */
 template <class Triangulation>
 auto known_input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h)
 {
@@ -114,7 +115,7 @@ auto known_input_face_geometry(const Triangulation& triangulation, Input_halfedg
   return triangulation.metric().face_geometry(triangulation.input(), h, Double_traits());
 }
 
-/* The same of any face. */
+/* Returns the vectors in doubles of any face, which must be a triangle. */
 template <class Triangulation>
 auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h)
 {

@@ -52,7 +52,8 @@ bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh
   return static_cast<std::size_t>(f) < end && !mesh.is_removed(f);
 }
 
-/* Does the face on the left of h close, and, if the twin's face is known, do both sides have one length and vertex? */
+/* Returns whether the face on the left of h closes and, if the twin's face is known, both sides agree in length and
+ * vertices. */
 template <class Triangulation>
 bool is_valid_halfedge(const Triangulation& triangulation, Halfedge_index h, double tolerance, bool is_twin_known)
 {

@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <utility>
 
-// What a compiler is asked before it goes on, so that a mistake that is often made meets a sentence.
+// Compile-time checks that replace frequent mistakes by a readable message.
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -36,7 +36,7 @@ struct Is_triangulation_traits<T, std::void_t<typename T::Halfedge_geometry, typ
 {
 };
 
-/* Ends the compilation if what is to be traits is none. */
+/* Ends the compilation if the type is not a traits class. */
 template <class Traits>
 constexpr bool are_triangulation_traits()
 {
@@ -46,7 +46,7 @@ constexpr bool are_triangulation_traits()
   return true;
 }
 
-/* Is a type a kernel? */
+/* Detects kernels. */
 template <class T, class = void>
 struct Is_kernel : std::false_type
 {
@@ -58,7 +58,7 @@ struct Is_kernel<T, std::void_t<typename T::FT, typename T::Point_3, typename T:
 {
 };
 
-/* Has a metric points of another type than a kernel? Without points it goes with any kernel. */
+/* Returns whether the points of a metric belong to another kernel. A metric without points fits any kernel. */
 template <class Kernel, class Metric, class = void>
 constexpr bool has_other_points = false;
 template <class Kernel, class Metric>
@@ -66,7 +66,7 @@ constexpr bool has_other_points<Kernel, Metric, std::void_t<typename Metric::Poi
     !std::is_void<typename Metric::Point_3>::value &&
     !std::is_same<typename Metric::Point_3, typename Kernel::Point_3>::value;
 
-/* The traits that the named parameter geom_traits stands for: of a kernel, those that are the default. */
+/* The traits specified by the named parameter geom_traits: for a kernel, the default ones. */
 template <class Given, class Metric, class Default>
 struct Traits_given
 {
@@ -79,7 +79,7 @@ struct Traits_given
   using type = std::conditional_t<Is_triangulation_traits<Given>::value, Given, Default>;
 };
 
-/* Does a triangulation tell the words of its edges on an input? */
+/* Detects triangulations that provide the sequences of input edges crossed by their edges. */
 template <class Triangulation, class = void>
 struct Has_words : std::false_type
 {
@@ -115,14 +115,14 @@ constexpr bool is_range_of_ranges = false;
 template <class T>
 constexpr bool is_range_of_ranges<T, std::void_t<Range_value<T>>> = is_range<Range_value<T>>;
 
-/* Has a range elements of a type, or such as become it by themselves? */
+/* Detects ranges whose elements are of a type or convert to it implicitly. */
 template <class Range, class T, class = void>
 constexpr bool is_range_of = false;
 template <class Range, class T>
 constexpr bool is_range_of<Range, T, std::void_t<Range_value<Range>>> =
     std::is_convertible<Range_value<Range>, T>::value;
 
-/* A mesh has faces. */
+/* Detects meshes by their faces. */
 template <class T, class = void>
 struct Has_faces : std::false_type
 {
@@ -133,13 +133,13 @@ struct Has_faces<T, std::void_t<decltype(faces(std::declval<const T&>()))>> : st
 {
 };
 
-/* A container with keys, such as `std::map`, is no property map, though it looks like one. */
+/* Detects containers with keys, such as `std::map`, which resemble property maps. */
 template <class T, class = void>
 constexpr bool is_container_with_keys = false;
 template <class T>
 constexpr bool is_container_with_keys<T, std::void_t<typename T::mapped_type>> = true;
 
-/* Ends the compilation if what is to be a property map is none for this reason. */
+/* Ends the compilation if the type is not a property map for this reason. */
 template <class Map>
 constexpr bool is_property_map()
 {
@@ -153,11 +153,11 @@ constexpr bool is_metric = false;
 template <class T>
 constexpr bool is_metric<T, std::void_t<typename T::Kernel, typename T::Place>> = true;
 
-/* Does a predicate decide whether a step is taken? */
+/* Detects stop predicates, which decide whether a step is taken. */
 template <class T>
 constexpr bool is_stop_predicate = std::is_invocable_r<Stop_decision, const T&, const Shortening_step&>::value;
 
-/* Has a visitor the members that are called for a network while its curves are shortened? */
+/* Detects visitors with all members that are called for a network while its curves are shortened. */
 template <class Visitor, class Network, class = void>
 constexpr bool is_visitor = false;
 template <class Visitor, class Network>
@@ -168,7 +168,7 @@ constexpr bool is_visitor<
                                                           Halfedge_index())),
                 decltype(std::declval<Visitor&>().after_flip_out(std::declval<Network&>(), Curve_index()))>> = true;
 
-/* The double that a number rounds to. */
+/* Returns the double to which a number rounds. */
 template <class NT>
 double imported_number(const NT& x)
 {
@@ -178,15 +178,16 @@ double imported_number(const NT& x)
     return CGAL::to_double(x);
 }
 
-/* The same of a lazy number, of which `CGAL::to_double()` would return five digits for certain, and others depending on
- * whether its exact value is known. */
+/* Returns the double to which a lazy number rounds; `CGAL::to_double()` guarantees five digits only, and others depend
+ * on whether its exact value is known. */
 template <class ET>
 double imported_number(const Lazy_exact_nt<ET>& x)
 {
   return x.approx().is_point() ? x.approx().inf() : imported_number(x.exact());
 }
 
-/* Is a number changed when it is imported as a double? If that is uncertain, as for intervals, it counts as changed. */
+/* Returns whether a number changes when it is imported as a double. Uncertain cases, as for intervals, count as
+ * changed. */
 template <class NT>
 bool is_rounded_number(const NT& x)
 {
@@ -197,8 +198,8 @@ bool is_rounded_number(const NT& x)
 }
 
 /*
- * Whether a metric rounds what it is given to doubles, once that has been found out. A copy of a metric takes what is
- * known along. Several threads may ask at once.
+ * Caches whether a metric rounds its input to doubles. A copy of a metric copies the result. Several threads may query
+ * at once.
  */
 class Known_rounding
 {
@@ -214,7 +215,7 @@ public:
     return *this;
   }
 
-  /* What `find()` returns, which is called once by each thread at most. */
+  /* Returns the result of `find()`, which each thread calls at most once. */
   template <class Find>
   bool operator()(const Find& find) const
   {
@@ -245,8 +246,8 @@ struct Tells_rounding<Metric, Mesh,
 };
 
 /*
- * Does a metric replace numbers of its mesh by the doubles that they round to? Then what is decided exactly from its
- * doubles is not decided of the mesh. A metric that does not tell is defined by its lengths, which must be doubles.
+ * Returns whether a metric replaces numbers of its mesh by rounded doubles. Results that are exact for these doubles
+ * are then not exact for the mesh. A metric that does not report this is defined by its lengths, which must be doubles.
  */
 template <class Metric, class Mesh>
 bool is_rounded_metric(const Metric& metric, const Mesh& mesh)
@@ -261,8 +262,8 @@ bool is_rounded_metric(const Metric& metric, const Mesh& mesh)
 }
 
 /*
- * The same of the input of a triangulation, if it tells of one. Linear in the mesh when it is first asked, unless its
- * numbers are doubles.
+ * Returns whether the input of a triangulation is rounded, if it has an input. The first call takes linear time, unless
+ * the numbers are doubles.
  */
 template <class Triangulation>
 bool is_input_rounded(const Triangulation& triangulation)

@@ -21,7 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-// How the coordinates of points are read: as doubles, or exactly if the kernel's number type has rational values.
+// Reads the coordinates of points: as doubles, or exactly if the kernel's number type has rational values.
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -30,11 +30,11 @@ namespace internal {
 template <class Point>
 using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
 
-/* Are the coordinates of points rational numbers that are read exactly, and that doubles need not hold? */
+/* Whether the coordinates of points are rational numbers that are read exactly and need not be doubles. */
 template <class Point>
 inline constexpr bool has_rational_coordinates = is_rational_number<Coordinate<Point>>;
 
-/* Has a point an exact and an approximate value, as those of kernels of lazy numbers have? */
+/* Detects points with an exact and an approximate value, such as those of kernels of lazy numbers. */
 template <class Point, class = void>
 struct Is_lazy_point : std::false_type
 {
@@ -46,7 +46,7 @@ struct Is_lazy_point<Point, std::void_t<decltype(std::declval<const Point&>().ap
 {
 };
 
-/* The exact coordinates of a point. */
+/* Returns the exact coordinates of a point. */
 template <class Point>
 Rational_place rational_place(const Point& p)
 {
@@ -56,7 +56,7 @@ Rational_place rational_place(const Point& p)
     return rational_place(to_rational(p.x()), to_rational(p.y()), to_rational(p.z()));
 }
 
-/* The coordinates of a point in double-double numbers. If the second half of one is zero, it is a double. */
+/* The coordinates of a point in double-double arithmetic. If the low part of one is zero, it is a double. */
 using Precise_place = std::array<Double_double, 3>;
 
 template <class Point>
@@ -72,13 +72,13 @@ Precise_place precise_place(const Point& p)
   }
 }
 
-/* A bound of the error of the difference of two coordinates of precise places. */
+/* Returns a bound of the error of the difference of two coordinates of precise points. */
 inline double difference_error(const Double_double& p, const Double_double& q)
 {
   return p.low == 0 && q.low == 0 ? 0 : double_double_error * (std::abs(p.high) + std::abs(q.high));
 }
 
-/* A coordinate of the vector from p to q, rounded once, from the exact values. */
+/* Returns a coordinate of the vector from p to q, computed from the exact values and rounded once. */
 template <class Point>
 double rounded_difference(const Point& p, const Point& q, std::size_t i)
 {
@@ -96,8 +96,8 @@ double rounded_difference(const Point& p, const Point& q, std::size_t i)
 }
 
 /*
- * The vector from one point to another, each coordinate rounded once, as the difference of two doubles is. If precise
- * places differ too little, the points decide: `points(use)` calls `use()` with them.
+ * Returns the vector from one point to another, each coordinate rounded once, like the difference of two doubles. If
+ * the difference of the precise points is too small, the exact points are used: `points(use)` calls `use()` with them.
  */
 template <class Points>
 std::array<double, 3> rounded_vector(const Precise_place& p, const Precise_place& q, const Points& points)
@@ -111,7 +111,8 @@ std::array<double, 3> rounded_vector(const Precise_place& p, const Precise_place
   return result;
 }
 
-/* The same of two vertices, by the places and the points that a metric has of them. */
+/* Returns the vector between two vertices, each coordinate rounded once, by the metric's positions and points of
+ * them. */
 template <class Metric, class Mesh>
 std::array<double, 3> rounded_vector(const Metric& metric, const Mesh& mesh, Vertex_index v, Vertex_index w)
 {
@@ -125,7 +126,7 @@ struct Rounded_sides
   std::array<std::array<double, 3>, 3> vectors;
 };
 
-/* Those from p to q, to r, and back. */
+/* Returns the vectors from p to q, to r, and back. */
 template <class Point>
 Rounded_sides rounded_sides(const Point& p, const Point& q, const Point& r)
 {
@@ -141,8 +142,8 @@ Rounded_sides rounded_sides(const Point& p, const Point& q, const Point& r)
   return {{side(p, q), side(q, r), side(r, p)}};
 }
 
-/* The vector from one point to another in double-double numbers, each coordinate with an error of little more than
- * 2^-106 of itself; of doubles it is exact. */
+/* Returns the vector from one point to another in double-double arithmetic. Each coordinate has a relative error of
+ * little more than 2^-106; for doubles it is exact. */
 template <class Point>
 std::array<Double_double, 3> precise_vector(const Point& p, const Point& q)
 {
@@ -162,7 +163,7 @@ std::array<Double_double, 3> precise_vector(const Point& p, const Point& q)
   }
 }
 
-/* The lower bound of a distance between precise places: no difference is taken for larger than it is. */
+/* Returns a vector that bounds the distance of precise points from below: no difference is overestimated. */
 inline std::array<double, 3> least_vector(const Precise_place& p, const Precise_place& q)
 {
   std::array<double, 3> result;
@@ -172,8 +173,8 @@ inline std::array<double, 3> least_vector(const Precise_place& p, const Precise_
 }
 
 /*
- * The precise places of vertices, computed when they are first needed: evaluating an exact number takes far longer than
- * reading a double. A copy starts empty. Several threads may ask at once.
+ * The precise positions of vertices, computed on first use, since evaluating an exact number takes far longer than
+ * reading a double. A copy starts empty. Several threads may query at once.
  */
 class Precise_places
 {
@@ -203,7 +204,7 @@ public:
   Precise_places& operator=(const Precise_places&) { return *this = Precise_places(); }
   Precise_places& operator=(Precise_places&& other) noexcept = default;
 
-  /* That of vertex v, one of `size`, which `compute()` returns if it is not known. */
+  /* Returns the position of vertex v, one of `size`, which `compute()` returns if it is unknown. */
   template <class Compute>
   Precise_place operator()(Vertex_index v, Index size, const Compute& compute) const
   {
@@ -227,7 +228,7 @@ private:
     store_release(m_entries->size, size);
   }
 
-  // Another thread may have been faster, with the same place.
+  // Another thread may have been faster, with the same result.
   void keep(Entry& entry, const Precise_place& place) const
   {
     const std::lock_guard<Short_lock> guard(m_entries->lock);

@@ -7,15 +7,15 @@
 #include <thread>
 #include <type_traits>
 
-// For const members that keep what they have computed, and may be called by several threads at once.
+// For const members that store computed results and may be called by several threads at once.
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Access to a variable that another thread may access at the same time. It is of a type that the processor reads and
- * writes at once, and otherwise an ordinary variable, which is copied and moved with the record that it is part of.
+ * Accesses a variable that another thread may access simultaneously. Its type must be one that the processor reads and
+ * writes atomically; it is otherwise an ordinary variable, copied and moved with the record to which it belongs.
  */
 template <class T>
 T load_acquire(const T& variable)
@@ -45,7 +45,7 @@ T load_relaxed(const T& variable)
 #endif
 }
 
-/* What was written before is seen by who reads the value by load_acquire(). */
+/* Data written before is visible to a thread that reads the value by load_acquire(). */
 template <class T>
 void store_release(T& variable, T value)
 {
@@ -70,8 +70,8 @@ void store_relaxed(T& variable, T value)
 }
 
 /*
- * A mutex for what takes about a microsecond, and seldom meets another thread: to lock and to unlock it takes a few
- * nanoseconds. An object that has one can be moved while no thread uses it.
+ * A mutex for operations that take about a microsecond and rarely meet another thread: locking and unlocking take a few
+ * nanoseconds. An object that contains one can be moved while no thread uses it.
  */
 class Short_lock
 {
