@@ -34,13 +34,13 @@ using Figure_point = std::array<double, 3>;
 using Figure_triangle = std::array<std::size_t, 3>;
 using Texture_corners = std::array<std::array<double, 2>, 3>;
 
-/* Takes one element after the other. */
+/* Consumes elements one after the other. */
 template <class T>
 using Sink = std::function<void(const T&)>;
 
 /*
- * One piece of what a file shows: a surface, a curve as a line or a tube, or loose points. Its elements are handed out
- * in their order as often as is asked for, and not copied. Corners of triangles are positions among its points.
+ * A part of the contents of a file: a surface, a curve as a line or a tube, or loose points. Its elements are
+ * enumerated in order as often as required, without copies. Corners of triangles are indices of its points.
  */
 struct Shape
 {
@@ -48,12 +48,12 @@ struct Shape
   static constexpr std::int64_t no_curve = -1;
 
   Kind kind = Kind::POINTS;
-  std::int64_t curve = no_curve; // its number, if it is one
+  std::int64_t curve = no_curve; // its number, if it is a curve
   std::size_t number_of_points = 0, number_of_triangles = 0;
   std::function<void(const Sink<Figure_point>&)> for_each_point;
   std::function<void(const Sink<Figure_triangle>&)> for_each_triangle; // of TRIANGLES only
-  std::function<void(const Sink<Texture_corners>&)> for_each_texture;  // where the corners lie in a picture, if they do
-  std::vector<std::function<void(const Sink<double>&)>> values;        // at its points, by kind; null if it has none
+  std::function<void(const Sink<Texture_corners>&)> for_each_texture;  // the corners' positions in a texture, if any
+  std::vector<std::function<void(const Sink<double>&)>> values;        // at its points, by kind; null if absent
 
   std::string name() const
   {
@@ -63,18 +63,18 @@ struct Shape
   }
 };
 
-/* One kind of values at points: each has as many numbers. */
+/* A kind of values at points, each of which consists of the same number of components. */
 struct Value_kind
 {
   std::string name;
   std::size_t components;
 };
 
-/* All pieces of what a file shows, and the order of all their points. */
+/* All parts of the contents of a file, and the order of all their points. */
 class Figure
 {
 public:
-  /* Pieces without points are left out. */
+  /* Parts without points are skipped. */
   void add(Shape shape)
   {
     if(shape.number_of_points == 0)
@@ -100,7 +100,7 @@ public:
       shape.for_each_point(sink);
   }
 
-  /* Calls `f(shape, first)` for all of a kind, where the first point of the shape is number `first` of all. */
+  /* Calls `f(shape, first)` for all shapes of a kind; the first point of the shape is number `first` of all. */
   template <class Function>
   void for_each_shape(Shape::Kind kind, const Function& f) const
   {
@@ -115,7 +115,7 @@ public:
   const std::vector<Value_kind>& value_kinds() const { return m_value_kinds; }
   void add_value_kind(const Value_kind& kind) { m_value_kinds.push_back(kind); }
 
-  /* The numbers of all points; NaN where a piece has no values of this kind. */
+  /* Enumerates the components at all points; NaN if a part has no values of this kind. */
   void for_each_value(std::size_t kind, const Sink<double>& sink) const
   {
     for(const Shape& shape : m_shapes)
@@ -126,7 +126,7 @@ public:
           sink(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /* The name of the file with the picture on surfaces; empty if there is none. */
+  /* Returns the name of the image file of the texture; empty if there is none. */
   const std::string& picture() const { return m_picture; }
   void set_picture(const std::string& name) { m_picture = name; }
 
@@ -159,14 +159,15 @@ inline void check_finite(const Shape& shape)
   });
 }
 
-/* Has a triangle a place in the picture? */
+/* Returns whether a triangle has texture coordinates. */
 inline bool is_textured(const Texture_corners& corners)
 {
   return std::all_of(corners.begin(), corners.end(),
                      [](const auto& t) { return std::isfinite(t[0]) && std::isfinite(t[1]); });
 }
 
-/* What text and numbers of 64 bits can hold: something, and all of it finite. */
+/* Checks that text formats and 64-bit numbers can represent the figure: it must not be empty, and all numbers must be
+ * finite. */
 inline void check_writable(const Figure& figure)
 {
   if(figure.shapes().empty())
@@ -179,8 +180,8 @@ inline bool is_character_of_name(char c)
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/* Names that all formats can hold, of which no two are equal, and numbers that are finite in text, whose readers stop
- * at others. */
+/* Checks that all formats can represent the names, that these are distinct, and that numbers in text formats are
+ * finite, since their readers stop at others. */
 inline void check_values(const Figure& figure, bool is_binary)
 {
   const std::vector<Value_kind>& kinds = figure.value_kinds();
@@ -215,9 +216,9 @@ inline void check_values(const Figure& figure, bool is_binary)
  *       j+1            j+1
  *     ring i          ring i+1
  *
- * The first corner of a ring is carried from point to point by the least turn that takes one tangent to the next, so
- * that a tube is not twisted. Where a closed curve comes back, that first corner may point elsewhere than at the start;
- * the last ring is then joined to the first one some corners further.
+ * The first corner of a ring is transported from point to point by the least rotation between consecutive tangents, so
+ * that the tube is not twisted. At the end of a closed curve, that corner may have another direction than at the start;
+ * the last ring is then joined to the first one shifted by some corners.
  */
 class Tube
 {
@@ -249,12 +250,12 @@ public:
       add_caps();
   }
 
-  /* None if the polyline has no length. */
+  /* Returns no points if the polyline has length zero. */
   const std::vector<Figure_point>& points() const { return m_points; }
   const std::vector<Figure_triangle>& triangles() const { return m_triangles; }
 
 private:
-  // Points that repeat the one before are left out.
+  // Skips points that equal the previous one.
   void set_line(const std::vector<Figure_point>& polyline)
   {
     std::unique_copy(polyline.begin(), polyline.end(), std::back_inserter(m_line));
@@ -263,7 +264,7 @@ private:
       m_line.pop_back();
   }
 
-  // Scaled first: squares of its coordinates may be beyond double.
+  // Scaled first, since the squares of its coordinates may overflow.
   static Vector unit(const Vector& v)
   {
     const double size = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
@@ -285,7 +286,7 @@ private:
       const Vector next = direction(m_is_closed || i < last ? i : last - 1);
       const Vector before = m_is_closed || i > 0 ? direction(i > 0 ? i - 1 : last) : next;
       const Vector sum = before + next;
-      m_tangents.push_back(sum.squared_length() > reversal ? unit(sum) : before); // no plane halves a reversal
+      m_tangents.push_back(sum.squared_length() > reversal ? unit(sum) : before); // a reversal has no bisecting plane
     }
   }
 
@@ -297,7 +298,7 @@ private:
     return unit(axis - (axis * v) * v);
   }
 
-  // The normal after the least turn that takes tangent t to tangent u.
+  // The normal after the least rotation from tangent t to tangent u.
   static Vector carried(const Vector& normal, const Vector& t, const Vector& u)
   {
     const double cosine_plus_one = 1 + t * u;
@@ -318,7 +319,7 @@ private:
 
   double angle(std::size_t j) const { return two_pi * static_cast<double>(j) / static_cast<double>(m_sides); }
 
-  // By how many corners the last normal, carried on to the first point, is turned against the first.
+  // The number of corners by which the last normal, transported to the first point, is rotated relative to the first.
   std::size_t turn_to(const Vector& first_normal, const Vector& last_normal) const
   {
     const Vector& tangent = m_tangents.front();
@@ -327,7 +328,7 @@ private:
     return static_cast<std::size_t>(std::lround((turn + two_pi) / angle(1))) % m_sides;
   }
 
-  // Rings by their first corners; corner j of one meets corner j + turn of the other.
+  // Joins rings given by their first corners; corner j of one meets corner j + turn of the other.
   void join(std::size_t ring, std::size_t next_ring, std::size_t turn)
   {
     for(std::size_t j = 0; j < m_sides; ++j) {
@@ -360,7 +361,7 @@ private:
   std::vector<Figure_triangle> m_triangles;
 };
 
-/* Writes the bytes of a number, the lowest first, whatever the order of the machine is. */
+/* Writes the bytes of a number, the lowest first, independently of the machine's byte order. */
 template <class Number>
 void write_bytes(std::ostream& out, Number x)
 {
@@ -376,7 +377,7 @@ void write_bytes(std::ostream& out, Number x)
   out.write(bytes, sizeof bytes);
 }
 
-/* Writes numbers as text, each with what comes after it, or as bytes. */
+/* Writes numbers as text, each followed by a separator, or as bytes. */
 class Number_writer
 {
 public:
@@ -392,7 +393,7 @@ public:
     if(m_is_binary)
       write_bytes(*m_out, x);
     else
-      *m_out << +x << after; // plus, since a number of one byte is no character
+      *m_out << +x << after; // promoted, since a number of one byte is not a character
   }
 
 private:

@@ -34,7 +34,7 @@
 #include <utility>
 #include <vector>
 
-// From what a user gives to a writer to a figure.
+// Conversion of a writer's arguments to a figure.
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -98,7 +98,7 @@ Figure_point figure_point(const Point& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-/* The range is seen again whenever the points are asked for. */
+/* The range is evaluated again whenever the points are requested. */
 template <class MakeRange>
 Shape shape_of_points(Shape::Kind kind, const MakeRange& range)
 {
@@ -114,7 +114,7 @@ Shape shape_of_points(Shape::Kind kind, const MakeRange& range)
   return shape;
 }
 
-/* Asks for a point property of the mesh's own only if no map is given. */
+/* Uses the mesh's own point property map only if no map is given. */
 template <class FaceGraph, class NamedParameters>
 auto given_or_own_points(const FaceGraph& mesh, const NamedParameters& np)
 {
@@ -127,7 +127,7 @@ auto given_or_own_points(const FaceGraph& mesh, const NamedParameters& np)
   }
 }
 
-/* \throws Invalid_mesh_error if a face is no triangle, or elements of a `Surface_mesh` have been removed */
+/* \throws Invalid_mesh_error if a face is not a triangle, or elements of a `Surface_mesh` have been removed */
 template <class FaceGraph, class NamedParameters>
 Shape surface_shape(const FaceGraph& mesh, const NamedParameters& np)
 {
@@ -157,7 +157,7 @@ Shape surface_shape(const FaceGraph& mesh, const NamedParameters& np)
   return shape;
 }
 
-/* Lets a surface know where the corners of its faces lie in a picture. */
+/* Adds the texture coordinates of its faces' corners to a surface. */
 template <class FaceGraph, class CornerMap>
 void add_texture(Shape& shape, const FaceGraph& mesh, const IO::Texture<CornerMap>& texture)
 {
@@ -175,7 +175,7 @@ void add_texture(Shape& shape, const FaceGraph& mesh, const IO::Texture<CornerMa
   };
 }
 
-/* How many numbers a value has, and what they are: those of an array, of a vector, or one. */
+/* The number of components of a value, and the components: those of an array or a vector, or the value itself. */
 template <class Value, class = void>
 struct Numbers_of_value
 {
@@ -206,7 +206,7 @@ struct Numbers_of_value<Value, std::enable_if_t<Has_coordinates<Value>::value>> 
 template <class VertexMap>
 using Numbers_of_map = Numbers_of_value<typename boost::property_traits<VertexMap>::value_type>;
 
-/* Adds values of one kind to a surface, none if they are those of another mesh. Other parts add nothing. */
+/* Adds values of one kind to a surface, unless they belong to another mesh. Other parts add nothing. */
 template <class FaceGraph, class Part>
 void add_values([[maybe_unused]] Shape& shape, [[maybe_unused]] const FaceGraph& mesh, const Part&)
 {
@@ -224,7 +224,7 @@ void add_values(Shape& shape, const FaceGraph& mesh, const IO::Vertex_values<Ver
     };
 }
 
-/* A line that has no length stays what it is. */
+/* A line of length zero is left unchanged. */
 inline Shape tube_shape(const Shape& line, const IO::Tubes& tubes)
 {
   check_finite(line);
@@ -249,7 +249,7 @@ inline Shape tube_shape(const Shape& line, const IO::Tubes& tubes)
   return shape;
 }
 
-/* Turns what a writer is given, one after the other, into shapes. Curves are counted over all ranges of them. */
+/* Converts the arguments of a writer, one after the other, into shapes. Curves are counted over all ranges of them. */
 class Figure_builder
 {
 public:
@@ -274,7 +274,7 @@ public:
                     "what is written is a face graph, a range of points or a range of polylines");
   }
 
-  /* Notes what holds for all parts. */
+  /* Records parameters that apply to all parts. */
   template <class Part>
   void look_at(const Part& part)
   {
@@ -287,7 +287,7 @@ public:
   Figure& figure() { return m_figure; }
 
 private:
-  // A curve of one point is a point.
+  // A curve of one point becomes a point.
   template <class Polylines>
   void add_curves(const Polylines& polylines)
   {
@@ -305,7 +305,7 @@ private:
   Figure m_figure;
 };
 
-/* The named parameters, which are the last of all if there are any. */
+/* Returns the named parameters, which are the last argument if given. */
 template <class... Parts>
 decltype(auto) named_parameters_of(const Parts&... parts)
 {
@@ -323,7 +323,7 @@ struct No_texture
 {
 };
 
-/* The texture among the parts. */
+/* Returns the texture among the parts. */
 inline No_texture texture_of() { return {}; }
 
 template <class Part, class... Parts>
@@ -345,19 +345,20 @@ Figure figure_of_parts(const NamedParameters& np, const Parts&... parts)
   return std::move(builder.figure());
 }
 
-/* How numbers are written. */
+/* The representation of numbers. */
 struct Number_format
 {
-  int precision = std::numeric_limits<double>::max_digits10; // so that doubles come back
+  int precision = std::numeric_limits<double>::max_digits10; // sufficient to restore doubles
   bool is_binary = true;
 };
 
-/* Writes by `write(plain)`, where the stream has the buffer of `out` but none of its settings, and no locale. */
+/* Writes by `write(plain)`, where the stream shares the buffer of `out` but has default settings and the classic
+ * locale. */
 template <class Write>
 void write_plainly(std::ostream& out, int precision, const Write& write)
 {
   std::ostream plain(nullptr);
-  plain.imbue(std::locale::classic()); // without a buffer, which would take it as well
+  plain.imbue(std::locale::classic()); // before it has a buffer, whose locale would change as well
   plain.precision(precision);
   plain.rdbuf(out.rdbuf());
   if(out)
@@ -387,8 +388,8 @@ void write_to(const std::string& name, const Writer& writer, const Number_format
 }
 
 /*
- * Writes by a `Writer` made of a figure and a format, whose construction throws if the figure cannot be written. So
- * nothing is written, and no file touched then.
+ * Writes by a `Writer` constructed from a figure and a format. Its constructor throws if the figure cannot be written,
+ * so that no file is touched in that case.
  */
 template <class Writer, class Destination, class... Parts>
 void write_parts(Destination& destination, const Parts&... parts)
