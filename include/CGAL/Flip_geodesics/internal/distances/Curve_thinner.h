@@ -420,7 +420,8 @@ private:
 
   static bool is_kept(const Measured_curve& m, std::size_t i) { return m.is_kept[m.markers[i]] != 0; }
 
-  // The end of the run of segments in one face, none of which has an end that must be kept, except for the first end.
+  // The end of the run of segments in one face without kept ends that starts with segment i, which is included in any
+  // case.
   static std::size_t end_of_run(const Followed_curve& curve, const Measured_curve& m, std::size_t i)
   {
     std::size_t end = i + 1;

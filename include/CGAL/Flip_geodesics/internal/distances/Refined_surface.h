@@ -88,7 +88,7 @@ public:
     std::array<Weights_in_face, 3> weights; // of the corners, in `face`
   };
 
-  /* The place of a half: a side of a piece. */
+  /* The position of a half: a side of a piece. */
   struct Use
   {
     Index piece = null_index, side = 0;

@@ -118,7 +118,7 @@ struct Face_crossing
   Crossing_window *first, *last;
   Input_halfedge_index halfedge, next, previous; // the side across which they enter, and the sides that follow it
   Vertex_index apex;                             // the vertex opposite
-  bool is_shorter;                               // is the path there shorter than others?
+  bool is_shorter;                               // whether the path there is shorter than others
   const Crossing_window* nearest;                // has the shortest path; null if none has one
   double distance;                               // of the vertex by that path
 
@@ -281,7 +281,7 @@ struct Round_item
   Noted due;
   std::uint32_t number; // in the order of the queues, vertices first
   bool is_vertex;
-  bool may_reach; // can it be the shortest path to a vertex?
+  bool may_reach; // whether it can be the shortest path to a vertex
   Starting* starting;
   Leaving* leaving;
 };

@@ -25,8 +25,8 @@ struct Edge_record
   double due;        // the least distance of the waiting windows
   Round_place left;  // when it was left
   std::uint32_t tag; // of the last note: the bearing, and the number of earlier notes
-  bool is_waiting;   // do windows wait on it?
-  bool is_noted;     // is it queued for the time at which the front has passed it?
+  bool is_waiting;   // whether windows wait on it
+  bool is_noted;     // whether it is queued for the time at which the front has passed it
 };
 
 /* The state of the vertices and edges of the input during and after the propagation of windows. */

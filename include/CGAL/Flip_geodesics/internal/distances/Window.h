@@ -51,7 +51,7 @@ struct Window
   double sigma;      // the length of the paths before the source; for parallel rays, up to the origin
   Index root;        // the vertex that is the source or, after all vertices, a part of a source in a face
   std::uint8_t side; // the halfedge of the edge on whose side the entered face lies
-  bool is_far;       // are the rays parallel?
+  bool is_far;       // whether the rays are parallel
   Window_state state;
 
   double weight() const { return is_far ? 0 : 1; }
@@ -254,7 +254,7 @@ private:
     keep(old);
   }
 
-  // Does so where the difference is monotone, given the excess of the new window's distance at both ends.
+  // Removes these parts where the difference is monotone, given the excess of the new window's distance at both ends.
   void settle(const Window& old, const Window& w, const Interval& at, double dl, double dr, double equal)
   {
     if((std::max)(dl, dr) <= equal && (std::min)(dl, dr) >= -equal) {
@@ -503,7 +503,7 @@ public:
   }
 
 private:
-  // The same result for each halfedge of a face.
+  // The result is the same for each halfedge of a face.
   Input_halfedge_index first_halfedge(Input_halfedge_index h) const
   {
     const Input_halfedge_index hn = m_triangulation.input().next(h);
@@ -572,7 +572,7 @@ struct Vertex_record
 struct Vertex_opening
 {
   Input_halfedge_index along;
-  Input_halfedge_index opposite; // null_index if there is no window
+  Input_halfedge_index opposite; // null_index without a window
   Vertex_index head;             // of `along`
   double distance;               // its length
   Window window;

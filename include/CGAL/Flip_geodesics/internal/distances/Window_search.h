@@ -681,7 +681,8 @@ private:
   std::vector<Window> m_windows, m_border_windows;
   bool m_keeps_border_windows = false;
   Heap_of_four<Entry> m_heap;
-  std::size_t m_number_of_starts = 0; // of rays along edges; a vertex can start rays repeatedly without a window
+  std::size_t m_number_of_starts = 0; // whether some vertex may not be farther away than the one from which its path
+                                      // comes
   bool m_may_come_round = false;      // may some vertex not be farther away than the one from which its path comes?
 };
 

@@ -109,7 +109,7 @@ public:
     Vertex_index tail = null_index, head = null_index;
     Corner_direction at_tail, at_head;              // at the head, backward
     Plane_vector vector = 0;                        // in the unfolded sleeve, if edges are crossed
-    bool is_left_open = true, is_right_open = true; // can the angle on that side be below pi?
+    bool is_left_open = true, is_right_open = true; // whether the angle on that side can be below pi
                                                     // pi
     bool is_examined = false, is_straight = false;  // whether straightness has been examined, and its result
   };

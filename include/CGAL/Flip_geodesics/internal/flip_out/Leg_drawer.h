@@ -196,8 +196,8 @@ private:
   std::map<Edge_index, std::vector<std::size_t>> m_arcs_at;
 };
 
-/* Releases the edges under the curves of a network for the lifetime of the object. The network must not be used
- * meanwhile; the destructor finds the edges in place again. */
+/* Releases the edges under the curves of a network for the lifetime of the object, during which the network must not be
+ * used. The edges exist again when it is destroyed. */
 template <class Network>
 class Released_edges
 {

@@ -25,8 +25,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Splits a symmetric system over all vertices into the free ones and those with given values: the free block, which is
- * to be solved, and the block that maps the given values to its right-hand side.
+ * Splits a symmetric system over all vertices into the free ones and those with given values: the free block, whose
+ * system is solved, and the block that maps the given values to its right-hand side.
  */
 template <class Scalar>
 class Constrained_system

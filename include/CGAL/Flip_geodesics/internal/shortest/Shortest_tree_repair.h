@@ -186,7 +186,7 @@ private:
     return failed;
   }
 
-  // Returns false and leaves v without a path if an edge is in the way, which only rounding errors can cause.
+  // Returns false and leaves v without a path if an edge obstructs it, which only rounding errors can cause.
   bool insert_last_leg(Grafts& grafts, Vertex_index v)
   {
     std::vector<Halfedge_index> chain = traced(v, last_leg(m_triangulation, m_search, v));
@@ -195,7 +195,7 @@ private:
     m_flips += straighten_on_the_right(m_triangulation, chain);
     const Halfedge_index h = Triangulation::twin(chain.front());
     const double length = m_tree.distance(m_triangulation.tail(h)) + m_triangulation.length(h);
-    if(!(length <= m_search.distance(v) * (1 + m_tolerance))) // infinite if there is no path to the tail
+    if(!(length <= m_search.distance(v) * (1 + m_tolerance))) // infinite without a path to the tail
       return false;
     grafts.hang(v, h);
     return true;

@@ -158,7 +158,7 @@ public:
   }
 
 private:
-  // An input edge that edges of the fan cross, with the face to be entered behind it.
+  // An input edge that edges of the fan cross, with the face behind it that is entered next.
   struct Gate
   {
     Input_halfedge_index crossed;
@@ -256,7 +256,7 @@ private:
   Indexed_by<Input_halfedge_index, Lazy_array<Face>> m_faces; // those crossed so far
   Fan_leg* m_legs = nullptr;
   std::vector<Vector> m_directions; // of the edges
-  std::vector<Gate> m_gates;        // still to be crossed
+  std::vector<Gate> m_gates;        // not yet crossed
 };
 
 /* The last edge of a path of a tree, and the previous one, as they were measured. */

@@ -56,7 +56,7 @@ struct Contraction
   Indexed_by<Input_halfedge_index, std::vector<char>> is_border;
   Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> outgoing; // null_index if isolated
   std::map<Input_halfedge_index, Fold> folds;                           // for halfedges of the input
-  bool has_split_point = false; // do umbrellas that met only at a point have separate vertices there?
+  bool has_split_point = false; // whether umbrellas that met only at a point have separate vertices there
 };
 
 /*

@@ -81,7 +81,7 @@ private:
 /* Counts a step of a search that may be uninterruptible. */
 inline bool is_interrupted(Interruption* interruption) { return interruption != nullptr && interruption->count_step(); }
 
-/* Does so for a search compiled without interruptions, at no cost. */
+/* Counts a step of a search compiled without interruptions, at no cost. */
 constexpr bool is_interrupted() { return false; }
 
 /* Begins a part of a computation that may be uninterruptible. */

@@ -85,7 +85,7 @@ class Soup_stitcher
 
   struct Border_edge
   {
-    std::size_t component, low, high; // points of the input
+    std::size_t component, low, high; // the latter two are places
     bool is_ascending;
     Halfedge h;
 

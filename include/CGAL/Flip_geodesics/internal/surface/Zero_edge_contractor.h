@@ -111,7 +111,7 @@ private:
   Input_halfedge_index next(Input_halfedge_index h) const { return m_input.next(h); }
   bool is_border(Input_halfedge_index h) const { return m_input.is_border(h); }
 
-  /* Returns the next side of the face whose length is not zero; h itself if there is no other. */
+  /* Returns the next side of the face whose length is not zero; h itself if all others have length zero. */
   Input_halfedge_index next_side(Input_halfedge_index h) const
   {
     Input_halfedge_index g = next(h);
@@ -235,7 +235,7 @@ private:
   {
     const Input_halfedge_index t = far_side(h);
     if(is_border(h) && is_border(t))
-      return; // there are no nondegenerate faces
+      return; // all faces are degenerate
     const Input_halfedge_index first(static_cast<Index>(m_result.input_halfedge.size()));
     m_result.input_halfedge.push_back(h);
     m_result.input_halfedge.push_back(t);

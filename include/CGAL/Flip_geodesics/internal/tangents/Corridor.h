@@ -188,7 +188,7 @@ public:
     Vector unit() const { return vector == Vector(0) ? Vector(1) : vector / std::abs(vector); }
   };
 
-  /* \throws Invalid_curve_error if there is no point, or two consecutive ones have no common face
+  /* \throws Invalid_curve_error if the range is empty, or two consecutive points have no common face
    * \throws Invalid_location_error */
   template <class LocationRange>
   Corridor(const Triangulation& triangulation, const LocationRange& locations)

@@ -127,7 +127,8 @@ public:
   bool are_by_windows() const { return m_windows != nullptr; }
   std::size_t number_of_windows() const { return m_windows == nullptr ? 0 : m_windows->number_of_windows(); }
 
-  /* A path to a vertex that was not reached is too long to continue, and at least the Euclidean distance. */
+  /* Returns the bound at a vertex, which is at least the Euclidean distance. Paths to a vertex that was not reached are
+   * too long to continue to the goal. */
   double at_vertex(Vertex_index v) const
   {
     const auto& metric = m_triangulation.metric();

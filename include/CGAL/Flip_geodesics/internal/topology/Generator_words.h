@@ -146,7 +146,7 @@ private:
 };
 
 /*
- * The fundamental group of a component, which is free if there is no relation and hence if the surface has a border.
+ * The fundamental group of a component, which is free if the relation is empty and hence if the surface has a border.
  *
  * On a closed surface of genus g, the relation has 4g letters, each generator and each inverse once. The graph of the
  * generators' loops has one vertex, at which all 4g ends meet in one cycle. No two adjacent letters therefore occur

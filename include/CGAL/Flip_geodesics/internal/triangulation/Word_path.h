@@ -100,7 +100,7 @@ public:
     for(; first != last && touches(end, last_anchor, twin_index(Input_halfedge_index(*(last - 1)))); --last)
       last_anchor = across(end, twin_index(Input_halfedge_index(*(last - 1))), last_anchor);
     const auto skipped = first - m_letters.begin();
-    m_letters.erase(last, m_letters.end()); // if everything cancels, `first` is erased as well
+    m_letters.erase(last, m_letters.end()); // invalidates `first` if no edge remains
     m_letters.erase(m_letters.begin(), m_letters.begin() + skipped);
     Crossing_word word;
     word.tail = m_start;
