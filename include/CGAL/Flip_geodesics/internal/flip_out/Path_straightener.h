@@ -35,18 +35,19 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Canonical locations, each two in a row in a common input face: the points of a straight line, or of several. */
+/* Canonical surface points, any two consecutive ones in a common input face: the points of one or several straight
+ * lines. */
 using Surface_polyline = std::vector<Surface_location>;
 
-/* Is it one location twice? */
+/* Returns whether the polyline is one point twice. */
 inline bool is_point(const Surface_polyline& polyline)
 {
   return polyline.size() == 2 && polyline[0].halfedge == polyline[1].halfedge &&
          polyline[0].weights == polyline[1].weights;
 }
 
-/* Makes a polyline canonical; a closed one ends with its first point again.
- * \throws Invalid_curve_error for too few points, or two in a row that lie in no common face */
+/* Makes a polyline canonical; a closed one ends with its first point again. \throws Invalid_curve_error for too few
+ * points, or if two consecutive ones have no common face */
 template <class Input_mesh>
 std::vector<Surface_location> canonical_polyline(const Input_mesh& input, const std::vector<Surface_location>& polyline,
                                                  bool is_closed)
@@ -66,7 +67,7 @@ std::vector<Surface_location> canonical_polyline(const Input_mesh& input, const 
   return result;
 }
 
-/* The weights of a canonical location in the face of h, also of a vertex, summing to one. */
+/* Returns the weights of a canonical surface point, which may be a vertex, in the face of h; they sum to one. */
 template <class Input_mesh>
 std::array<double, 3> normalized_weights(const Input_mesh& input, const Surface_location& p, Input_halfedge_index h)
 {
@@ -82,7 +83,7 @@ std::array<double, 3> normalized_weights(const Input_mesh& input, const Surface_
   return {{w[0] / sum, w[1] / sum, w[2] / sum}};
 }
 
-/* Measures and divides polylines, by the metric of a triangulation. */
+/* Measures and divides polylines in the metric of a triangulation. */
 template <class Triangulation>
 class Polyline_measure
 {
@@ -100,7 +101,7 @@ public:
     return sum;
   }
 
-  /* The two parts before and after the point at a distance from the start. */
+  /* Returns the two parts before and after the point at a distance from the start. */
   std::pair<Surface_polyline, Surface_polyline> divided(const Surface_polyline& polyline,
                                                         double distance_from_start) const
   {
@@ -140,7 +141,7 @@ private:
     Surface_location result = {h, {{0, 0, 0}}};
     for(int i = 0; i < 3; ++i) {
       const double weight = (1 - t) * a[i] + t * b[i];
-      result.weights[i] = weight < zero_weight ? 0 : weight; // what lies there by rounding lies on the edge
+      result.weights[i] = weight < zero_weight ? 0 : weight; // points that are there by rounding errors lie on the edge
     }
     return canonical_location(input, result);
   }
@@ -148,7 +149,7 @@ private:
   const Triangulation& m_triangulation;
 };
 
-/* Does an edge of a triangulation lie in the closed input face of a halfedge? */
+/* Returns whether an edge of a triangulation lies in the closed input face of a halfedge. */
 template <class Triangulation>
 bool is_edge_in_face(const Triangulation& triangulation, Halfedge_index h, Input_halfedge_index face)
 {
@@ -162,7 +163,7 @@ bool is_edge_in_face(const Triangulation& triangulation, Halfedge_index h, Input
   return word.along == null_index ? is_side(word.face) : is_side(word.along) || is_side(twin_index(word.along));
 }
 
-/* Shortest paths along those edges of a triangulation that lie in one closed input face. */
+/* Computes shortest paths along those edges of a triangulation that lie in one closed input face. */
 template <class Triangulation>
 class Path_in_face
 {
@@ -173,7 +174,7 @@ public:
   {
   }
 
-  /* None if the edges in the face do not join the vertices. */
+  /* Returns an empty path if the edges in the face do not connect the vertices. */
   std::vector<Halfedge_index> operator()(Input_halfedge_index face, Vertex_index source, Vertex_index target)
   {
     return path_along_edges(m_triangulation, source, target, Policy(m_triangulation, face, target), m_search);
@@ -212,7 +213,7 @@ private:
 struct Drawn_chain
 {
   std::vector<Halfedge_index> halfedges;
-  std::vector<std::size_t> nodes; // ascending positions of the halfedges at whose heads the curve is to be fixed
+  std::vector<std::size_t> nodes; // ascending positions of the halfedges at whose heads the curve is fixed
 };
 
 /* Adds a curve that is fixed at the nodes of a chain. */
@@ -231,7 +232,8 @@ Curve_index add_chain(Network& network, const Drawn_chain& chain, bool is_closed
   return curve;
 }
 
-/* Sides of lines within one closed input face, exactly: vertices of a triangulation by their weights in the face. */
+/* Computes exact sides of lines within one closed input face, from the weights of a triangulation's vertices in the
+ * face. */
 template <class Triangulation>
 class Vertices_in_face
 {
@@ -246,13 +248,14 @@ public:
 
   Input_halfedge_index face() const { return m_face; }
 
-  /* The side of the line from p to q on which r lies, POSITIVE on the left. */
+  /* Returns the side of the line from p to q on which r lies, POSITIVE on the left. */
   Sign side(Vertex_index p, Vertex_index q, Vertex_index r) const
   {
     return orientation_of_weights(weights(p), weights(q), weights(r));
   }
 
-  /* Does r lie on the ray from p through q? Then they are on one side of a line through p and a corner of the face. */
+  /* Returns whether r lies on the ray from p through q: on the same line, and with q on one side of a line through p
+   * and a corner of the face. */
   bool is_on_ray(Vertex_index p, Vertex_index q, Vertex_index r) const
   {
     if(r == q)
@@ -262,7 +265,7 @@ public:
     for(const Weights& corner : {Weights{{1, 0, 0}}, Weights{{0, 1, 0}}, Weights{{0, 0, 1}}})
       if(const Sign of_q = orientation_of_weights(weights(p), corner, weights(q)); of_q != ZERO)
         return orientation_of_weights(weights(p), corner, weights(r)) == of_q;
-    return false; // p and q are in one place
+    return false; // p and q coincide
   }
 
 private:
@@ -273,11 +276,11 @@ private:
 };
 
 /*
- * Makes the points of a polyline vertices of a network's triangulation, and its segments edges: exactly those segments,
+ * Makes the points of a polyline vertices of a network's triangulation, and its segments edges: exactly these segments,
  * on the same sides of all other points. The edges that a segment crosses are flipped, as in a constrained
  * triangulation of its input face. A segment that passes a vertex consists of several edges.
  *
- * Edges that curves lie on cannot be flipped: then the segment crosses the curve.
+ * Edges under curves cannot be flipped; in that case the segment crosses the curve.
  */
 template <class Network>
 class Polyline_drawer
@@ -291,7 +294,8 @@ public:
   {
   }
 
-  /* Draws a polyline of canonical locations, each two in a row in a common face. Points in one place count once. */
+  /* Draws a polyline of canonical surface points, any two consecutive ones in a common face. Coincident points count
+   * once. */
   Drawn_chain operator()(const std::vector<Surface_location>& points)
   {
     std::vector<Vertex_index> vertices;
@@ -328,7 +332,7 @@ private:
 
   bool is_in_face(const Face& face, Halfedge_index h) const { return is_edge_in_face(m_triangulation, h, face.face()); }
 
-  // The edge that leads from v straight to the target, or to a vertex on the way; null_index if there is none.
+  // The edge from v straight to the target, or to a vertex on the segment; null_index if it does not exist.
   Halfedge_index halfedge_along(const Face& face, Vertex_index v, Vertex_index target) const
   {
     for(Halfedge_index h : spokes(m_triangulation, v))
@@ -337,7 +341,8 @@ private:
     return null_index;
   }
 
-  // What the segment from v to the target crosses up to the next vertex on it, each as a side of the face that is left.
+  // The edges crossed by the segment from v to the target up to the next vertex on it, each as a side of the face that
+  // is left.
   std::vector<Halfedge_index> free_strip(const Face& face, Vertex_index v, Vertex_index target) const
   {
     std::vector<Halfedge_index> crossed(1, first_crossed(face, v, target));
@@ -355,7 +360,7 @@ private:
     }
   }
 
-  // The side opposite to v in the face that holds the start of the segment.
+  // The side opposite to v in the face that contains the start of the segment.
   Halfedge_index first_crossed(const Face& face, Vertex_index v, Vertex_index target) const
   {
     for(Halfedge_index h : spokes(m_triangulation, v)) {
@@ -364,7 +369,7 @@ private:
       const Halfedge_index opposite = m_triangulation.next(h);
       const Vertex_index right = m_triangulation.head(h), left = m_triangulation.head(opposite);
       if(face.side(v, target, right) == NEGATIVE && face.side(v, target, left) == POSITIVE &&
-         face.side(v, right, left) == POSITIVE) // not the other face of two that share all sides
+         face.side(v, right, left) == POSITIVE) // not the other face of two with all sides in common
         return opposite;
     }
     throw_wrong_flips(face.face());
@@ -401,7 +406,7 @@ private:
                                      {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
 }
 
-/* Takes changes of a triangulation back at the end of its scope, also after an exception. */
+/* Rolls changes of a triangulation back at the end of its scope, also after an exception. */
 template <class Triangulation>
 class Rollback
 {
@@ -421,8 +426,8 @@ private:
 };
 
 /*
- * Pulls one path at a time straight, between points anywhere, and gives it as a polyline; the triangulation is the
- * input's before and after. So paths do not hold up one another, and may cross.
+ * Shortens one path at a time to a geodesic, between arbitrary points, and returns it as a polyline; the triangulation
+ * is that of the input before and after. Paths therefore do not obstruct each other, and may cross.
  */
 template <class Triangulation>
 class Path_straightener
@@ -435,8 +440,8 @@ public:
   {
   }
 
-  /* A geodesic from a shortest edge path, pulled tight by `tighten(network)`; the point twice if both ends are in one
-   * place. */
+  /* Computes a geodesic from a shortest edge path, which `tighten(network)` shortens; the result is the point twice if
+   * both ends coincide. */
   template <class Tighten>
   Surface_polyline shortest(const Surface_location& p, const Surface_location& q, const Tighten& tighten)
   {
@@ -454,8 +459,8 @@ public:
     return shortest(p, q, [](Network& network) { return shorten(network); });
   }
 
-  /* The geodesic with the polyline's ends in its class, pulled tight by `tighten(network)`, unless all of it lies in one
-   * face; empty if the polyline, snapped to edges, crosses itself. */
+  /* Computes the geodesic with the polyline's ends in its class, which `tighten(network)` shortens unless all of it
+   * lies in one face; empty if the polyline, snapped to edges, crosses itself. */
   template <class Tighten>
   Surface_polyline straightened_if_possible(const Surface_polyline& path, const Tighten& tighten)
   {
@@ -465,8 +470,8 @@ public:
     return pull(path.front(), path.back(), snap, tighten);
   }
 
-  /* The same by all flips that it takes. Vertices at the ends can lie between a path and the edges that it is snapped
-   * to; if that makes it cross itself, the path itself is drawn instead. */
+  /* Computes that geodesic by as many flips as necessary. Vertices at the ends can lie between a path and the edges to
+   * which it is snapped; if the snapped path therefore crosses itself, the path itself is drawn instead. */
   Surface_polyline straightened(const Surface_polyline& path)
   {
     const auto tighten = [](Network& network) { return shorten(network); };
@@ -479,16 +484,17 @@ public:
     return checked(pull(path.front(), path.back(), draw, tighten));
   }
 
-  /* Throws what is in the way of the last path that crosses itself. */
+  /* Throws the reason why the last path crosses itself. */
   [[noreturn]] void throw_conflict() const { m_conflict.raise(); }
 
-  /* The path along edges from vertex v, the polyline's start, to w, its end: points on edges move to the nearer end. */
+  /* The path along edges from vertex v, the polyline's start, to w, its end: points on edges are moved to the nearer
+   * end. */
   std::vector<Halfedge_index> snapped(const Surface_polyline& path, Vertex_index v, Vertex_index w) const
   {
     const auto& input = m_triangulation.input();
     Path_in_face<Triangulation> path_in_face(m_triangulation);
     std::vector<Halfedge_index> result;
-    std::size_t last = 0; // the point at which the path has arrived
+    std::size_t last = 0; // the point that the path has reached
     Vertex_index at = v;
     for(std::size_t i = 1; i < path.size(); ++i) {
       const bool is_end = i + 1 == path.size();
@@ -507,7 +513,7 @@ public:
     return result;
   }
 
-  /* What became of all paths together, as if they were one curve. */
+  /* Returns the joint report of all paths, as if they were one curve. */
   const Shortening_report& report() const { return m_report; }
   void clear_report() { m_report.curves.assign(1, report_of_nothing()); }
 
@@ -559,7 +565,7 @@ private:
     all.verdict = (std::max)(all.verdict, one.verdict);
   }
 
-  // Legs within a face are straight.
+  // Segments within a face are straight.
   Curve_report report_of_nothing() const
   {
     Curve_report report;
@@ -583,7 +589,7 @@ private:
 
   Triangulation& m_triangulation;
   Shortening_report m_report = {{report_of_nothing()}, 0, 0};
-  Order_conflict m_conflict; // of the last path that was pulled
+  Order_conflict m_conflict; // of the last path that was shortened
 };
 
 } // namespace internal

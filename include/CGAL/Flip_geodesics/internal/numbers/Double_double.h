@@ -92,9 +92,9 @@ inline Double_double sqrt(const Double_double& a)
 }
 
 /*
- * Complex numbers of them. Each operation errs, as a vector, by at most `double_double_vector_error`, that is 64 u^2,
- * of |v| + |w| for a sum and of |v| |w| for a product: there each coordinate takes two products and a sum of them, in
- * all 33 u^2 (|v.x w.x| + |v.y w.y|) or the like, which is at most 33 u^2 |v| |w| [Cauchy, Schwarz].
+ * Complex numbers of this type. The error of each operation, as a vector, is at most `double_double_vector_error`, that
+ * is 64 u^2, of |v| + |w| for a sum and of |v| |w| for a product: there each coordinate takes two products and a sum of
+ * them, in all 33 u^2 (|v.x w.x| + |v.y w.y|) or the like, which is at most 33 u^2 |v| |w| [Cauchy, Schwarz].
  */
 struct Double_double_vector
 {

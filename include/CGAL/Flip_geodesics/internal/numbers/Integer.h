@@ -35,12 +35,12 @@ using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_bac
 
 inline Integer absolute(const Integer& n) { return boost::multiprecision::abs(n); }
 
-/* The positions of the highest and of the lowest bit that is set. \pre not zero */
+/* Returns the position of the highest bit that is set; below, that of the lowest one. \pre not zero */
 inline unsigned highest_bit(const Integer& n) { return static_cast<unsigned>(msb(absolute(n))); }
 inline unsigned lowest_bit(const Integer& n) { return static_cast<unsigned>(lsb(absolute(n))); }
 
-/* The root of an integer, rounded down, by Newton's method from above; that of Boost 1.74 takes 3 to 20 times as long.
- * \pre n >= 0 */
+/* Returns the root of an integer, rounded down, by Newton's method from above; Boost 1.74's own root takes 3 to 20
+ * times as long. \pre n >= 0 */
 inline Integer rounded_root(const Integer& n)
 {
   if(n == 0)
@@ -59,7 +59,7 @@ inline Integer rounded_root(const Integer& n)
   }
 }
 
-/* Is a residue, modulo a multiple of M, that of a square modulo M? */
+/* Returns whether a residue, modulo a multiple of M, is that of a square modulo M. */
 template <std::uint64_t M>
 bool is_square_modulo(std::uint64_t residue)
 {
@@ -72,7 +72,8 @@ bool is_square_modulo(std::uint64_t residue)
   return squares[residue % M];
 }
 
-/* The root of an integer, if that is an integer as well; most others are seen at once not to be squares. */
+/* Returns the root of an integer if it is an integer as well; most other integers are quickly found not to be
+ * squares. */
 inline std::optional<Integer> exact_root(const Integer& n)
 {
   constexpr std::uint64_t product = 64ull * 63 * 65 * 11 * 17 * 19 * 23 * 31;
@@ -89,8 +90,8 @@ inline std::optional<Integer> exact_root(const Integer& n)
 }
 
 /*
- * What is left of a limit of work with integers, counted in products of two words of 64 bits. An operation with short
- * integers takes as long as some 32 of these, mostly for their memory.
+ * The remainder of a work limit for operations with integers, counted in products of two 64-bit words. An operation
+ * with short integers takes as long as about 32 of these, mostly for their memory.
  */
 class Work_limit
 {
@@ -131,7 +132,7 @@ struct Exact_face
   Integer squared_length, dot_next, dot_previous, doubled_area_squared;
 };
 
-/* Doubles as integers with one common power of two taken out. */
+/* Converts doubles to integers with a common power of two taken out. */
 inline void to_integers(const double* numbers, std::size_t size, Integer* result)
 {
   constexpr int digits = std::numeric_limits<double>::digits;
@@ -155,7 +156,7 @@ std::array<Integer, N> to_integers(const std::array<double, N>& numbers)
   return result;
 }
 
-/* Weights of a point as integers without a common factor. */
+/* Returns the weights of a point as integers without a common factor. */
 inline std::array<Integer, 3> integer_weights(const std::array<double, 3>& weights)
 {
   std::array<Integer, 3> result = to_integers(weights);
@@ -209,10 +210,10 @@ inline Exact_face exact_face_from_lengths(const std::array<double, 3>& lengths)
 }
 
 /*
- * A sum of integers times roots of integers, and its sign, however many roots there are. Roots of numbers of which no
- * two have a square for their product are linearly independent over the rationals [Besicovitch]. So the sum is zero only
- * if the terms of each class of roots, that are multiples of one another, are; and what is not zero has a sign in the
- * end, unless the limit of work is met before.
+ * A sum of integers times square roots of integers, and its sign, for any number of roots. Roots of numbers no two of
+ * which have a square as their product are linearly independent over the rationals [Besicovitch]. The sum is therefore
+ * zero only if the terms of each class of roots that are multiples of one another sum up to zero; the sign of a nonzero
+ * sum is found eventually, unless the work limit is exceeded before.
  */
 class Root_sum
 {
@@ -246,7 +247,7 @@ public:
   }
 
 private:
-  // In units of 2^-bits, each root rounded down.
+  // In units of 2^-bits, with each root rounded down.
   static Uncertain<Sign> sign_by_digits(const std::vector<Term>& terms, unsigned bits, Work_limit& work)
   {
     Integer sum = 0, error = 0;
@@ -263,7 +264,7 @@ private:
     return Uncertain<Sign>::indeterminate();
   }
 
-  // Less the classes whose sums are zero: with square d of one term, sqrt(d e) of the others is an integer.
+  // Removes the classes whose sums are zero: with square d of one term, sqrt(d e) of the others is an integer.
   static std::vector<Term> without_zeros(std::vector<Term> terms, Work_limit& work)
   {
     std::vector<Term> result;

@@ -24,11 +24,11 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Exact complex numbers over Z[sqrt d_1, ..., sqrt d_r], for `Chain_arithmetic`: an integer for each set of roots, the
- * product of which it multiplies. No product of two of the d is a square; a product of more can be, which `Root_sum`
- * finds out.
+ * Exact complex numbers over Z[sqrt d_1, ..., sqrt d_r], for `Chain_arithmetic`: one integer for each set of roots, the
+ * coefficient of their product. No product of two of the d is a square; a product of more can be, which `Root_sum`
+ * detects.
  *
- * Once the limit of work is met, numbers are empty, and the sign is uncertain.
+ * Once the work limit is exceeded, numbers are empty, and the sign is uncertain.
  */
 class Multiquadratic_ring
 {
@@ -69,7 +69,7 @@ public:
         m_products.push_back(m_products[mask] * m_radicands[i]);
   }
 
-  /* The number of roots of which no two are rational multiples of each other. */
+  /* Returns the number of roots, no two of which are rational multiples of each other. */
   std::size_t number_of_roots() const { return m_radicands.size() - 1; }
 
   Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& /* divisor */) const
@@ -83,7 +83,7 @@ public:
   Complex one() const { return {integer(1), integer(0)}; }
   Complex zero() const { return {integer(0), integer(0)}; }
 
-  /* The dot of a side, and its root times n. */
+  /* Returns the dot of a side, and its root times n. */
   Complex combination(const Side& q, const Integer& n) const
   {
     return {integer(q.dot), times_integer(times_root(integer(1), q.root), n)};
@@ -125,7 +125,7 @@ public:
 private:
   // ---------------------------------------------------------------- roots
 
-  // A product of two numbers is 4^r products of integers: with 29 roots, the work has more than 64 bits.
+  // A product of two numbers takes 4^r products of integers: with 29 roots, the work exceeds 64 bits.
   void charge_product_of_numbers()
   {
     constexpr std::size_t far_too_many = 29;
@@ -133,8 +133,8 @@ private:
     m_work.charge(r < far_too_many ? Work_limit::of_operation << (2 * r) : UINT64_MAX);
   }
 
-  // Of a class of integers whose products in pairs are squares, the ring has the root of their greatest common divisor:
-  // it is in the class as well, and divides the others by squares. The first class is that of squares.
+  // For a class of integers whose pairwise products are squares, the ring has the root of their greatest common
+  // divisor, which belongs to the class as well and divides the others by squares. The first class is that of squares.
   void add_radicand(const Integer& d)
   {
     if(d == 0)
@@ -231,8 +231,8 @@ private:
 };
 
 /*
- * Floating-point arithmetic of a fixed number of decimal digits, with a bound of the error carried along. Strips are
- * not scaled: numbers stay as large as the ratios of edge lengths, so that doubles can hold the bounds.
+ * Floating-point arithmetic with a fixed number of decimal digits and an error bound. Strips are not scaled: numbers
+ * stay as large as the ratios of edge lengths, so that doubles can represent the bounds.
  */
 template <unsigned Digits>
 class Ball_ring
@@ -250,10 +250,10 @@ public:
   struct Complex
   {
     Float re, im;
-    double radius, size; // the size not below that of re + i im, and at most twice it
+    double radius, size; // the size is at least that of re + i im, and at most twice it
   };
 
-  /* The factor (dot + sign i sqrt(squared_root)) / divisor, and a close bound of its size. */
+  /* The factor (dot + sign i sqrt(squared_root)) / divisor, and a tight bound of its size. */
   struct Side
   {
     Float dot, root;
@@ -276,7 +276,7 @@ public:
   Complex one() const { return {1, 0, 0, 1}; }
   Complex zero() const { return {0, 0, 0, 0}; }
 
-  /* The dot of a side, and its root times n. */
+  /* Returns the dot of a side, and its root times n. */
   Complex combination(const Side& q, const Integer& n) const { return rounded(q.dot, q.root * Float(n), 0); }
 
   Complex rescale(const Complex& z, const Integer& /* factor */) const { return z; }
@@ -313,7 +313,7 @@ public:
   }
 
 private:
-  // By Newton's method for the inverse of the root, without a division. Boost's own root finds one bit at a time.
+  // Newton's method for the inverse of the root, without a division. Boost's own root computes one bit at a time.
   static Float root_of(const Integer& n)
   {
     if(n == 0)
@@ -328,13 +328,13 @@ private:
 
   static double as_double(const Float& x) { return x.template convert_to<double>(); }
 
-  // With a radius, and rounding.
+  // With a radius and the rounding errors.
   static Complex product(const Complex& z, const Float& re, const Float& im, double radius, double size)
   {
     return rounded(z.re * re - z.im * im, z.re * im + z.im * re, radius + z.size * size * unit());
   }
 
-  // Of the last few operations, generously.
+  // A generous bound for the last few operations.
   static double unit()
   {
     static_assert(Digits <= 290, "the radius is a double");
@@ -342,7 +342,7 @@ private:
     return result;
   }
 
-  // Adds rounding, and that of the radius itself. A radius too small for a double is kept from vanishing.
+  // Adds the rounding errors, including that of the radius itself. A radius too small for a double is kept positive.
   static Complex rounded(const Float& re, const Float& im, double radius)
   {
     const double size = (std::abs(as_double(re)) + std::abs(as_double(im))) * (1 + radius_rounding);
@@ -350,7 +350,7 @@ private:
             size};
   }
 
-  // Of the last face: two sides of it are asked for one after the other.
+  // Of the last face: two sides of it are requested consecutively.
   mutable Integer m_squared_root = 0, m_divisor = 0;
   mutable Float m_inverse, m_root;
 };

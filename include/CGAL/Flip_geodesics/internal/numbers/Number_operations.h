@@ -9,7 +9,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Sqrt_extension.h>
 #include <CGAL/Uncertain.h>
-// Before the numbers of Boost: it tells CGAL about them.
+// Must precede the numbers of Boost, which it declares to CGAL.
 #include <CGAL/boost_mp.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* What a number type can do about square roots, and about being wrong. */
+/* The capabilities of a number type regarding square roots and exactness. */
 enum class Number_kind {
   EXACT_WITH_ROOTS, // CORE::Expr
   RATIONAL,         // no roots, but squares are recognized

@@ -12,10 +12,11 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The area and the shape of a triangle given by its lengths, in double; side i leads from corner i to corner i + 1.
+ * The area and the shape of a triangle given by its lengths, in doubles; side i leads from corner i to corner i + 1.
  *
- * The area is Kahan's ("Miscalculating Area and Angles of a Needle-like Triangle"): accurate to a few units in the last
- * place of what the lengths say. A triangle whose lengths violate the inequality has area 0.
+ * The area is computed by Kahan's formula ("Miscalculating Area and Angles of a Needle-like Triangle"), which is
+ * accurate to a few units in the last place for the given lengths. A triangle whose lengths violate the inequality has
+ * area 0.
  */
 struct Plane_triangle
 {
@@ -40,20 +41,20 @@ struct Plane_triangle
     return std::isfinite(cotangents[0]) && std::isfinite(cotangents[1]) && std::isfinite(cotangents[2]);
   }
 
-  /* The angle at a corner; pi opposite to a side that is too long, 0 at its ends. */
+  /* Returns the angle at a corner; pi opposite to a side that is too long, 0 at its ends. */
   double angle(int corner) const
   {
     const double next = lengths[corner], opposite = lengths[(corner + 1) % 3], previous = lengths[(corner + 2) % 3];
     return std::atan2(2 * area, dot(next, previous, opposite));
   }
 
-  /* The third corner, where corner 0 lies at the origin and side 0 on the positive first axis. */
+  /* Returns the third corner, if corner 0 lies at the origin and side 0 on the positive first axis. */
   std::array<double, 2> apex() const
   {
     return {dot(lengths[0], lengths[2], lengths[1]) / lengths[0], 2 * area / lengths[0]};
   }
 
-  /* The gradient of the linear function that is 1 at a corner and 0 at the others, in the frame of apex(). */
+  /* Returns the gradient of the linear function that is 1 at a corner and 0 at the others, in the frame of apex(). */
   std::array<double, 2> hat_gradient(int corner) const
   {
     const std::array<double, 2> top = apex();
@@ -64,10 +65,10 @@ struct Plane_triangle
   }
 
 private:
-  // The product of two sides and the cosine between them, opposite to the third side.
+  // The product of two sides and the cosine of the angle between them, opposite to the third side.
   static double dot(double a, double b, double opposite)
   {
-    // (a^2 + b^2 - c^2)/2, less prone to cancellation: (a^2 + (b - c)(b + c))/2 with the longer of a, b next to c.
+    // (a^2 + b^2 - c^2)/2, with less cancellation: (a^2 + (b - c)(b + c))/2 with the longer of a, b next to c.
     const double longer = (std::max)(a, b), shorter = (std::min)(a, b);
     return (shorter * shorter + (longer - opposite) * (longer + opposite)) / 2;
   }

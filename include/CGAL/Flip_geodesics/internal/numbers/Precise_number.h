@@ -13,8 +13,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A double-double number for algorithms that are written for doubles: it is converted from a double, compared, and
- * infinite where a double would be. The second halves of infinite numbers are zero; `Double_double` makes them NaN, and
+ * A double-double number for algorithms written for doubles: it is converted from a double, compared, and infinite
+ * whenever a double would be. The second halves of infinite numbers are zero; `Double_double` would make them NaN, and
  * then the first halves as well.
  */
 class Precise_number
@@ -30,7 +30,7 @@ public:
   {
   }
 
-  /* The nearest double. */
+  /* Returns the nearest double. */
   double nearest() const { return m_value.high; }
 
   friend Precise_number operator-(const Precise_number& a) { return Precise_number(-a.m_value); }
@@ -65,7 +65,7 @@ public:
   friend bool operator!=(const Precise_number& a, const Precise_number& b) { return !(a == b); }
 
 private:
-  // A result, or what it is in doubles where that is not finite.
+  // Returns a result or, if that is not finite, the result in doubles.
   static Precise_number finite(const Double_double& result, double in_double)
   {
     return std::isfinite(in_double) ? Precise_number(result) : Precise_number(in_double);
@@ -74,7 +74,7 @@ private:
   Double_double m_value;
 };
 
-/* Complex numbers of them, with the operations of `std::complex` that unfolding takes. */
+/* Complex numbers of this type, with the operations of `std::complex` that unfolding requires. */
 class Precise_vector
 {
 public:
@@ -102,7 +102,7 @@ private:
   Precise_number m_real, m_imag;
 };
 
-/* What an algorithm for either kind of numbers needs to know of them. */
+/* The properties of number types required by algorithms for either kind. */
 template <class Number>
 struct Number_rounding;
 
@@ -118,17 +118,17 @@ struct Number_rounding<double>
 template <>
 struct Number_rounding<Precise_number>
 {
-  // Bounds the relative errors of sides of faces (`Precise_face_traits`), and 32 operations as well.
+  // Bounds the relative errors of sides of faces (`Precise_face_traits`), and also those of 32 operations.
   static constexpr double unit = precise_direction_error;
   static double nearest(const Precise_number& number) { return number.nearest(); }
 
-  /* A double that is not larger. */
+  /* Returns a double that is not larger. */
   static double below(const Precise_number& number)
   {
     return number.nearest() - 2 * Number_rounding<double>::unit * std::abs(number.nearest());
   }
 
-  /* A double that is not smaller. */
+  /* Returns a double that is not smaller. */
   static double above(const Precise_number& number) { return -below(-number); }
 };
 

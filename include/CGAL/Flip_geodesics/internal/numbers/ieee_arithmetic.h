@@ -8,7 +8,7 @@
 #include <cmath>
 #include <complex>
 
-/* What is proven relies on bounds of rounding errors, on errors that are computed, and on infinity: no bound. */
+/* Proofs rely on bounds of rounding errors, on computed errors, and on infinity as the absence of a bound. */
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) ||                          \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
 #error "Flip_geodesics proves its results by IEEE 754 arithmetic: compile without -ffast-math, -Ofast and their parts"
@@ -17,8 +17,8 @@
 #error "Flip_geodesics needs doubles that are rounded to double: for the x87 add -msse2 -mfpmath=sse"
 #endif
 
-/* Can the processor round a product and a sum in one operation? Then compilers make one of the two across statements,
- * as they like. An empty instruction that may change the product, or else its place in memory, is in their way. */
+/* If the processor can round a product and a sum in one operation, compilers may fuse the two across statements. An
+ * empty instruction that may change the product, or else its place in memory, prevents this. */
 #if defined(__x86_64__) || defined(__i386__)
 #if defined(__FMA__) || defined(__FMA4__)
 #define CGAL_FLIP_GEODESICS_UNFUSED_REGISTER "+x"
@@ -34,8 +34,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A product, to be added to something, rounded by itself: what depends on the result is the same whatever processor and
- * whatever options a program is compiled for.
+ * Returns a product to be added to another number, rounded separately, so that results do not depend on the processor
+ * or the options of compilation.
  */
 inline double unfused(double product)
 {
@@ -52,7 +52,7 @@ inline std::complex<double> unfused(const std::complex<double>& product)
 
 #undef CGAL_FLIP_GEODESICS_UNFUSED_REGISTER
 
-/* Returns whether all coordinates of a place in space are finite. */
+/* Returns whether all coordinates of a point in space are finite. */
 inline bool are_finite(const std::array<double, 3>& coordinates)
 {
   return std::isfinite(coordinates[0]) && std::isfinite(coordinates[1]) && std::isfinite(coordinates[2]);

@@ -24,7 +24,7 @@ inline double cross(const Plane_vector& u, const Plane_vector& v)
   return unfused(u.real() * v.imag()) - unfused(u.imag() * v.real());
 }
 
-/* Without the care for infinite numbers that the operator takes. */
+/* Without the treatment of infinite numbers by the operator. */
 inline Plane_vector product(const Plane_vector& u, const Plane_vector& v)
 {
   return {unfused(u.real() * v.real()) - unfused(u.imag() * v.imag()),
@@ -36,7 +36,8 @@ inline double magnitude(const Plane_vector& v)
   return std::sqrt(unfused(v.real() * v.real()) + unfused(v.imag() * v.imag()));
 }
 
-/* The length by 106 bits, since std::abs() has other last bits in each library, and so has what is just as long. */
+/* Returns the length computed with 106 bits, since the last bits of std::abs() differ between libraries, which would
+ * affect comparisons of equal lengths. */
 inline double well_rounded_length(const Plane_vector& v)
 {
   return sqrt(exact_product(v.real(), v.real()) + exact_product(v.imag(), v.imag())).high;
@@ -45,8 +46,8 @@ inline double well_rounded_length(const Plane_vector& v)
 /* The ends of a portal, as seen along the path. */
 enum Portal_side : std::size_t { LEFT_END, RIGHT_END };
 
-/* An edge that a path crosses, in the plane: its end that is not one of the portal before. The first portal has its right
- * end at the origin, and stores the left one. */
+/* An edge crossed by a path, in the plane: its end that is not an end of the previous portal. The first portal has its
+ * right end at the origin and stores the left one. */
 struct Portal
 {
   Plane_vector end;
@@ -54,9 +55,9 @@ struct Portal
 };
 
 /*
- * The shortest path in a sleeve of unfolded faces, by a funnel that starts afresh at each bend [Lee, Preparata, Euclidean
- * Shortest Paths in the Presence of Rectilinear Barriers, 1984]. The portals are the edges that the path crosses between
- * its two ends, none of which is an end of a portal.
+ * The shortest path in a sleeve of unfolded faces, by a funnel that restarts at each bend [Lee, Preparata, Euclidean
+ * Shortest Paths in the Presence of Rectilinear Barriers, 1984]. The portals are the edges that the path crosses
+ * between its two ends, neither of which is an end of a portal.
  */
 class Funnel
 {
@@ -80,7 +81,7 @@ public:
     }
   }
 
-  /* An end of portal i. */
+  /* Returns an end of portal i. */
   static Plane_vector end(const std::vector<Portal>& portals, std::size_t i, Portal_side side)
   {
     for(; portals[i].side != side; --i)
@@ -92,15 +93,15 @@ public:
   const std::vector<Bend>& bends() const { return m_bends; }
 
 private:
-  // What is seen from the apex through the portals so far lies between the directions to `left` and `right`.
+  // The region visible from the apex through the portals so far lies between the directions to `left` and `right`.
   struct View
   {
     Plane_vector left, right;
     std::size_t left_portal, right_portal;
   };
 
-  // Most portals leave the view as it is, which is computed without a branch on their side: it follows no pattern that a
-  // processor could guess.
+  // Most portals do not change the view, which is computed without a branch on their side, since the sides follow no
+  // predictable pattern.
   bool find_bend(const std::vector<Portal>& portals, const Plane_vector& apex, std::size_t start,
                  const Plane_vector& target)
   {

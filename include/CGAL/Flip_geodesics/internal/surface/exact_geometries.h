@@ -23,9 +23,8 @@ namespace internal {
 }
 
 /*
- * The unit in which areas are counted, and with them the second coordinates of vectors: 1 where the number type has
- * roots, sqrt(d) where it has not. `root(s)` is the root of s in this unit, and `product(a, b)` that of two
- * second coordinates.
+ * The unit of areas and thus of the second coordinates of vectors: 1 if the number type has roots, otherwise sqrt(d).
+ * `root(s)` is the root of s in this unit, and `product(a, b)` the product of two second coordinates.
  */
 template <class NT, Number_kind Kind = Number_operations<NT>::kind>
 class Area_unit
@@ -35,7 +34,7 @@ public:
 
   NT root(const NT& square) const
   {
-    // Below zero is a degenerate triangle seen through rounding.
+    // A negative value is that of a degenerate triangle with rounding errors.
     if constexpr(Number_operations<NT>::kind == Number_kind::FLOATING)
       if(Number_operations<NT>::sign(square) == NEGATIVE)
         return NT(0);
@@ -108,7 +107,7 @@ private:
   Radicand m_radicand;
 };
 
-/* A positive integer without the squares in it that are easily found. */
+/* Returns a positive integer without those square factors that are easily found. */
 inline Integer without_squares(Integer n)
 {
   constexpr int limit = 1000;
@@ -136,11 +135,11 @@ NT converted(const Integer& n)
 
 /*
  * Squared lengths L, and S = 4 area of each face in units of the area unit. Flips stay in the field of the input's
- * numbers, and an edge's numbers are the same whatever flips led to it. For exact numbers only: in rounded ones L and S
- * drift apart, exponentially in the number of flips.
+ * numbers, and the numbers of an edge are independent of the flips that led to it. For exact numbers only: rounded
+ * values of L and S drift apart, exponentially in the number of flips.
  *
- * A face's S is copied to its halfedges. A flip does not touch two of them that change their face; so S comes with a
- * generation, and of the copies in a face the one of the latest generation is right.
+ * The S of a face is copied to its halfedges. A flip does not touch two of them that change their face; S therefore has
+ * a generation, and of the copies in a face the one of the latest generation is correct.
  */
 template <class NT>
 class Squared_length_geometry
@@ -177,15 +176,16 @@ public:
     return {{{a, quadrupled_area, 0}, {b, quadrupled_area, 0}, {c, quadrupled_area, 0}}};
   }
 
-  /* The corner at the head of `in` as a complex number, twice the product of the lengths: by the law of cosines. */
+  /* Returns the corner at the head of `in` as a complex number, twice the product of the lengths, by the law of
+   * cosines. */
   static Corner corner(const Halfedge_geometry& in, const Halfedge_geometry& out, const Halfedge_geometry& opposite)
   {
     return {NT(in.squared_length + out.squared_length - opposite.squared_length), quadrupled_area(in, out, opposite)};
   }
 
   /*
-   * With h = i->j of squared length L, k and l opposite, and x_k = (k - i).(j - i), x_l = (l - i).(j - i):
-   * |kl|^2 = ((x_k - x_l)^2 + (S_ijk + S_jil)^2 / 4) / L, and S_ikl = (x_k S_jil + x_l S_ijk) / L.
+   * |kl|^2 = ((x_k - x_l)^2 + (S_ijk + S_jil)^2 / 4) / L and S_ikl = (x_k S_jil + x_l S_ijk) / L, where h = i->j has
+   * the squared length L, k and l are the opposite vertices, and x_k = (k - i).(j - i), x_l = (l - i).(j - i).
    */
   static Flipped_geometry flip(const Unit& unit, const Halfedge_geometry& h, const Halfedge_geometry& hn,
                                const Halfedge_geometry& hp, const Halfedge_geometry& t, const Halfedge_geometry& tn,
@@ -207,7 +207,8 @@ public:
             {tp.squared_length, at_j, generation}};
   }
 
-  /* The triangle of three points, given by weights of the corners of a face, in the order of its halfedges' tails. */
+  /* Returns the triangle of three points, given by weights of the corners of a face, in the order of its halfedges'
+   * tails. */
   static Face_geometry subface(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& weights)
   {
     std::array<std::array<NT, 3>, 3> p;
@@ -241,9 +242,9 @@ private:
 };
 
 /*
- * Vectors in a frame of the face, as in Intrinsic_triangulation_traits, for numbers that round: errors grow linearly
- * with flips. A frame has the length of an input halfedge as its unit, whose square, the scale, is stored as well, so
- * that faces are laid out with one root, that of the area, and no length.
+ * Vectors in a frame of the face, as in Intrinsic_triangulation_traits, for rounded numbers: errors grow linearly with
+ * the number of flips. The unit of a frame is the length of an input halfedge, whose square, the scale, is stored as
+ * well, so that computing a face takes one root, that of the area, and no length.
  */
 template <class NT>
 class Vector_geometry
@@ -280,7 +281,7 @@ public:
     return laid_out(a, NT((c - a - b) * half), NT((b - c - a) * half), quadrupled_area);
   }
 
-  /* From vectors with a relative error, which intervals take in. */
+  /* Converts vectors with a relative error, which intervals include. */
   static Face_geometry face_from_vectors(const std::array<std::array<double, 2>, 3>& v, double error)
   {
     Face_geometry result;
@@ -291,13 +292,13 @@ public:
     return result;
   }
 
-  /* The corner at the head of `in` as a complex number. */
+  /* Returns the corner at the head of `in` as a complex number. */
   static Corner corner(const Halfedge_geometry& in, const Halfedge_geometry& out, const Halfedge_geometry&)
   {
     return {NT(-(out.x * in.x + out.y * in.y)), non_negative(NT(out.y * in.x - out.x * in.y))};
   }
 
-  /* The rotation from the frame of t's face to that of h's changes the scale as well. */
+  /* The rotation from the frame of t's face to that of h's face changes the scale as well. */
   static Flipped_geometry flip(const Unit&, const Halfedge_geometry& h, const Halfedge_geometry& hn,
                                const Halfedge_geometry& hp, const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                const Halfedge_geometry& tp)
@@ -342,7 +343,7 @@ private:
       return static_cast<void>(radius), NT(x);
   }
 
-  // Areas are not negative, whatever rounding makes of them.
+  // Areas are nonnegative, whatever the rounding errors are.
   static NT non_negative(const NT& y)
   {
     if constexpr(is_interval)

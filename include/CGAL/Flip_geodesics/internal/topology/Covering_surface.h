@@ -37,11 +37,11 @@ struct Covering_face
 };
 
 /*
- * A part of the universal covering of a surface: all faces about the lifts that a search has settled. In it all paths
- * between two vertices are homotopic, so that the shortest of them is the shortest of a class below.
+ * A part of the universal covering of a surface: all faces around the lifts that a search has settled. In it all paths
+ * between two vertices are homotopic, so that the shortest of them is the shortest of a class on the original surface.
  *
  * Where the part ends and the covering does not, it has a border, the *frontier*. Both ends of its edges are lifts that
- * are not settled. Such a lift has a vertex for each row of faces that it is in.
+ * are not settled. Such a lift has a vertex for each row of faces that contains it.
  *
  * The first side of an edge lies over the first side of the edge below.
  */
@@ -51,7 +51,7 @@ class Covering_surface
 public:
   using Below = Indexed_mesh<TriangleMesh>;
 
-  /* The mesh and its numbers must outlive it. */
+  /* The mesh and its indices must outlive this object. */
   template <class Search>
   Covering_surface(const TriangleMesh& mesh, const Below& below, const Search& search)
     : m_mesh(&mesh)
@@ -71,7 +71,7 @@ public:
 
   Index number_of_vertices() const { return static_cast<Index>(m_outgoing.size()); }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
-  /* In linear time. */
+  /* Takes linear time. */
   Index number_of_faces() const
   {
     const auto borders = std::count(m_is_border.begin(), m_is_border.end(), char(1));
@@ -83,18 +83,18 @@ public:
   bool is_border(Input_halfedge_index h) const { return m_is_border[h] != 0; }
   Input_halfedge_index outgoing(Vertex_index v) const { return m_outgoing[v]; }
 
-  /* What lies below. */
+  /* Returns the halfedge below. */
   Input_halfedge_index below(Input_halfedge_index h) const
   {
     return Input_halfedge_index(2 * m_edge_below[static_cast<std::size_t>(h.idx() / 2)] + h.idx() % 2);
   }
   Vertex_index below(Vertex_index v) const { return m_below->tail(below(m_outgoing[v])); }
 
-  /* The lift where a halfedge starts. */
+  /* Returns the lift at which a halfedge starts. */
   Index lift(Input_halfedge_index h) const { return m_tail_lift[h]; }
-  /* The vertex of a settled lift. */
+  /* Returns the vertex of a settled lift. */
   Vertex_index vertex(Index lift) const { return m_vertex[static_cast<std::size_t>(lift)]; }
-  /* Does a halfedge have no face here, but below? */
+  /* Returns whether a halfedge has no face here, although the one below has. */
   bool is_frontier(Input_halfedge_index h) const { return is_border(h) && !m_below->is_border(below(h)); }
 
 private:
@@ -108,7 +108,7 @@ private:
       spokes.push_back(h);
       h = m_below->next(twin_index(h));
     } while(h != first);
-    // The face on the left of a spoke lies between it and the one before.
+    // The face on the left of an outgoing halfedge lies between it and the previous one.
     const auto is_before = [&](Index l) { return l < lift && search.is_settled(l); };
     for(std::size_t i = 0; i < spokes.size(); ++i) {
       const Index a = search.neighbor(lift, i), b = search.neighbor(lift, (i == 0 ? spokes.size() : i) - 1);
@@ -117,7 +117,7 @@ private:
     }
   }
 
-  // The face over that on the left of h, whose corners from the tail of h on are three lifts.
+  // Adds the face over that on the left of h; its corners, starting with the tail of h, are three lifts.
   void add_face(Input_halfedge_index h, Index lift, Index a, Index b)
   {
     const Input_halfedge_index side = add_side(h, lift, a), side_next = add_side(m_below->next(h), a, b),
@@ -128,7 +128,7 @@ private:
     m_is_border[side] = m_is_border[side_next] = m_is_border[side_previous] = 0;
   }
 
-  // The halfedge over h from one lift to another.
+  // Returns the halfedge over h from one lift to another.
   Input_halfedge_index add_side(Input_halfedge_index h, Index from, Index to)
   {
     const std::uint64_t edge = static_cast<std::uint64_t>(h.idx() / 2);
@@ -152,7 +152,7 @@ private:
     m_previous[next] = h;
   }
 
-  // Border halfedges follow each other around the row of faces at a vertex.
+  // Border halfedges are consecutive around the row of faces at a vertex.
   void link_border()
   {
     checked_index_bound(m_next.size());
@@ -187,7 +187,7 @@ private:
   const TriangleMesh* m_mesh;
   const Below* m_below;
   std::unordered_map<std::uint64_t, std::size_t>
-      m_edges; // by the lift at which the first side starts and what is below
+      m_edges; // by the lift at which the first side starts and the halfedge below
   std::vector<Index> m_edge_below;
   Indexed_by<Input_halfedge_index, std::vector<Input_halfedge_index>> m_next, m_previous;
   Indexed_by<Input_halfedge_index, std::vector<char>> m_is_border;
@@ -197,7 +197,7 @@ private:
   std::vector<Vertex_index> m_vertex; // by lift
 };
 
-/* What a curve point needs to know of the faces of a graph. */
+/* The data of the faces of a graph that a curve point requires. */
 template <class TriangleMesh>
 Covering_face face(Input_halfedge_index h, const Covering_surface<TriangleMesh>& surface)
 {
@@ -273,7 +273,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The metric of a covering surface: that of what lies below. A model of IntrinsicMetric. */
+/* The metric of a covering surface, which is that of the surface below. A model of IntrinsicMetric. */
 template <class TriangleMesh, class Metric>
 class Covering_metric
 {
@@ -327,7 +327,7 @@ public:
     return m_metric.exact_face(below(mesh), mesh.surface().below(h));
   }
 
-  /* What is known of flat edges is kept for those below. */
+  /* The results for flat edges are stored for the edges below. */
   bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps, Flat_edges&,
                      Sign& sine) const
   {

@@ -28,23 +28,27 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Where a point of an input face is in the intrinsic triangulation. */
+/* The position of a point of an input face in the intrinsic triangulation. */
 struct Located_point
 {
   Halfedge_index halfedge =
-      null_index;      // of the face that holds the point, or of the edge that it lies on, face on the left
-  std::size_t gap = 0; // of the halfedge's word: its input face, seen from the intrinsic face, holds the point
+      null_index;      // of the face that contains the point, or of the edge on which it lies, with the face on the
+                       // left
+  std::size_t gap = 0; // in the halfedge's edge sequence; its input face, as seen from the intrinsic face, contains the
+                       // point
   bool is_on_edge = false;
-  Vertex_index vertex = null_index; // the vertex in the same place, if there is one
+  Vertex_index vertex = null_index; // the vertex that coincides with the point, if any
 };
 
 /*
- * Finds points in an intrinsic triangulation. The intrinsic faces cut an input face into pieces, each convex, and each
- * named by a gap of the words of its sides. The search goes from piece to piece, through a side that the point lies
- * beyond if there is one, and to each piece once; so it ends whatever the numbers do.
+ * Locates points in an intrinsic triangulation. The intrinsic faces cut an input face into convex pieces, each
+ * identified by a gap in the edge sequences of its sides. The search proceeds from piece to piece, through a side
+ * beyond which the point lies if there is one, and visits each piece once; it therefore terminates whatever the
+ * rounding errors are.
  *
- * The words tell which pieces there are, and exact signs on which side of an edge the point lies. Only over traits
- * whose decisions err can it happen that no piece holds the point; then it is put on the edge that it misses by least.
+ * The edge sequences determine the pieces, and exact signs the side of an edge on which the point lies. Only with
+ * traits whose predicates are inexact can it happen that no piece contains the point; the point is then put on the edge
+ * that it misses by the smallest distance.
  */
 template <class Triangulation>
 class Point_locator
@@ -67,7 +71,7 @@ public:
   {
   }
 
-  /* \pre the location is canonical, and no input vertex */
+  /* \pre the surface point is canonical, and not an input vertex */
   Located_point operator()(const Surface_location& point) const
   {
     std::size_t letters = no_limit;
@@ -75,8 +79,8 @@ public:
   }
 
   /*
-   * The same for a point that lies close to a known piece. From a corner of the input face, as above, so that it ends
-   * as above; but from the known piece if the corner is too far away, past what was inserted before.
+   * Locates a point that lies close to a known piece: from a corner of the input face as above, so that the search
+   * terminates; but from the known piece if the corner is too far away, beyond points inserted before.
    */
   Located_point operator()(const Surface_location& point, Known_piece& close_by) const
   {
@@ -90,14 +94,14 @@ public:
 private:
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 
-  // Takes the word of h from what a search may cost. Returns false if nothing is left then.
+  // Subtracts the cost of the edge sequence of h from the budget of a search. Returns false if the budget is exhausted.
   bool spend(Halfedge_index h, std::size_t& letters_left) const
   {
     letters_left -= (std::min)(letters_left, letters(h) + 1);
     return letters_left > 0;
   }
 
-  // Nothing if the letters do not suffice.
+  // Returns nothing if the budget of crossed edges is exhausted.
   std::optional<Located_point> search(const Surface_location& point, const Gap& first, std::size_t& letters_left) const
   {
     std::vector<Gap> pending = {first};
@@ -141,7 +145,7 @@ private:
     return {number(h), number(hn), number(hp)};
   }
 
-  // A piece at the corner of the input face at the tail of input halfedge c; nothing if the letters do not suffice.
+  // A piece at the corner of the input face at the tail of input halfedge c; nothing if the budget is exhausted.
   std::optional<Gap> first_piece(Input_halfedge_index c, std::size_t& letters_left) const
   {
     if(m_triangulation.version(Triangulation::edge(as_intrinsic(c))) == 0)
@@ -222,13 +226,14 @@ private:
     }
   }
 
-  // Those that the point lies beyond come last, to be popped first.
+  // The sides beyond which the point lies come last, so that they are popped first.
   void push_neighbors(const std::vector<Gap>& sides, const std::vector<Gap>& beyond, std::vector<Gap>& pending) const
   {
     for(const std::vector<Gap>* list : {&sides, &beyond})
       for(const Gap& side : *list) {
         const Halfedge_index t = Triangulation::twin(side.halfedge);
-        if(m_triangulation.crossings(Triangulation::edge(t)) >= 0) // no edge of the input, such as those on the border
+        if(m_triangulation.crossings(Triangulation::edge(t)) >= 0) // not an edge of the input, such as those on the
+                                                                   // border
           pending.push_back({t, letters(t) - side.gap});
       }
   }
