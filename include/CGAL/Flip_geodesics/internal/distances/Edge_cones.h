@@ -313,13 +313,13 @@ struct Cone_wave
   Edge_cones cones;
   double at_tail = 0, at_split = 0, at_head = 0;
   double apex_distance = std::numeric_limits<double>::infinity(); // of the opposite corner, when last examined
-  std::array<std::int32_t, 2> seen = {0, 0};                      // the examined versions of the waves across the other
-                                                                  // sides
+  std::array<std::int32_t, 2> seen = {0, 0}; // examined versions of the waves across the other sides
   std::int32_t version = 0, number_of_updates = 0;
   bool is_set = false, is_waiting = false;
   bool is_borrowed = false; // from the twin halfedge, and possibly lower than necessary
 
-  /* Ordered by the smaller value, since propagation across the edge continues first at that end. */
+  /* Returns the key in the queue. It is closer to the smaller value, since propagation across the edge continues first
+   * at that end. */
   std::uint64_t key() const
   {
     const double less = (std::min)(at_tail, at_head), more = (std::max)(at_tail, at_head);
@@ -371,12 +371,12 @@ public:
     for(int i = 0; i < number; ++i) {
       Cone cone = seen(i == 0 ? m_cones.first : m_cones.second);
       const bool is_first = i + 1 < number;
-      // a source on the wrong side of the edge reaches it only up to rounding errors
+      // No gap remains between the ranges of two cones, nor if the second one reaches nothing.
       const bool is_alone = is_first && seen(m_cones.second).y < -m_error && cone.y >= -m_error;
       const double lit = lit_length(cone, is_first ? m_cones.split : m_side_length, length);
       const double to = is_alone ? length : lit;
       const double from = i == 0 ? 0 : (std::min)(lit_length(cone, m_cones.split, length) - cone_overlap * length, end);
-      cone.y = std::abs(cone.y); // a source below the edge reaches nothing above it, up to rounding errors
+      cone.y = std::abs(cone.y); // a source on the wrong side of the edge reaches it only up to rounding errors
       const Cone turned = is_mirrored ? Cone{length - cone.x, cone.y, cone.sigma} : cone;
       if(is_mirrored)
         parts.add(turned, length - to, length - (std::max)(from, 0.0));

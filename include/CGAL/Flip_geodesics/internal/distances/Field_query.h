@@ -56,8 +56,7 @@ public:
   {
     double distance = std::numeric_limits<double>::infinity();
     Index root = null_index;                   // as in windows
-    Input_halfedge_index through = null_index; // the side across which it enters the face; null_index if it comes from
-                                               // the root
+    Input_halfedge_index through = null_index; // the side of entrance into the face; null_index if from the root
     double crossing = 0;                       // the position from the tail of that side
     Window window;                             // in the frame of that side
   };

@@ -432,8 +432,7 @@ private:
   std::unique_ptr<State> m_state;
   std::unique_ptr<Round_items> m_items;
   std::vector<Source_part> m_parts;
-  Round_queue m_vertex_queue, m_edge_queue; // by their distances, and by the times at which their nearest windows are
-                                            // due
+  Round_queue m_vertex_queue, m_edge_queue; // by their distances, and by when their nearest windows are due
   Round_queue m_passing;                    // edges, by the times at which the front has passed them
   std::vector<std::unique_ptr<Worker>> m_workers;
   double m_longest_edge = 0; // of those that windows have crossed

@@ -518,8 +518,7 @@ private:
       return;
     const Vertex_index tail = input.tail(w.halfedge), head = input.tail(twin_index(w.halfedge));
     const Number to_from = w.least(w.from), to_to = w.least(w.to);
-    if(most(tail) + w.to < to_to || most(head) + (length - w.from) < to_from) // paths by way of an end are shorter
-                                                                              // everywhere in it
+    if(most(tail) + w.to < to_to || most(head) + (length - w.from) < to_from) // shorter by way of an end
       return;
     if(is_border) {
       m_border_windows.push_back(w);
@@ -681,9 +680,8 @@ private:
   std::vector<Window> m_windows, m_border_windows;
   bool m_keeps_border_windows = false;
   Heap_of_four<Entry> m_heap;
-  std::size_t m_number_of_starts = 0; // whether some vertex may not be farther away than the one from which its path
-                                      // comes
-  bool m_may_come_round = false;      // may some vertex not be farther away than the one from which its path comes?
+  std::size_t m_number_of_starts = 0; // of rays along edges; a vertex can start rays repeatedly without a window
+  bool m_may_come_round = false;      // whether a vertex may not be farther away than the one from which its path comes
 };
 
 } // namespace internal

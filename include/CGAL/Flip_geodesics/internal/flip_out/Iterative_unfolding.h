@@ -110,7 +110,6 @@ public:
     Corner_direction at_tail, at_head;              // at the head, backward
     Plane_vector vector = 0;                        // in the unfolded sleeve, if edges are crossed
     bool is_left_open = true, is_right_open = true; // whether the angle on that side can be below pi
-                                                    // pi
     bool is_examined = false, is_straight = false;  // whether straightness has been examined, and its result
   };
 

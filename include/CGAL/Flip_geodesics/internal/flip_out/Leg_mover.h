@@ -233,7 +233,6 @@ private:
     bool is_known = false, is_straight = false; // whether exact straightness has been examined, and its result
     bool is_clear = false;                      // whether no crossed edge touches the line
     std::vector<Bend> passed;                   // the first and the last vertices on the line, `most_passed` each
-                                                // `most_passed` each
   };
 
   // A bend that stays for now and the part of the path before it.

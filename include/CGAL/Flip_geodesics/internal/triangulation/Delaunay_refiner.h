@@ -680,8 +680,7 @@ private:
     const std::optional<Complex> center = circumcenter(p);
     if(!center)
       return {};
-    for(int i = 0; i < 3 && is_left(p[0], p[1], *center); ++i) { // turn to the side through which the line leaves the
-                                                                 // first face
+    for(int i = 0; i < 3 && is_left(p[0], p[1], *center); ++i) { // turn to the side of exit
       h = m_triangulation.next(h);
       p = {p[1], p[2], p[0]};
     }

@@ -232,8 +232,7 @@ private:
     for(const std::vector<Gap>* list : {&sides, &beyond})
       for(const Gap& side : *list) {
         const Halfedge_index t = Triangulation::twin(side.halfedge);
-        if(m_triangulation.crossings(Triangulation::edge(t)) >= 0) // not an edge of the input, such as those on the
-                                                                   // border
+        if(m_triangulation.crossings(Triangulation::edge(t)) >= 0) // not along an input edge, as on the border
           pending.push_back({t, letters(t) - side.gap});
       }
   }
