@@ -197,7 +197,7 @@ private:
 };
 
 /* Releases the edges under the curves of a network for the lifetime of the object, during which the network must not be
- * used. The edges exist again when it is destroyed. */
+ * used. The edges must exist again when it is destroyed. */
 template <class Network>
 class Released_edges
 {
