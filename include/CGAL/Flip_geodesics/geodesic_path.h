@@ -28,7 +28,7 @@ namespace Flip_geodesics {
 
 #ifdef DOXYGEN_RUNNING
 /// \ingroup PkgFlipGeodesicsFunctions
-/// A vertex of a mesh.
+/// The type of the vertices of a mesh.
 template <class TriangleMesh>
 using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 #else
@@ -37,71 +37,106 @@ using Mesh_vertex = internal::Vertex_in<TriangleMesh>;
 #endif
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// What a function for one curve returns.
+/// Contains the result of a function that computes one curve.
 template <class OutputIterator>
 struct Geodesic_result
 {
-  OutputIterator out;       ///< the end of the output
-  Shortening_report report; ///< what became of the curve
+  OutputIterator out;       ///< the past-the-end iterator of the output
+  Shortening_report report; ///< the report, which has exactly one curve
 
-  double length() const { return report.curves.front().length; }            ///< the length of the curve
-  Shortening_status status() const { return report.curves.front().status; } ///< whether the curve is a geodesic
-  Verdict verdict() const { return report.curves.front().verdict; }         ///< whether it is proven to be one
+  double length() const { return report.curves.front().length; }            ///< returns the length of the curve
+  Shortening_status status() const { return report.curves.front().status; } ///< returns whether the curve is a geodesic
+  Verdict verdict() const { return report.curves.front().verdict; }         ///< returns whether this is certified
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// What a function for several curves returns.
+/// Contains the result of a function that computes several curves.
 template <class OutputIterator>
 struct Geodesics_result
 {
-  OutputIterator out;       ///< the end of the output
-  Shortening_report report; ///< what became of the curves, one entry for each
+  OutputIterator out;       ///< the past-the-end iterator of the output
+  Shortening_report report; ///< the report, with one entry per curve
 
-  std::size_t number_of_curves() const { return report.curves.size(); }                ///< how many there are
-  double length(std::size_t i) const { return report.curves.at(i).length; }            ///< of a curve
-  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; } ///< is it a geodesic?
-  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }         ///< is it proven to be one?
+  std::size_t number_of_curves() const { return report.curves.size(); }                ///< returns their number
+  double length(std::size_t i) const { return report.curves.at(i).length; }            ///< returns the length of one
+  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; } ///< returns if it is a geodesic
+  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }         ///< returns if this is certified
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: an edge path that is nearly
- * shortest (`Search_method::LOOK_BACK`), straightened (`add_straightened_path()`) and pulled tight. A
- * path that takes another way round a hole or a bump may be shorter still. With `curves_through_points.h` the ends can
- * lie anywhere.
+ * Computes a geodesic, that is, a locally shortest path, between two vertices of a triangle mesh.
  *
- * A path between ends in one place is that point. It has length zero, `Shortening_status::CONTRACTED` and
- * `Verdict::PROVEN`, and is written as its two ends.
+ * A nearly shortest edge path (`Search_method::LOOK_BACK`) is straightened by `add_straightened_path()` and then
+ * shortened to a geodesic as by `shorten()`. The geodesic is not necessarily a globally shortest path, since a path on
+ * the other side of a hole or a bump may be shorter; see `shortest_path()`. The functions of `curves_through_points.h`
+ * accept end points anywhere on the surface.
  *
- * If it meets an edge of length zero, such edges are contracted, and the path is computed again: it is a geodesic of
- * the surface that is left, and `Curve_report::are_zero_edges_contracted` says so. The ends of such an edge are in one
- * place. All this holds for all functions that take a mesh and give curves. Whichever
- * attempt succeeds, its result is written once, when it is complete: if an exception is thrown, nothing is written. A
- * visitor observes the steps of both attempts.
+ * If the two vertices coincide, the path has length zero, the status `Shortening_status::CONTRACTED` and the verdict
+ * `Verdict::PROVEN`, and is written as its two end points. The end points of a degenerate edge coincide in this sense.
+ *
+ * The following holds for all functions that compute curves on a mesh. If a degenerate edge is encountered, all such
+ * edges are contracted and the curve is computed again. The result is then a geodesic of the contracted surface, and
+ * `Curve_report::are_zero_edges_contracted` is `true`. A visitor observes the steps of both attempts. The output is
+ * written once the result is complete, so nothing is written if an exception is thrown.
  *
  * \param mesh a triangle mesh
- * \param source, target vertices of one component
- * \param out receives the points of the path, from `source` to `target`: in space, as the metric's points, if it has
- *        any, as lengths have none; if the output does not take those, as
- *        `CGAL::Polygon_mesh_processing::Face_location`s; if it takes neither, as `Curve_point`s, which have both, the
- *        crossed halfedges and the tangents, or `Curve_place`s without points
- * \param np named parameters, in any order: `stop_predicate`, a model of `FlipOutStopPredicate`, which ends the process
- *        early; the report tells. With one, or with a visitor, the edge path itself is pulled tight, so that they see
- *        every step; `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
- *        points as values, by default `get(CGAL::vertex_point, mesh)`; or `metric`, a model of `IntrinsicMetric`,
- *        by default that of the points; `geom_traits`, a model of `IntrinsicTriangulationTraits`, or the kernel of the
- *        points for the default: `Certified_intrinsic_triangulation_traits` of the metric's kernel, whatever kernel that
- *        is, or, for a metric of one's own without `exact_face()`, `Intrinsic_triangulation_traits`; `visitor`, a model
- *        of `FlipOutVisitor`, which is copied unless it is given by `std::ref()`, by default none. The search for the edge
- *        path calls `go_further()` as well, once for about a thousand vertices. If it returns `false` there, then nothing is
- *        written, and the report has the status `Shortening_status::STOPPED_BY_VISITOR`
- * \return the end of the output, and the report, which has one curve
- * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Degenerate_face_error, Invalid_coordinate_error,
- *         Invalid_mesh_error
+ * \param source, target vertices in the same connected component
+ * \param out an output iterator that receives the points of the path from `source` to `target`. Its value type selects
+ *        their form. Points of the metric in space are written if the metric has points and the output accepts them;
+ *        otherwise `CGAL::Polygon_mesh_processing::Face_location`s. If the output accepts neither, it receives
+ *        `Curve_point`s, which contain both together with the crossed halfedges and the tangents, or `Curve_place`s,
+ *        which have no points
+ * \param np an optional sequence of named parameters, in any order, among those listed below
  *
- * Complexity: that of the search, \f$O(k \log k)\f$ for the \f$k\f$ vertices it visits, and of `shorten()`; meshes
- * other than `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the vertices of the mesh as keys and points as values}
+ *     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{metric}
+ *     \cgalParamDescription{the lengths of the edges, to be used instead of those between the points}
+ *     \cgalParamType{a model of `IntrinsicMetric`}
+ *     \cgalParamDefault{the metric of the points of the mesh}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{the arithmetic of the predicates}
+ *     \cgalParamType{a model of `IntrinsicTriangulationTraits`, or the kernel of the points to select the default}
+ *     \cgalParamDefault{`Certified_intrinsic_triangulation_traits` of the kernel of the metric, or
+ *       `Intrinsic_triangulation_traits` if the metric is a user-defined one without `exact_face()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{stop_predicate}
+ *     \cgalParamDescription{a predicate that ends the process early, which the report then indicates}
+ *     \cgalParamType{a model of `FlipOutStopPredicate`}
+ *     \cgalParamDefault{`Never_stop_predicate`}
+ *     \cgalParamExtra{With a stop predicate or a visitor, the initial straightening is omitted, so that both observe
+ *       every step from the edge path on.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor that is called for each step}
+ *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
+ *     \cgalParamDefault{no visitor}
+ *     \cgalParamExtra{The search for the edge path also calls `go_further()`, once for about a thousand vertices. If
+ *       the call returns `false`, nothing is written, and the report has the status
+ *       `Shortening_status::STOPPED_BY_VISITOR`.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the past-the-end output iterator, and a report with exactly one curve
+ *
+ * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
+ * \throws Disconnected_endpoints_error if no edge path connects `source` and `target`
+ * \throws Degenerate_face_error if a face violates the triangle inequality, or no surface remains at a contracted edge
+ * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
+ * \throws Invalid_mesh_error if `mesh` is not an oriented manifold triangle mesh
+ *
+ * Complexity: \f$O(k \log k)\f$ for the \f$k\f$ vertices that the search visits, plus the time of `shorten()`. Meshes
+ * other than `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ *
+ * \sa `shortest_path()`
+ * \sa `geodesic_paths()`
  */
 template <class TriangleMesh, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
@@ -117,19 +152,27 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_ver
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Pulls a closed loop of edges tight.
+ * Computes a closed geodesic by shortening a closed loop of edges.
  *
  * \param mesh a triangle mesh
- * \param vertices a range of vertices of which each two in a row, and the last and the first, share an edge; the first
- *        may stand at the end once more
- * \param out receives the points of the closed geodesic, as `geodesic_path()` writes them, the first again at the end;
- *        nothing if the loop contracts
- * \param np as for `geodesic_path()`
- * \return the end of the output, and the report, which has one curve
- * \throws Vertex_out_of_range_error, Invalid_curve_error, Crossing_curves_error, Ambiguous_order_error,
- *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ * \param vertices a range of vertices. Consecutive vertices, and the last and the first, share an edge; the first
+ *        vertex may be repeated at the end
+ * \param out an output iterator that receives the points of the closed geodesic in the form described at
+ *        `geodesic_path()`, with the first point repeated at the end. It receives nothing if the loop contracts
+ * \param np named parameters, as for `geodesic_path()`
+ * \return the past-the-end output iterator, and a report with exactly one curve
  *
- * Complexity: as `geodesic_path()`, without a search.
+ * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
+ * \throws Invalid_curve_error if the vertices do not form a chain of edges
+ * \throws Crossing_curves_error if the loop crosses itself at a vertex
+ * \throws Ambiguous_order_error if the search for an order of overlapping segments exceeds its budget
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
+ *
+ * Complexity: that of `geodesic_path()` without the search.
+ *
+ * \sa `geodesic_network()`
  */
 template <class TriangleMesh, class VertexRange, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const VertexRange& vertices, OutputIterator out,
@@ -145,17 +188,25 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Pulls several curves tight at once, so that they come to lie side by side and never across one another.
+ * Computes geodesics by shortening several curves together, so that they may touch but never cross one another.
  *
  * \param mesh a triangle mesh
- * \param curves a range of ranges of vertices, each two in a row sharing an edge; a curve whose last vertex is its
- *        first is a closed loop
- * \param out receives one `std::vector` per curve, in order, of what `geodesic_path()` writes
- * \param np as for `geodesic_path()`
- * \return the end of the output, and the report, with one entry per curve
- * \throws as `geodesic_loop()`
+ * \param curves a range of ranges of vertices. Consecutive vertices of a curve share an edge; a curve whose last vertex
+ *        equals its first is a closed loop
+ * \param out an output iterator that receives one `std::vector` per curve, in order, of the points that
+ *        `geodesic_path()` writes
+ * \param np named parameters, as for `geodesic_path()`
+ * \return the past-the-end output iterator, and a report with one entry per curve
  *
- * Complexity: as `geodesic_loop()`, with the flips of all curves.
+ * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
+ * \throws Invalid_curve_error if the vertices of a curve do not form a chain of edges
+ * \throws Crossing_curves_error if curves cross at a vertex
+ * \throws Ambiguous_order_error if the search for an order of overlapping segments exceeds its budget
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
+ *
+ * Complexity: that of `geodesic_loop()`, with the flips of all curves.
  */
 template <class TriangleMesh, class CurveRange, class OutputIterator, class... NamedParameters>
 Geodesics_result<OutputIterator> geodesic_network(const TriangleMesh& mesh, const CurveRange& curves,

@@ -25,13 +25,14 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsShortening
  *
- * Pulls the curves of a network tight as `shorten()` does, but in as many runs as one likes: what is known of the
- * joints is kept from run to run, so that a run takes time for its steps alone, not for the size of the network. For
- * animation, for budgets of time, for limits that are raised bit by bit. Where nothing stops it, the result is that of
- * one `shorten()`, bit by bit.
+ * Shortens the curves of a network as `shorten()` does, but in any number of runs.
  *
- * While a shortener is in use, its network and triangulation are changed by nothing else. After an exception it is of
- * no use any more; make another one.
+ * The state of the joints is kept between runs, so the time of a run depends on its steps and not on the size of the
+ * network. This is useful for animations, time budgets, and limits that are raised gradually. If no run is stopped
+ * early, the result is bitwise identical to that of a single call of `shorten()`.
+ *
+ * While a shortener is in use, its network and triangulation must not be changed by anything else. A shortener that has
+ * thrown an exception must not be used any longer and has to be replaced by a new one.
  *
  * \tparam Network_ a model of `EdgePathGraph`
  */
@@ -49,8 +50,8 @@ class Shortener
 public:
   using Network = Network_; ///< the template parameter
 
-  /// Looks at every joint of the network's curves, which must outlive the shortener. Linear in the segments and the
-  /// degrees of their ends.
+  /// Constructs a shortener and inspects every joint of the curves of `network`, which must outlive the shortener. The
+  /// time is linear in the number of segments and the degrees of their end points.
   explicit Shortener(Network& network)
     : m_network(network)
     , m_state(network)
@@ -58,15 +59,17 @@ public:
   }
 
   /*!
-   * Goes on until every curve is locally shortest, or one of the arguments ends it. Steps that an earlier run was not
-   * to take are open again, and `Shortening_step::steps` counts from 0.
+   * Shortens the curves until all of them are locally shortest or one of the arguments ends the run.
    *
-   * A flip takes constant time. What has become of the curves is measured only when no step is left, once.
+   * Steps that an earlier run was not allowed to take are considered again, and `Shortening_step::steps` counts from 0.
    *
    * \param stop a model of `FlipOutStopPredicate`
    * \param visitor a model of `FlipOutVisitor`
-   * \return `is_finished()`
-   * \throws as `shorten()`
+   * \return the value of `is_finished()`
+   * \throws Degenerate_face_error as `shorten()` does
+   * \throws Invalid_coordinate_error as `shorten()` does
+   *
+   * Complexity: constant time per flip. The curves are measured only once, when no step remains.
    */
   template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
   bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
@@ -88,22 +91,24 @@ public:
     return m_is_finished;
   }
 
-  /// Has a run found no step left to take?
+  /// Returns whether a run has ended because no step remained.
   bool is_finished() const { return m_is_finished; }
 
-  /// The steps taken so far in all runs [SC20, Algorithm 1].
+  /// Returns the number of steps taken so far in all runs [SC20, Algorithm 1].
   std::size_t number_of_steps() const { return m_state.steps; }
-  /// The edges flipped so far in all runs, those of steps that were taken back included: each run that is stopped adds
-  /// some.
+  /// Returns the number of edges flipped so far in all runs. This includes the flips of steps that were rolled back;
+  /// each run that is stopped adds some of these.
   std::size_t number_of_flips() const { return m_state.flips; }
 
-  /// The network's length, kept from step to step and not summed: constant time, and off by the rounding of the steps.
+  /// Returns the length of the network in constant time. The length is updated with each step instead of being summed,
+  /// so it contains the rounding errors of the steps.
   double length() const { return m_state.length; }
-  /// A curve's length, as above.
+  /// Returns the length of a curve, which is updated with each step like that of the network.
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
-  /// What has become of the curves so far. It is measured afresh from the input if the triangulation corresponds with
-  /// one, and certified if the traits decide exactly. Linear in the network and in the input edges that it crosses.
+  /// Returns the state of the curves. If the triangulation corresponds with an input mesh, their straightness is
+  /// recomputed from the input, and it is certified if the predicates of the traits are exact. The time is linear in
+  /// the size of the network and the number of input edges that it crosses.
   Shortening_report report() const
   {
     Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Verdict::UNDECIDED);
@@ -144,10 +149,10 @@ private:
     return !Traits::Has_drift::value && is_point(curve) && !is_rounded() ? Verdict::PROVEN : verdict;
   }
 
-  // Are coordinates or lengths of the input rounded? Then curves are measured, and not certified.
+  // Returns whether coordinates or lengths of the input are rounded. The curves are then measured, but not certified.
   bool is_rounded() const { return internal::is_input_rounded(m_network.triangulation()); }
 
-  // Has a loop no length? Faces without area have loops of edges that are points.
+  // Returns whether a loop has length zero; degenerate faces have loops of edges that are points.
   bool is_point(Curve_index curve) const { return m_network.is_closed(curve) && m_network.length(curve) == 0; }
 
   bool has_free_wedge(Curve_index curve) const
@@ -160,7 +165,7 @@ private:
     return found;
   }
 
-  // Where decisions are exact, and numbers are not rounded, there are verdicts, too.
+  // Computes the verdicts as well if the predicates are exact and the input is not rounded.
   Straightnesses measured([[maybe_unused]] Verdicts& verdicts) const
   {
     Straightnesses result(static_cast<std::size_t>(m_network.number_of_curves()));
@@ -180,7 +185,8 @@ private:
     return result;
   }
 
-  // Measures the curves, and goes on until they are as straight as the input says, or fresh vectors no longer help.
+  // Measures the curves and continues until they are as straight as the input requires, or until recomputed vectors no
+  // longer help.
   template <class Engine>
   void go_on_where_drift_hid_it(Engine& flip_out)
   {
@@ -200,8 +206,8 @@ private:
     }
   }
 
-  // Joints of a curve that are bent although the triangulation's vectors say otherwise: lays out the faces in their
-  // wedges afresh and looks at the curve again. Returns whether there were any.
+  // Recomputes the faces in the wedges of joints that are bent although the vectors of the triangulation say otherwise,
+  // and inspects the curve again. Returns whether there were any such joints.
   bool refresh_bent_joints(Curve_index curve)
   {
     Straightness_meter<Network> meter(m_network);
@@ -220,9 +226,9 @@ private:
 
   Network& m_network;
   internal::Shortening_state<Network> m_state;
-  Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST; // how the last run ended, this if by itself
+  Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST; // how the last run ended; this if no step remained
   bool m_is_finished = false;
-  Straightnesses m_straightness; // of the curves as they are now, or empty
+  Straightnesses m_straightness; // of the current curves, or empty
 };
 
 namespace internal {
@@ -240,21 +246,37 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
 /*!
  * \ingroup PkgFlipGeodesicsShortening
  *
- * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class. It measures the
- * result afresh from the input. With traits of which `Has_drift` is `CGAL::Tag_true`, a curve is reported
- * `LOCALLY_SHORTEST` only if the measurement says so; `certify()` proves it exactly.
+ * Shortens the curves of a network to geodesics by flipping edges [SC20, Algorithm 2], each within its isotopy class.
  *
- * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. A flip takes
- * constant time.
+ * The process always terminates and is deterministic: it takes the smallest angle first; ties are broken in favor of
+ * the older segment, and then of the left side. The result is recomputed from the input. With traits whose `Has_drift`
+ * is `CGAL::Tag_true`, a curve is reported as `LOCALLY_SHORTEST` only if this measurement confirms it; `certify()`
+ * proves it exactly.
  *
- * \param network the curves; they are moved, and the edges around them flipped. Where they share edges,
- *        `order_overlapping_curves()` has to put them in order first. Curves that cross go on crossing, and no status
- *        tells; `Edge_path_network::is_valid()` does.
- * \param np named parameters, in any order: `stop_predicate`, a model of `FlipOutStopPredicate`, by default
- *        `Never_stop_predicate`; and `visitor`, a model of `FlipOutVisitor`, which is copied unless it is given by
- *        `std::ref()`, by default none
- * \throws Degenerate_face_error, Invalid_coordinate_error if a face that is touched is no triangle; the network and its
- *         triangulation are then valid, and the curves somewhere on their way, none longer than before
+ * \param network the curves, which are moved while the edges around them are flipped. Curves that share edges must be
+ *        ordered by `order_overlapping_curves()` first. Curves that cross keep crossing, which is not visible in any
+ *        status but is detected by `Edge_path_network::is_valid()`
+ * \param np an optional sequence of named parameters, in any order, among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{stop_predicate}
+ *     \cgalParamDescription{a predicate that ends the process early}
+ *     \cgalParamType{a model of `FlipOutStopPredicate`}
+ *     \cgalParamDefault{`Never_stop_predicate`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor that is called for each step}
+ *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a report with one entry per curve
+ * \throws Degenerate_face_error if a face that is visited is degenerate or violates the triangle inequality. The
+ *         network and its triangulation remain valid, and no curve is longer than before
+ * \throws Invalid_coordinate_error if a coordinate or length of such a face is invalid, with the same guarantee
+ *
+ * Complexity: constant time per flip.
  *
  * \sa `Shortener`, for many short runs
  */
