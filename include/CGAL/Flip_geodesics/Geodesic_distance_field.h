@@ -37,23 +37,25 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// Where a distance field can be asked.
+/// Specifies where a distance field can be evaluated.
 enum class Distance_field_extent {
   EVERYWHERE,   ///< at any location
-  VERTICES_ONLY ///< at vertices, in little memory: windows are given back once they have been used
+  VERTICES_ONLY ///< at vertices only, which takes little memory because windows are freed once they have been used
 };
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// Why the computation of a distance field ended.
+/// States why the computation of a distance field ended.
 enum class Distance_field_status {
-  COMPLETE,             ///< all distances are known
-  RADIUS_REACHED,       ///< those up to the radius
-  TARGETS_REACHED,      ///< those of the targets
-  WINDOW_LIMIT_REACHED, ///< those up to `Geodesic_distance_field::reach()`; also if faces without area lead rays round
-  STOPPED_BY_VISITOR ///< those up to `Geodesic_distance_field::reach()`; the visitor's `go_further()` returned `false`
+  COMPLETE,        ///< all distances are known
+  RADIUS_REACHED,  ///< the distances up to the radius are known
+  TARGETS_REACHED, ///< the distances of the targets are known
+  /// those up to `Geodesic_distance_field::reach()` are known; also if degenerate faces lead rays around in circles
+  WINDOW_LIMIT_REACHED,
+  /// those up to `Geodesic_distance_field::reach()` are known; the `go_further()` of the visitor returned `false`
+  STOPPED_BY_VISITOR
 };
 
-/// The name of a status, as the enumerator is spelled.
+/// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Distance_field_status status)
 {
   switch(status) {
@@ -72,28 +74,29 @@ inline const char* to_string(Distance_field_status status)
 }
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// How far a distance field is to be computed.
+/// Limits the computation of a distance field.
 struct Distance_field_limits
 {
-  double radius = std::numeric_limits<double>::infinity(); ///< greater distances are not asked for
-  std::vector<Surface_location> targets; ///< if there are any, no distances but theirs, and smaller ones, are asked for
-  Window_limit windows;                  ///< beyond it the computation is given up
+  double radius = std::numeric_limits<double>::infinity(); ///< the largest distance that is needed
+  std::vector<Surface_location> targets; ///< if not empty, only distances up to that of the farthest target are needed
+  Window_limit windows;                  ///< the number of windows after which the computation is aborted
 };
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// What became of the computation of a distance field.
+/// Describes the outcome of the computation of a distance field.
 struct Distance_field_report
 {
   Distance_field_status status = Distance_field_status::COMPLETE; ///< why it ended
-  std::size_t windows = 0;                                        ///< how many were made in all
-  /// Was there a face whose height is at most 1e-10 of its base? Then rays can have been lost in it, and distances may
-  /// be too long.
+  std::size_t windows = 0;                                        ///< the total number of windows created
+  /// Whether the height of a face is at most 1e-10 of its base. Rays can be lost in such a face, and distances may be
+  /// too long.
   bool has_flat_face = false;
-  /// Can rounding errors have changed the distance of a vertex by more than 1e-10 of it? They grow with the edges that are
-  /// long compared with the distance, and the faces that paths cross. The bound is cautious: most errors are far smaller.
+  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of it. The errors grow with
+  /// the edges that are long compared with the distance and with the number of faces that paths cross. The bound is
+  /// conservative: most errors are far smaller.
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if no path is shorter than a distance up to `Geodesic_distance_field::reach()` by more than
-  /// 1e-10 of it. `UNDECIDED` beside such a face, if such rounding errors are possible, and if coordinates or lengths
+  /// 1e-10 of it. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if coordinates or lengths
   /// of the mesh are not doubles.
   Verdict verdict = Verdict::UNDECIDED;
 };
@@ -101,10 +104,12 @@ struct Distance_field_report
 /*!
  * \ingroup PkgFlipGeodesicsDistances
  *
- * The distances on a surface from sources, exact up to rounding: windows of straight rays are carried from face to face,
- * and each edge keeps the lower envelope of those that reach it [MMP87]. Sources are vertices, points anywhere and
- * curves, each with an offset, a distance that its paths have run before. Once it is computed, it is asked for the
- * distance at any location, the shortest path from there, the nearest source and the gradient.
+ * Computes the distances on a surface from a set of sources, exactly up to rounding errors.
+ *
+ * Windows of straight rays are propagated from face to face, and each edge keeps the lower envelope of the windows that
+ * reach it [MMP87]. Sources are vertices, points anywhere on the surface, and curves. Each has an offset, which is
+ * added to all distances from it. A computed field can be queried for the distance at any location, the shortest path
+ * from there, the nearest source and the gradient.
  *
  * \code
  * Geodesic_distance_field<Triangulation> field(triangulation, mesh);
@@ -113,8 +118,8 @@ struct Distance_field_report
  * const double distance = field.distance(location);
  * \endcode
  *
- * Distances are those of the input, whatever has been flipped or inserted. `const` members can be called by several
- * threads at once.
+ * Distances are those of the input mesh; flips and insertions do not affect them. Several threads may call `const`
+ * members concurrently.
  *
  * \cgalModels{GeodesicDistanceField}
  *
@@ -128,19 +133,19 @@ class Geodesic_distance_field
 
 public:
   using Triangle_mesh = typename Triangulation::Triangle_mesh;                          ///< the mesh
-  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< of the mesh
+  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< its face type
 
-  /// What is known of a place.
+  /// Contains the result of a query.
   struct Answer
   {
-    double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source, with its offset
-    std::size_t source = 0; ///< which one that is, in the order of adding; 0 if the distance is infinite
+    double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source, including its offset
+    std::size_t source = 0; ///< the number of that source, in the order of insertion; 0 if the distance is infinite
   };
 
-  /// Makes a field without sources.
-  /// \param triangulation of the mesh; both must outlive the field
+  /// Constructs a field without sources.
+  /// \param triangulation a triangulation of the mesh; both must outlive the field
   /// \param mesh the mesh
-  /// \param extent where the field is to be asked
+  /// \param extent where the field can be evaluated
   Geodesic_distance_field(const Triangulation& triangulation, const Triangle_mesh& mesh,
                           Distance_field_extent extent = Distance_field_extent::EVERYWHERE)
     : m_triangulation(triangulation)
@@ -149,21 +154,22 @@ public:
     , m_propagation(triangulation, extent == Distance_field_extent::EVERYWHERE)
   {
   }
-  /// A temporary triangulation does not outlive the field.
+  /// A temporary triangulation would not outlive the field.
   Geodesic_distance_field(const Triangulation&&, const Triangle_mesh&, Distance_field_extent = {}) = delete;
-  /// Nor does a temporary mesh.
+  /// A temporary mesh would not outlive the field.
   Geodesic_distance_field(const Triangulation&, const Triangle_mesh&&, Distance_field_extent = {}) = delete;
 
   /*!
-   * Adds a vertex of the mesh as a source; returns its number. Constant time.
+   * Adds a vertex of the mesh as a source and returns the number of the source. Constant time.
    *
    * \param v a vertex of the input
-   * \param offset is added to all distances from this source
+   * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
-   * \throws Vertex_out_of_range_error
-   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times as long as the sides
-   *         of a face of the vertex: then roundings of the distances hide the mesh
-   * \throws Degenerate_face_error, Invalid_mesh_error for that face, if there is an offset
+   * \throws Vertex_out_of_range_error if `v` is not a vertex of the input
+   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times as long as the
+   *         sides of a face of the vertex, so that the rounding errors of the distances exceed the size of the face
+   * \throws Degenerate_face_error for that face, if the offset is not zero
+   * \throws Invalid_mesh_error for that face, if the offset is not zero
    */
   std::size_t add_source(Vertex_index v, double offset = 0)
   {
@@ -174,12 +180,16 @@ public:
   }
 
   /*!
-   * Adds a point of the surface as a source; returns its number. Constant time, unless it is a vertex.
+   * Adds a point of the surface as a source and returns the number of the source. Constant time, unless the point is a
+   * vertex.
    *
+   * \param location the point
+   * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
-   * \throws Invalid_location_error
+   * \throws Invalid_location_error if `location` is not a point of the surface
    * \throws Invalid_coordinate_error for the offset, as for vertices
-   * \throws Degenerate_face_error, Invalid_mesh_error for the face of the point
+   * \throws Degenerate_face_error for the face of the point
+   * \throws Invalid_mesh_error for the face of the point
    */
   std::size_t add_source(const Surface_location& location, double offset = 0)
   {
@@ -190,17 +200,20 @@ public:
   }
 
   /*!
-   * Adds a curve as a source; returns its number. It runs straight from each of its locations to the next, so that a
-   * curve of edges is given by its vertices; one location is a point. `Curve_extractor::surface_locations()` returns
-   * those of a curve of a network.
+   * Adds a curve as a source and returns the number of the source. The curve is straight between consecutive locations,
+   * so a curve of edges is given by its vertices; a single location is a point. `Curve_extractor::surface_locations()`
+   * returns the locations of a curve of a network.
    *
-   * \param locations a range of `Surface_location`s, of which two in a row lie in one face or on its border
-   * \param offset is added to all distances from this source
+   * \param locations a range of `Surface_location`s, of which two consecutive ones lie in one face or on its boundary
+   * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
-   * \throws Invalid_curve_error if there is no location, or no face has two in a row
-   * \throws as for points
+   * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+   * \throws Invalid_location_error as for points
+   * \throws Invalid_coordinate_error as for points
+   * \throws Degenerate_face_error as for points
+   * \throws Invalid_mesh_error as for points
    *
-   * Complexity: linear in the number of locations and the degrees of vertices among them.
+   * Complexity: linear in the number of locations and the degrees of the vertices among them.
    */
   template <class LocationRange>
   std::size_t add_curve(const LocationRange& locations, double offset = 0)
@@ -227,26 +240,32 @@ public:
     return m_number_of_sources++;
   }
 
-  /// How many sources have been added.
+  /// Returns the number of sources.
   std::size_t number_of_sources() const { return m_number_of_sources; }
 
   /*!
-   * Computes the field as far as the limits ask for. It can be called again, with other limits, to go on; after it has
-   * thrown or was stopped, too: what was known still is.
+   * Computes the field up to the given limits.
    *
-   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` where TBB is linked; the results are the same
+   * It can be called again with other limits to continue the computation, even after it has been stopped or has thrown
+   * an exception; all known distances are kept.
+   *
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; the results are the same
    *
    * \param limits how far the field is computed
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals and from the
-   *        calling thread. If it returns `false`, then the status is `Distance_field_status::STOPPED_BY_VISITOR`
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals and from
+   *        the calling thread. If it returns `false`, the status is `Distance_field_status::STOPPED_BY_VISITOR`
+   * \return a report on the distances that are known
    *
-   * Complexity: linear in the windows, and in the edges of the front a round. On \f$n\f$ faces of smooth meshes there are
-   * 10 to 25 windows a face up to some ten thousand faces, growing like \f$\sqrt{n}\f$; \f$O(n^2)\f$ in all at worst.
-   *
-   * \throws Invalid_coordinate_error, Degenerate_face_error, Invalid_mesh_error for faces within reach
-   * \throws Invalid_location_error if a target is none
+   * \pre the extent is `EVERYWHERE` if a target lies inside a face or on an edge
+   * \throws Invalid_coordinate_error for faces within reach
+   * \throws Degenerate_face_error for faces within reach
+   * \throws Invalid_mesh_error for faces within reach
+   * \throws Invalid_location_error if a target is not a point of the surface
    * \throws Invalid_parameter_error if the radius is negative or not a number
-   * \pre `EVERYWHERE` if there are targets inside faces or on edges
+   *
+   * Complexity: linear in the number of windows, and in each round in the number of edges of the front. Smooth meshes
+   * of up to some ten thousand faces have 10 to 25 windows per face, a number that grows like \f$\sqrt{n}\f$ with the
+   * number \f$n\f$ of faces. The worst case is \f$O(n^2)\f$ windows in total.
    */
   template <class ConcurrencyTag = Sequential_tag, class Visitor = Default_shortening_visitor>
   Distance_field_report compute(const Distance_field_limits& limits = Distance_field_limits(),
@@ -285,20 +304,23 @@ public:
     return report;
   }
 
-  /// All distances up to this are known; others are given as infinite. Before anything is computed it is 0.
+  /// Returns the distance up to which all distances are known. Greater ones are returned as infinity. The reach is 0
+  /// before anything is computed.
   double reach() const { return m_reach; }
 
-  /// The distance of a vertex of the input. Constant time. \throws Vertex_out_of_range_error
+  /// Returns the distance of a vertex of the input in constant time. \throws Vertex_out_of_range_error if `v` is not a
+  /// vertex of the input
   double distance(Vertex_index v) const
   {
     internal::check_vertex(v, m_triangulation.input().number_of_vertices());
     return is_known(m_propagation.distance(v)) ? m_propagation.distance(v) : std::numeric_limits<double>::infinity();
   }
 
-  /// The distance of a location. See `answer()`.
+  /// Returns the distance of a location, with the preconditions and exceptions of `answer()`.
   double distance(const Surface_location& location) const { return answer(location).distance; }
 
-  /// The distance of a vertex and the nearest source. Linear in the bends of the path. \throws Vertex_out_of_range_error
+  /// Returns the distance of a vertex and its nearest source. Linear in the number of bends of the path. \throws
+  /// Vertex_out_of_range_error if `v` is not a vertex of the input
   Answer answer(Vertex_index v) const
   {
     internal::check_vertex(v, m_triangulation.input().number_of_vertices());
@@ -307,10 +329,11 @@ public:
   }
 
   /*!
-   * The distance of a location and the nearest source. Linear in the windows on the sides of its face.
+   * Returns the distance of a location and its nearest source. Linear in the number of windows on the sides of its
+   * face.
    *
-   * \throws Invalid_location_error
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY`, and the location is none
+   * \throws Invalid_location_error if `location` is not a point of the surface
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the location is not a vertex
    */
   Answer answer(const Surface_location& location) const
   {
@@ -321,15 +344,17 @@ public:
     return is_known(arrival.distance) ? Answer{arrival.distance, query().source(arrival)} : Answer();
   }
 
-  /// The same for barycentric weights in a face of the mesh, which belong to the source, the target and the third
-  /// vertex of `halfedge(face, mesh)`; their sum counts as one.
+  /// Returns the distance and nearest source of a point with given barycentric weights in a face of the mesh. The
+  /// weights belong to the source, the target and the third vertex of `halfedge(face, mesh)`; they need not be
+  /// normalized.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const
   {
     return answer({m_triangulation.input().index(internal::graph_halfedge(face, m_mesh)), weights});
   }
 
-  /// Returns whether one source is known to be the nearest at all places of a face that have a finite distance; false
-  /// before the field is complete. Linear in the windows on the sides of the face. \pre `EVERYWHERE`
+  /// Returns whether one source is known to be the nearest at all points of a face that have a finite distance. The
+  /// result is `false` before the field is complete. Linear in the number of windows on the sides of the face. \pre the
+  /// extent is `EVERYWHERE`
   bool has_one_source(face_descriptor face) const
   {
     CGAL_precondition(m_extent == Distance_field_extent::EVERYWHERE);
@@ -338,11 +363,12 @@ public:
   }
 
   /*!
-   * The `Surface_point`s of a shortest path from a location to its nearest source, both ends included; none if the
-   * distance is infinite. Linear in the edges that it crosses, and the windows on the sides of the face.
+   * Returns the `Surface_point`s of a shortest path from a location to its nearest source, including both end points.
+   * The result is empty if the distance is infinite. Linear in the number of crossed edges and of windows on the sides
+   * of the face.
    *
-   * \throws Invalid_location_error
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY`, and the location is none
+   * \throws Invalid_location_error if `location` is not a point of the surface
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the location is not a vertex
    */
   std::vector<Surface_point> surface_points(const Surface_location& location) const
   {
@@ -362,12 +388,12 @@ public:
   }
 
   /*!
-   * Writes a shortest path from a location to its nearest source: points in space, `Face_location`s or `Curve_point`s,
-   * as `geodesic_path()` does.
+   * Writes a shortest path from a location to its nearest source, as points in space, `Face_location`s or
+   * `Curve_point`s in the form described at `geodesic_path()`.
    *
-   * \return the end of the output
-   * \throws as for `surface_points()`
-   * \pre as for `surface_points()`
+   * \return the past-the-end output iterator
+   * \throws Invalid_location_error if `location` is not a point of the surface
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the location is not a vertex
    */
   template <class OutputIterator>
   OutputIterator path(const Surface_location& location, OutputIterator out) const
@@ -387,13 +413,17 @@ public:
   }
 
   /*!
-   * The gradient of the distance at a location, a unit vector in the face of `location.halfedge` that points away from
-   * the source. In its frame that halfedge runs along the x-axis and the face lies above. Zero at a source, where the
-   * distance is infinite, and at vertices. Where several shortest paths end, it is that of one of them.
+   * Returns the gradient of the distance at a location, a unit vector in the face of `location.halfedge` that points
+   * away from the source.
    *
-   * Complexity: as `answer()`.
-   * \throws Invalid_location_error
-   * \pre `EVERYWHERE`, and `location.halfedge` is not on the border
+   * The coordinates refer to the frame of the face in which `location.halfedge` lies on the x-axis and the face lies
+   * above it. The gradient is zero at a source, at vertices, and where the distance is infinite. If several shortest
+   * paths end at the location, the gradient belongs to one of them.
+   *
+   * \pre the extent is `EVERYWHERE`, and `location.halfedge` is not a border halfedge
+   * \throws Invalid_location_error if `location` is not a point of the surface
+   *
+   * Complexity: that of `answer()`.
    */
   std::array<double, 2> gradient(const Surface_location& location) const
   {
@@ -406,7 +436,8 @@ public:
     return {{result.real(), result.imag()}};
   }
 
-  /// The same as a vector in space, of the kernel of the mesh's points. Only with a metric that has points.
+  /// Returns the gradient of the distance at a location as a vector in space, of the kernel of the points of the mesh.
+  /// Only available if the metric has points. The requirements are those of `gradient()`.
   auto gradient_in_space(const Surface_location& location) const
   {
     using Vector_3 = typename Triangulation::Metric::Kernel::Vector_3;
@@ -423,11 +454,12 @@ public:
     return result;
   }
 
-  /// What its windows say, as functions of this package ask them; it can change with any version.
+  /// Returns an object for internal queries of the windows; its type may change with any version.
   Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
 
 private:
-  // Refuses an offset for a source in the face of a halfedge; null if it has none.
+  // Throws unless the offset is valid for a source in the face of a halfedge; the halfedge is null if the source has
+  // none.
   void check_addition(double offset, Input_halfedge_index h) const
   {
     CGAL_precondition_msg(m_reach == 0, "sources are added before anything is computed");
@@ -462,7 +494,7 @@ private:
       m_propagation.add_part({face, {{first, last}}, offset, m_number_of_sources});
   }
 
-  // The weights of a location in a face that has it, from halfedge `face` on.
+  // Returns the weights of a location in a face that contains it, beginning at halfedge `face`.
   internal::Face_weights weights_in(Input_halfedge_index face, Surface_location at) const
   {
     const auto& input = m_triangulation.input();
@@ -477,7 +509,7 @@ private:
     return query().turned(internal::normalized(at.weights), at.halfedge, face);
   }
 
-  // The distance of the farthest target, as far as it is known; infinite if there are none.
+  // Returns the distance of the farthest target as far as it is known, or infinity if there are no targets.
   double farthest(const std::vector<Surface_location>& targets) const
   {
     double result = targets.empty() ? std::numeric_limits<double>::infinity() : 0;

@@ -44,13 +44,13 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Puts the lengths of a tree's paths into a property map of the mesh; infinity for vertices without a path.
+ * Writes the path lengths of a tree into a property map of the mesh; vertices without a path receive infinity.
  *
  * \param tree a tree that has been grown
  * \param mesh its mesh
- * \param distances a model of `WritablePropertyMap` with the mesh's vertices as keys and `double`s as values
+ * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values
  *
- * Complexity: linear in the vertices of the mesh.
+ * Complexity: linear in the number of vertices of the mesh.
  */
 template <class Triangulation, class VertexDistanceMap>
 void put_distances(const Geodesic_tree<Triangulation>& tree, const typename Triangulation::Triangle_mesh& mesh,
@@ -76,16 +76,15 @@ void put_logarithmic_map(const Vertex_logarithmic_map& map, const Triangulation&
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Puts the polar coordinates of the vertices about a tree's source, as `logarithmic_map()` returns them, into a
- * property map of the mesh.
+ * Writes the polar coordinates of the vertices around the source of a tree into a property map of the mesh.
  *
- * \param map what `logarithmic_map(tree)` gives
+ * \param map the result of `logarithmic_map(tree)`
  * \param tree the tree
  * \param mesh its mesh
- * \param coordinates a model of `WritablePropertyMap` with the mesh's vertices as keys and `Polar_coordinates` as
- * values
+ * \param coordinates a model of `WritablePropertyMap` with the vertices of the mesh as keys and `Polar_coordinates` as
+ *        values
  *
- * Complexity: linear in the vertices of the mesh.
+ * Complexity: linear in the number of vertices of the mesh.
  */
 template <class Triangulation, class VertexPolarMap>
 void put_logarithmic_map(const Vertex_logarithmic_map& map, const Geodesic_tree<Triangulation>& tree,
@@ -98,14 +97,15 @@ void put_logarithmic_map(const Vertex_logarithmic_map& map, const Geodesic_tree<
 /*!
  * \ingroup PkgFlipGeodesicsDistances
  *
- * Puts the distances of a field at the vertices of a mesh into a property map; infinity where they are not known.
+ * Writes the distances of a field at the vertices of a mesh into a property map; unknown distances are written as
+ * infinity.
  *
  * \param field a field that has been computed
  * \param triangulation its triangulation
  * \param mesh its mesh
- * \param distances a model of `WritablePropertyMap` with the mesh's vertices as keys and `double`s as values
+ * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values
  *
- * Complexity: linear in the vertices of the mesh.
+ * Complexity: linear in the number of vertices of the mesh.
  */
 template <class Triangulation, class VertexDistanceMap>
 void put_distances(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
@@ -117,7 +117,7 @@ void put_distances(const Geodesic_distance_field<Triangulation>& field, const Tr
 }
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// Puts the numbers of the nearest sources of the vertices into a property map; 0 where none is known.
+/// Writes the number of the nearest source of each vertex into a property map, or 0 if it is not known.
 template <class Triangulation, class VertexSourceMap>
 void put_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
                          const typename Triangulation::Triangle_mesh& mesh, VertexSourceMap sources)
@@ -129,7 +129,7 @@ void put_nearest_sources(const Geodesic_distance_field<Triangulation>& field, co
 
 namespace internal {
 
-/* Values at the vertices of a mesh, in the order of `vertices(mesh)`, and what is known of them. */
+/* Values at the vertices of a mesh in the order of `vertices(mesh)`, with a report on them. */
 template <class Value>
 using Computed_values = Computed_output<Value, Distances_report>;
 
@@ -145,7 +145,7 @@ constexpr bool can_put<
     Map, Key, Value,
     std::void_t<decltype(put(std::declval<Map&>(), std::declval<const Key&>(), std::declval<const Value&>()))>> = true;
 
-/* Writes values into a property map of the mesh, unless the visitor has stopped the computation of them. */
+/* Writes values into a property map of the mesh, unless the visitor has stopped their computation. */
 template <class TriangleMesh, class Value, class VertexMap>
 void write_values(const TriangleMesh& mesh, const Computed_values<Value>& computed, VertexMap map)
 {
@@ -160,7 +160,7 @@ void write_values(const TriangleMesh& mesh, const Computed_values<Value>& comput
       put(map, v, *value++);
 }
 
-/* A property map that keeps values in the order in which they are put. */
+/* A property map that stores values in the order in which they are put. */
 template <class Key, class Value>
 struct Value_collector
 {
@@ -174,14 +174,14 @@ struct Value_collector
   friend void put(const Value_collector& map, const Key&, const Value& value) { map.values->push_back(value); }
 };
 
-/* How many windows a search or a field over a triangulation may make. */
+/* Returns the number of windows that a search or a field over a triangulation may create. */
 template <class Triangulation>
 std::size_t most_windows(const Triangulation& triangulation, const Window_limit& limit)
 {
   return limit(static_cast<std::size_t>(triangulation.input().number_of_vertices()));
 }
 
-/* Grows the tree of shortest paths from the source of a field, and writes what `write(tree, map)` takes from it. */
+/* Grows the tree of shortest paths from the source of a field, and collects the values that `write(tree, map)` puts. */
 template <class Value, class Triangulation, class Visitor, class Write>
 Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
                                           const Geodesic_distance_field<Triangulation>& field, Vertex_index source,
@@ -204,7 +204,7 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
   return result;
 }
 
-/* How many vertices other than sources have a distance. */
+/* Returns the number of vertices with a finite distance that are not sources. */
 template <class Triangulation, class Distances>
 std::size_t number_of_finite(const Triangulation& triangulation, const Distances& distances)
 {
@@ -214,7 +214,7 @@ std::size_t number_of_finite(const Triangulation& triangulation, const Distances
   }));
 }
 
-/* Computes a field that has its sources, and returns what is known of the distances. */
+/* Computes a field whose sources have been added, and reports on its distances. */
 template <class Triangulation, class Visitor>
 Distances_report compute_from_sources(Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
                                       const Window_limit& limit, Visitor& visitor)
@@ -232,7 +232,7 @@ Distances_report compute_from_sources(Geodesic_distance_field<Triangulation>& fi
   return report;
 }
 
-/* Writes the distances that a field or a search has found. */
+/* Writes the distances that a field or a search has computed. */
 template <class Triangulation, class Distances>
 void take_distances(const Distances& distances, const Triangulation& triangulation,
                     const typename Triangulation::Triangle_mesh& mesh, Computed_values<double>& result)
@@ -243,7 +243,7 @@ void take_distances(const Distances& distances, const Triangulation& triangulati
   result.report.vertices = number_of_finite(triangulation, distances);
 }
 
-/* Computes distances by a search that is rounded outward, and takes them if it confirms all. */
+/* Computes distances by a search with outward rounding, and uses them if all of them are confirmed. */
 template <class Triangulation, class Visitor>
 void search_distances(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
                       const std::vector<Vertex_index>& sources, std::size_t most_windows, Visitor& visitor,
@@ -266,7 +266,7 @@ void search_distances(const Triangulation& triangulation, const typename Triangu
     result.report.status = Shortening_status::STOPPED_BY_VISITOR;
 }
 
-/* A source of distances: a vertex, or else the locations of a curve, of which one is a point. */
+/* A source of distances: a vertex, or the locations of a curve; a single location is a point. */
 struct Distance_source
 {
   bool is_vertex;
@@ -274,8 +274,10 @@ struct Distance_source
   std::vector<Surface_location> locations;
 };
 
-/* Computes the distances from sources by a field, and by a search if rounding errors can have changed those; the search
- * starts at vertices only. */
+/*
+ * Computes the distances from sources by a field. If rounding errors may have changed them and all sources are
+ * vertices, a search follows.
+ */
 template <class Triangulation, class Visitor>
 Computed_values<double> field_distances(Geodesic_distance_field<Triangulation>& field,
                                         const Triangulation& triangulation,
@@ -300,7 +302,10 @@ Computed_values<double> field_distances(Geodesic_distance_field<Triangulation>& 
   return result;
 }
 
-/* The logarithmic map of the source of a field; none where roundings hide in which direction a path starts. */
+/*
+ * Returns the logarithmic map of the source of a field, or nothing if the initial direction of a path is lost in
+ * rounding errors.
+ */
 template <class Triangulation>
 std::optional<Vertex_logarithmic_map> logarithmic_map_of_field(const Geodesic_distance_field<Triangulation>& field,
                                                                const Triangulation& triangulation, Vertex_index source)
@@ -324,7 +329,7 @@ std::optional<Vertex_logarithmic_map> logarithmic_map_of_field(const Geodesic_di
   return map;
 }
 
-/* Computes the polar coordinates of vertices by a field; no values unless all are confirmed. */
+/* Computes the polar coordinates of vertices by a field; returns no values unless all are confirmed. */
 template <class Triangulation, class Visitor>
 Computed_values<Polar_coordinates> field_coordinates(Geodesic_distance_field<Triangulation>& field,
                                                      const Triangulation& triangulation,
@@ -354,7 +359,7 @@ struct Is_variant<std::variant<Alternatives...>> : std::true_type
 {
 };
 
-/* A vertex, a place of another kind, a range of places, or a variant of such, as a source on the surface. */
+/* Converts a vertex, another surface point, a range of surface points, or a variant of these to a source. */
 template <class Triangulation, class TriangleMesh, class Source>
 Distance_source distance_source(const Triangulation& triangulation, const TriangleMesh& mesh, const Source& source)
 {
@@ -374,7 +379,7 @@ Distance_source distance_source(const Triangulation& triangulation, const Triang
   }
 }
 
-/* The sources on a surface: of one that is given by itself, or of a range of such. */
+/* Converts a single source or a range of sources. */
 template <class Triangulation, class TriangleMesh, class Sources>
 std::vector<Distance_source> distance_sources(const Triangulation& triangulation, const TriangleMesh& mesh,
                                               const Sources& sources)
@@ -390,12 +395,15 @@ std::vector<Distance_source> distance_sources(const Triangulation& triangulation
   return result;
 }
 
-/* What gives the sources on the surface of a triangulation. */
+/* The type of functions that return the sources on the surface of a triangulation. */
 template <class TriangleMesh, class NamedParameters>
 using Locate_sources = std::function<std::vector<Distance_source>(
     const typename Curve_types<TriangleMesh, NamedParameters>::Triangulation&)>;
 
-/* The sources that `locate(triangulation)` finds on the mesh itself, once, into `given`; also on what is left of it. */
+/*
+ * Returns the sources that `locate(triangulation)` finds. They are located once, on the mesh itself, and stored in
+ * `given`, from which they are transferred to the contracted surface.
+ */
 template <class Triangulation, class Locate>
 std::vector<Distance_source> sources_on_surface(const Triangulation& triangulation, const Locate& locate,
                                                 std::vector<Distance_source>& given)
@@ -409,7 +417,7 @@ std::vector<Distance_source> sources_on_surface(const Triangulation& triangulati
   return result;
 }
 
-/* The numbers of the nearest sources at the vertices of a mesh, in the order of `vertices(mesh)`. */
+/* Returns the numbers of the nearest sources at the vertices of a mesh, in the order of `vertices(mesh)`. */
 template <class Triangulation>
 std::vector<std::size_t> nearest_sources(const Geodesic_distance_field<Triangulation>& field,
                                          const Triangulation& triangulation,
@@ -421,7 +429,7 @@ std::vector<std::size_t> nearest_sources(const Geodesic_distance_field<Triangula
   return result;
 }
 
-/* What is computed on a surface is confirmed of the mesh if nothing was lost when it was contracted or rounded. */
+/* Keeps the confirmation of a result only if the mesh was neither rounded nor contracted with a loss of paths. */
 template <class Triangulation, class Value>
 Computed_values<Value> confirmed_of_mesh(const Triangulation& triangulation, Computed_values<Value>&& result)
 {
@@ -430,8 +438,10 @@ Computed_values<Value> confirmed_of_mesh(const Triangulation& triangulation, Com
   return std::move(result);
 }
 
-/* The computations of `geodesic_distances()`, in which a single vertex has a tree to fall back on, and of
- * `logarithmic_map()`; like `compute_path()` not inline. `nearest` receives the nearest sources unless it is null. */
+/*
+ * Implements `geodesic_distances()`, where a tree is the fallback for a single vertex, and `logarithmic_map()`; not
+ * inline, like `compute_path()`. `nearest` receives the nearest sources unless it is null.
+ */
 template <class TriangleMesh, class NamedParameters>
 Computed_values<double> compute_distances(const TriangleMesh& mesh,
                                           const Locate_sources<TriangleMesh, NamedParameters>& locate, bool is_single,
@@ -479,45 +489,67 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
 /*!
  * \ingroup PkgFlipGeodesicsDistances
  *
- * Computes the distances on the surface of all vertices from one source, or from the nearest of several, by a
- * `Geodesic_distance_field`. Sources are vertices, points anywhere on the surface and curves, of one kind or of
- * several.
+ * Computes the distance of every vertex from one source or from the nearest of several sources.
  *
- * If the field meets a face so flat that rays can be lost in it, or rounding errors can have changed a distance by more
- * than 1e-10 of it, the distances from vertices are computed by a search with bounds that are rounded outward. Where
- * its bounds are too far apart as well, and where the field is given up, a tree of geodesics is grown if the only
- * source is a vertex that is given by itself (`Geodesic_tree::grow()`). Those that are not shortest are replaced as far
- * as shorter ones are found (`make_shortest()`).
+ * Sources are vertices, points anywhere on the surface, and curves; different kinds can be mixed. The distances are
+ * computed with a `Geodesic_distance_field`. Two fallbacks handle difficult input:
+ * - If the field encounters a face so flat that rays can be lost in it, or if rounding errors may have changed a
+ *   distance by more than 1e-10 of it, distances from vertices are computed by a search with outward-rounded bounds.
+ * - If the bounds of the search are too far apart as well, or the field exceeds its limit, a tree of geodesics is grown
+ *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was not passed in a range. Its paths are
+ *   replaced as far as shorter ones are found (`make_shortest()`).
  *
  * \param mesh a triangle mesh
- * \param sources one source that is not a curve, or a range of sources, whose numbers are their positions in it; if it
- *        is empty, all distances are infinite. A source is one of the following, or a `std::variant` of several of
- *        these:
+ * \param sources one source that is not a curve, or a range of sources, which are numbered by their positions; if the
+ *        range is empty, all distances are infinite. A source is one of the following, or a `std::variant` of several
+ *        of these:
  *        - a vertex of the mesh;
- *        - a point: a `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, or a point in space, of
+ *        - a point: a `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, or a point in space, for
  *          which `surface_location()` finds the nearest point of the mesh;
- *        - a curve: a range of vertices or of points, of which two in a row lie in one face or on its border
- * \param distances a model of `WritablePropertyMap` with the mesh's vertices as keys and `double`s as values; receives
- *        infinity for vertices of components without a source, and for those that only faces without area join
- *        to one, if edges of length zero had to be contracted; these are not confirmed. If the search is given up, the
- *        distances from one source are those of the geodesics of the tree; from several, they are infinite where they
- *        are not known
- * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the search is given up;
- *        `nearest_source_map`, a model of `WritablePropertyMap` with the mesh's vertices as keys and whole numbers as
- *        values, which receives the numbers of the nearest sources, and 0 where the field has no distance;
- *        `vertex_point_map`, `metric`, `geom_traits`, `visitor`, as for `geodesic_path()`. The visitor's `go_further()`
- *        is called at regular intervals, and its `on_flip()` if a tree is grown. If the former returns `false`, then
- *        nothing is written into `distances`, and the report has the status `Shortening_status::STOPPED_BY_VISITOR` and
- *        is not confirmed
- * \return how many distances of vertices that are no sources are those of shortest paths, and whether it is sure that
- *         all are
- * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
- * \throws Invalid_location_error if a point is none of the mesh, and Invalid_curve_error for a curve as
- *         `Geodesic_distance_field::add_curve()`
+ *        - a curve: a range of vertices or of points, of which two consecutive ones lie in one face or on its boundary
+ * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
+ *        Unreachable vertices receive infinity. If degenerate edges had to be contracted, this includes vertices that
+ *        only degenerate faces connected to a source; these distances are not confirmed. If the search is aborted, the
+ *        distances from one source are those of the geodesics of the tree, and unknown distances from several sources
+ *        are infinite
+ * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
+ *        `geom_traits` as for `geodesic_path()`
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`. A
- * point in space takes linear time. The search takes \f$O(w \log w)\f$ for \f$w\f$ windows, with the same limit as the
- * field, and twice as many in double-double numbers where errors of doubles are too large.
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{search_limit}
+ *     \cgalParamDescription{the number of windows after which the search is aborted}
+ *     \cgalParamType{`Window_limit`}
+ *     \cgalParamDefault{`Window_limit()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{nearest_source_map}
+ *     \cgalParamDescription{a property map that receives the number of the nearest source, or 0 if the field has no
+ *       distance}
+ *     \cgalParamType{a model of `WritablePropertyMap` with the vertices of the mesh as keys and integers as values}
+ *     \cgalParamDefault{no map}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals, and whose `on_flip()` is
+ *       called if a tree is grown}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *     \cgalParamExtra{If `go_further()` returns `false`, nothing is written into `distances`, and the report is
+ *       unconfirmed and has the status `Shortening_status::STOPPED_BY_VISITOR`.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a report with the number of vertices other than sources whose distance is that of a shortest path, and
+ *         whether all distances are confirmed
+ *
+ * \throws Vertex_out_of_range_error if a source is not a vertex of the mesh
+ * \throws Invalid_location_error if a source is not a point of the mesh
+ * \throws Invalid_curve_error for a curve, as `Geodesic_distance_field::add_curve()` does
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
+ *
+ * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. Locating a
+ * point in space takes linear time. The search takes \f$O(w \log w)\f$ for \f$w\f$ windows, whose limit is that of the
+ * field. It creates twice as many, with double-double arithmetic, if the errors of doubles are too large.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
@@ -544,19 +576,24 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Computes the logarithmic map of a vertex: for all others how long the shortest path is, and in which direction it
- * starts, from a `Geodesic_distance_field`. Where that is not confirmed, a tree of geodesics is grown and made shortest,
- * as by `geodesic_distances()`.
+ * Computes the logarithmic map of a vertex, that is, the length and initial direction of a shortest path to every other
+ * vertex.
+ *
+ * The map is computed with a `Geodesic_distance_field`. If its result is not confirmed, a tree of geodesics is grown
+ * and made shortest, as by `geodesic_distances()`.
  *
  * \param mesh a triangle mesh
  * \param source a vertex of the mesh
- * \param coordinates a model of `WritablePropertyMap` with the mesh's vertices as keys and `Polar_coordinates` as
+ * \param coordinates a model of `WritablePropertyMap` with the vertices of the mesh as keys and `Polar_coordinates` as
  *        values
- * \param np as for `geodesic_distances()`
- * \return how many paths are shortest, and whether that is sure
- * \throws as `geodesic_distances()`
+ * \param np named parameters, as for `geodesic_distances()`
+ * \return a report with the number of paths that are shortest, and whether this is confirmed
+ * \throws Vertex_out_of_range_error if `source` is not a vertex of the mesh
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`.
+ * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown.
  */
 template <class TriangleMesh, class Source, class VertexPolarMap, class... NamedParameters,
           std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
@@ -600,7 +637,7 @@ struct Has_progress<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_pr
 {
 };
 
-/* A visitor of fields that are computed at the same time: the calling thread reports how many are finished. */
+/* A visitor of fields that are computed concurrently; the calling thread reports how many are finished. */
 template <class Visitor>
 class Progress_visitor
 {
@@ -626,7 +663,7 @@ private:
   std::atomic<std::size_t> m_finished{0};
 };
 
-/* The rows of a matrix of distances between points, of which each is computed from the diagonal on. */
+/* The rows of a matrix of distances between points. Each row is computed from the diagonal on. */
 template <class Triangulation>
 class Distance_matrix_rows
 {
@@ -645,7 +682,7 @@ public:
   {
   }
 
-  /* Computes all rows, in any order; each field is gone when its row is complete. */
+  /* Computes all rows in any order; a field is destroyed when its row is complete. */
   template <class ConcurrencyTag, class Visitor>
   Computed_values<std::vector<double>> compute(Visitor& visitor) const
   {
@@ -719,7 +756,7 @@ private:
   Distance_field_extent m_extent;
 };
 
-/* A vertex, a place of another kind, or a variant of such, as a place of the mesh. */
+/* Converts a vertex, another surface point, or a variant of these to a location on the mesh. */
 template <class Triangulation, class TriangleMesh, class Point>
 Surface_location matrix_point(const Triangulation& triangulation, const TriangleMesh& mesh, const Point& point)
 {
@@ -734,36 +771,52 @@ Surface_location matrix_point(const Triangulation& triangulation, const Triangle
 /*!
  * \ingroup PkgFlipGeodesicsDistances
  *
- * Computes the distances on the surface between all pairs of some points: the rows of a symmetric matrix whose diagonal
- * is zero.
+ * Computes the distances on the surface between all pairs of a set of points, as the rows of a symmetric matrix with
+ * zero diagonal.
  *
- * The entries in row \f$i\f$ and column \f$j\f$ and in row \f$j\f$ and column \f$i\f$ are both, for \f$i < j\f$, the
- * distance of point \f$j\f$ in the `Geodesic_distance_field` of point \f$i\f$, which is exact up to rounding. Each
- * field is computed until all points after its source are reached, and is released when its row is complete. So the
- * memory is that of one field per thread, and of the matrix. The result does not depend on the number of threads.
+ * For \f$i < j\f$, the entries \f$(i, j)\f$ and \f$(j, i)\f$ are both the distance of point \f$j\f$ in the
+ * `Geodesic_distance_field` of point \f$i\f$, which is exact up to rounding errors. Each field is computed until all
+ * points after its source are reached, and is released when its row is complete. The memory is therefore that of one
+ * field per thread and of the matrix. The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
  *         TBB for the second
  *
  * \param mesh a triangle mesh
  * \param points a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, of
- *        `Surface_location`s, of points in space, or of `std::variant`s of several of these; see `surface_location()`
- *        for how points are snapped, and which point of the mesh is taken for one in space
- * \param rows an output iterator, which receives a `std::vector<double>` for each point, in the order of the points;
- *        infinity for points in different components, and for those that a field has not reached when it is given up
- * \param np named parameters: `search_limit`, a `Window_limit` for each field; `vertex_point_map`, `metric`,
- *        `geom_traits`, `visitor`, as for `geodesic_distances()`. The visitor's `go_further()` is called at regular
- *        intervals from the calling thread. If it returns `false`, then no row is written, and the report has the
- *        status `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. Before each of these calls a member
- *        `on_progress()`, if the visitor has one, is called with the fraction of the rows that are complete, a `double`
- *        from 0 to 1
- * \return the number of pairs whose distance is finite, as `vertices`, the number of windows of all fields, and whether
- *         all distances are confirmed
- * \throws Vertex_out_of_range_error, Invalid_location_error if a point is none of the mesh
- * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error as `Geodesic_distance_field::compute()`
+ *        `Surface_location`s, of points in space, or of `std::variant`s of several of these. `surface_location()`
+ *        describes how points are snapped, and which point of the mesh represents a point in space
+ * \param rows an output iterator that receives a `std::vector<double>` for each point, in the order of the points.
+ *        Entries are infinite for points in different components and for points that an aborted field has not reached
+ * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
+ *        `geom_traits` as for `geodesic_path()`
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{search_limit}
+ *     \cgalParamDescription{the number of windows after which a field is aborted}
+ *     \cgalParamType{`Window_limit`}
+ *     \cgalParamDefault{`Window_limit()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals from the calling thread}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *     \cgalParamExtra{If `go_further()` returns `false`, no row is written, and the report is unconfirmed and has the
+ *       status `Shortening_status::STOPPED_BY_VISITOR`. Before each of these calls, the member `on_progress()`, if the
+ *       visitor has one, is called with the fraction of complete rows, a `double` from 0 to 1.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a report with the number of pairs whose distance is finite, as `vertices`, the number of windows of all
+ *         fields, and whether all distances are confirmed
+ * \throws Vertex_out_of_range_error if a point is not a vertex of the mesh
+ * \throws Invalid_location_error if a point does not lie on the mesh
+ * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
  * Complexity: for \f$k\f$ points that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()` that end at the
- * farthest point; \f$O(k^2)\f$ memory for the matrix. A point in space takes linear time.
+ * farthest point, and \f$O(k^2)\f$ memory for the matrix. Locating a point in space takes linear time.
  *
  * \sa `geodesic_distances()`
  */

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsIsolines
-/// The type of points that a mesh has of its own.
+/// The point type of the vertex points that a mesh stores itself.
 template <class TriangleMesh>
 using Mesh_point =
     typename boost::property_traits<typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type;
@@ -39,23 +39,23 @@ using Mesh_point =
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * A polyline on a surface: each two points in a row are in one face, or on its border. A closed one repeats its first
- * point at the end.
+ * Stores a polyline on a surface. Two consecutive points lie in one face or on its boundary, and a closed polyline
+ * repeats its first point at the end.
  */
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Located_polyline
 {
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< of the mesh
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type of the mesh
   /// A `CGAL::Polygon_mesh_processing::Face_location`: a face and barycentric coordinates, which belong to the source,
   /// target and third vertex of `halfedge(face, mesh)`.
   using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
 
-  bool is_closed = false;               ///< does it end where it began?
-  std::vector<Face_location> locations; ///< of the points; one on an edge of the mesh in one of the two faces, always
-                                        ///< the same one
-  std::vector<Point> points;            ///< in space
+  bool is_closed = false; ///< whether it ends where it begins
+  /// the locations of the points; for a point on an edge of the mesh the same one of the two faces is always chosen
+  std::vector<Face_location> locations;
+  std::vector<Point> points; ///< the points in space
 
-  /// The length of the polyline, in space.
+  /// Returns the length of the polyline in space.
   double length() const
   {
     double sum = 0;
@@ -70,8 +70,8 @@ struct Located_polyline
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * A part of an isoline: a curve at one distance from the sources. What is nearer to them lies on its left, as seen from
- * the side from which the faces of the mesh are counterclockwise.
+ * Stores a component of an isoline, a curve at constant distance from the sources. Points nearer to the sources lie on
+ * its left, as seen from the side from which the faces of the mesh are oriented counterclockwise.
  */
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Isoline : Located_polyline<TriangleMesh, Point>
@@ -81,7 +81,7 @@ struct Isoline : Located_polyline<TriangleMesh, Point>
 
 namespace internal {
 
-/* Throws Invalid_parameter_error for a level that is not finite. */
+/* Returns the sorted levels; throws Invalid_parameter_error for a level that is not finite. */
 inline std::vector<double> sorted_levels(const std::vector<double>& levels)
 {
   for(std::size_t i = 0; i < levels.size(); ++i)
@@ -101,43 +101,60 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * Computes the isolines of a distance field, which are the curves at given distances from its sources, or offset curves
- * of them.
+ * Computes the isolines of a distance field, also known as offset curves: the curves at given distances from its
+ * sources.
  *
- * An isoline is the boundary of the points that are nearer than its level. It ends on the border of the mesh or is
- * closed, and isolines never cross. Its vertices are on the true curve, but for roundings; between them it is nowhere
- * farther than the tolerance from it, and the distance differs there from the level by the tolerance at most. What is
- * nearer than the level less the tolerance is on its left, what is farther than the level and the tolerance is on its
- * right: so no component is lost that reaches that deep or that high. Those that do not may be.
+ * An isoline is the boundary of the set of points that are nearer than its level. It is closed or ends on the border of
+ * the mesh, and isolines never cross. The following bounds hold for a tolerance \f$t\f$:
+ * - The vertices of an isoline lie on the true curve up to rounding errors. Between them the isoline is nowhere farther
+ *   than \f$t\f$ from the true curve, and the distance there differs from the level by at most \f$t\f$.
+ * - Points nearer than the level minus \f$t\f$ lie on its left, and points farther than the level plus \f$t\f$ on its
+ *   right. Only components that do not reach that deep or that high may be missed.
  *
- * Faces are divided where a level may be, until their parts are as small as the tolerance. The bounds follow from
- * distances being 1-Lipschitz. Of the curve's points on the sides of the parts, an isoline keeps those on edges of the
- * mesh, which are computed once, and inside faces only as many as the tolerance requires: their number grows like the
- * inverse square root of the tolerance. All points are kept where parts of one isoline come within three tolerances of
- * one another, at sharp bends, and where levels are too close for chords of two of them to keep apart. A level
- * that is the distance of a vertex, or of a whole area, is no special case: what is at the level is counted to the
- * farther side. Where the field becomes infinite inside the surface, as one does that is limited, what is beyond is
- * farther. A face that has infinite distances at all three vertices is taken to have no others.
+ * Faces that may contain a level are divided until their parts are as small as the tolerance. The bounds hold because
+ * distances are 1-Lipschitz. An isoline keeps all its points on edges of the mesh, which are computed once, but inside
+ * faces only as many as the tolerance requires; their number grows like the inverse square root of the tolerance. All
+ * points are kept if parts of one isoline come within three tolerances of one another, at sharp bends, and if levels
+ * are so close that the chords of two of them might intersect.
+ *
+ * A level may equal the distance of a vertex or of a whole area; points at the level count as farther. If the field
+ * becomes infinite inside the surface, because it is limited, the points beyond count as farther as well. A face whose
+ * three vertices have infinite distances is assumed to have no finite ones.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`
- * \param levels a range of numbers; for one that is not larger than the least distance there are no isolines
- * \param out receives an `Isoline<TriangleMesh, Point>` for each component, `Point` being the points' type; in the
- *        order of the levels
- * \param tolerance a distance on the surface, a number
- * \param np named parameters: `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
- *        points as values; by default the mesh's own points, `get(CGAL::vertex_point, mesh)`; and `visitor`, a model of
- *        `FlipOutVisitor`, of which only `go_further()` is called, before each level and once for about a thousand
- *        values of the field. If it returns `false`, then the computation ends, and nothing is written
- * \return the end of the output
- * \throws Invalid_parameter_error if a level is not finite, the tolerance is not a positive number or less than 1e-14 of
- *         a side of a face, or the field is not a number somewhere
- * \throws Invalid_mesh_error if a face is no triangle
- * \throws Invalid_coordinate_error if a coordinate is no finite number
+ * \param levels a range of numbers; a level that is not larger than the smallest distance has no isolines
+ * \param out an output iterator that receives an `Isoline<TriangleMesh, Point>` for each component, in the order of the
+ *        levels, where `Point` is the point type
+ * \param tolerance a distance on the surface, in the unit of the coordinates
+ * \param np an optional sequence of named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the vertices of the mesh as keys and points as values}
+ *     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called before each level and once for about a thousand
+ *       evaluations of the field. If it returns `false`, the computation ends and nothing is written}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the past-the-end output iterator
+ * \throws Invalid_parameter_error if a level is not finite, the tolerance is not positive or is less than 1e-14 of a
+ *         side of a face, or the field returns NaN
+ * \throws Invalid_mesh_error if a face is not a triangle
+ * \throws Invalid_coordinate_error if a coordinate is not finite
  *
  * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of isoline as long as the
- * tolerance. An isoline has a point for each edge that it crosses, and \f$O(\ell / \sqrt{r t})\f$ more for a length
- * \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. A mesh other than a `Surface_mesh` is numbered, in \f$O(n \log n)\f$.
+ * tolerance. An isoline has one point for each edge that it crosses, and \f$O(\ell / \sqrt{r t})\f$ more for a length
+ * \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are indexed
+ * first, in \f$O(n \log n)\f$.
+ *
+ * \sa `voronoi_boundaries()`
  */
 template <class TriangleMesh, class Field, class LevelRange, class OutputIterator, class Tolerance,
           class... NamedParameters>
@@ -172,47 +189,49 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * A distance field made of distances at vertices, such as `geodesic_distances()` writes, one property map per source:
- * linear in each face for each source, and the least of these.
+ * Represents a distance field that is interpolated between distances at vertices, such as those of
+ * `geodesic_distances()`. It has one property map per source; the field is the minimum of functions that are linear in
+ * each face.
  *
- * Distances on a surface are not linear in faces, so this is as good as the faces are small, and best far from the
- * sources. In faces with obtuse angles its slope may be larger than one. Then the bounds of `isolines()` need not hold.
- * What a sign at vertices shows is still found, and curves are closed or end on the border.
+ * Since distances on a surface are not linear in faces, the accuracy depends on the size of the faces, and is best far
+ * from the sources. In faces with obtuse angles the slope may be larger than one, so the bounds of `isolines()` need
+ * not hold. Sign changes between vertices are still found, and curves are closed or end on the border.
  *
  * \cgalModels{GeodesicDistanceField}
  *
  * \tparam TriangleMesh a model of `FaceGraph`
- * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with the mesh's vertices as keys and numbers as values
+ * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and numbers as
+ *         values
  */
 template <class TriangleMesh, class VertexDistanceMap>
 class Interpolated_distances
 {
 public:
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< of the mesh
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type of the mesh
 
-  /// What is known of a place.
+  /// Contains the result of a query.
   struct Answer
   {
     double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source
-    std::size_t source = 0;                                    ///< its position among the maps
+    std::size_t source = 0;                                    ///< the position of its map
   };
 
-  /// Interpolates between the distances of vertices.
-  /// \param mesh must outlive the field
-  /// \param distances of the vertices, from each of the sources
+  /// Constructs the field that interpolates between the distances of vertices.
+  /// \param mesh the mesh, which must outlive the field
+  /// \param distances the maps with the distances of the vertices from each source
   Interpolated_distances(const TriangleMesh& mesh, std::vector<VertexDistanceMap> distances)
     : m_mesh(&mesh)
     , m_distances(std::move(distances))
   {
   }
 
-  /// The distance from the nearest source, and which one it is; of two that are equally near the first.
+  /// Returns the distance from the nearest source and the number of that source; ties are broken in favor of the first.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const
   {
     Answer result;
     for(std::size_t i = 0; i < m_distances.size(); ++i) {
       const double distance = interpolated(m_distances[i], face, weights);
-      if(!(result.distance <= distance)) // not a number is passed on
+      if(!(result.distance <= distance)) // NaN is passed on
         result = {distance, i};
     }
     return result;
@@ -225,7 +244,7 @@ private:
     double sum = 0;
     std::size_t i = 0;
     for(const auto h : halfedges_around_face(halfedge(face, *m_mesh), *m_mesh)) {
-      if(weights[i] != 0) // zero times infinity is not a number
+      if(weights[i] != 0) // zero times infinity is NaN
         sum += weights[i] * get(distances, source(h, *m_mesh));
       ++i;
     }
@@ -239,58 +258,61 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * A boundary between two regions of a Voronoi diagram: a curve between two junctions or ends on the border of the mesh,
- * or a closed one without any.
+ * Stores a boundary between two regions of a Voronoi diagram. It is a closed curve, or leads from one junction or point
+ * on the border of the mesh to another.
  */
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
 {
-  /// The number of what does not exist: the source where no distance is finite, the junction at an end on the border.
+  /// Stands for the missing source of points without a finite distance, and for the missing junction at an end on the
+  /// border.
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   /// The nearest sources on its left and on its right, as seen from the side from which the faces of the mesh are
-  /// counterclockwise.
+  /// oriented counterclockwise.
   std::array<std::size_t, 2> sources = {{none, none}};
 
-  /// The junctions at its first and at its last point, counted from 0 over all boundaries. Boundaries that end at the
-  /// same junction have the same point there, to the bit.
+  /// The junctions at its first and its last point, numbered from 0 over all boundaries. Boundaries that end at the
+  /// same junction have bitwise identical points there.
   std::array<std::size_t, 2> junctions = {{none, none}};
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * Computes the boundaries of the Voronoi diagram of a distance field's sources, by which of them is the nearest.
+ * Computes the boundaries between the regions of the Voronoi diagram of the sources of a distance field.
  *
- * Boundaries end at junctions, where three regions meet, or on the border of the mesh, or are closed. Where more than
- * three regions meet there are several junctions within the tolerance. The vertices of a boundary are on the true one,
- * but for roundings; between them it is nowhere farther than the tolerance from it. A junction, and vertices beside it,
- * may be off by some hundredths of the tolerance. As with `isolines()`, the number of vertices inside faces grows like
- * the inverse square root of the tolerance.
+ * A boundary is closed, or ends at junctions of three regions or on the border of the mesh. A point at which more than
+ * three regions meet is represented by several junctions within the tolerance. The vertices of a boundary lie on the
+ * true one up to rounding errors, and between them the boundary is nowhere farther than the tolerance from it. A
+ * junction and the vertices beside it may be off by some hundredths of the tolerance. As with `isolines()`, the number
+ * of vertices inside faces grows like the inverse square root of the tolerance. Points that are not reached by any
+ * source form a region with the source `Voronoi_boundary::none`.
  *
- * Faces are divided where the nearest source changes until their parts are as small as the tolerance. Faces in which
- * the field knows one source to be the nearest everywhere, by `GeodesicDistanceField::has_one_source()`, are not
- * divided further. So the boundaries of one source take no time. Apart from that, a field does not return the distance
- * of the second source, so no bound excludes that a region reaches between places with one nearest source. Therefore
- * all other faces are divided until parts have no side longer than the square root of tolerance times size. The size is
- * the square root of the area. The surroundings of sources with distance zero are divided as finely as the tolerance.
- * So a region, or a finger of one, is found unless it is narrower than that square root and free of such sources.
- *
- * What no source reaches is a region, too, with source `Voronoi_boundary::none`.
+ * Faces in which the nearest source changes are divided until their parts are as small as the tolerance. Faces in which
+ * the field guarantees a single nearest source, by `GeodesicDistanceField::has_one_source()`, are not divided, so a
+ * field with one source is processed quickly. In all other faces a region could extend between points with the same
+ * nearest source, since a field does not return the distance of the second source. Those faces are therefore divided
+ * until no side of a part is longer than \f$\sqrt{t s}\f$ for the tolerance \f$t\f$ and the square root \f$s\f$ of the
+ * area of the surface, and as finely as the tolerance around sources with distance zero. A region, or an arm of one,
+ * can only be missed if it is narrower than \f$\sqrt{t s}\f$ and contains no such source.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`
- * \param out receives a `Voronoi_boundary<TriangleMesh, Point>` for each, `Point` being the points' type
- * \param tolerance a distance on the surface, a number
- * \param np named parameters: `vertex_point_map` and `visitor`, as for `isolines()`
- * \return the end of the output
- * \throws Invalid_parameter_error if the tolerance is not a positive number or less than 1e-14 of a side of a face, or
- *         the field is not a number somewhere
- * \throws Invalid_mesh_error if a face is no triangle
- * \throws Invalid_coordinate_error if a coordinate is no finite number
+ * \param out an output iterator that receives a `Voronoi_boundary<TriangleMesh, Point>` for each boundary, where
+ *        `Point` is the point type
+ * \param tolerance a distance on the surface, in the unit of the coordinates
+ * \param np the named parameters `vertex_point_map` and `visitor`, as for `isolines()`
+ * \return the past-the-end output iterator
+ * \throws Invalid_parameter_error if the tolerance is not positive or is less than 1e-14 of a side of a face, or the
+ *         field returns NaN
+ * \throws Invalid_mesh_error if a face is not a triangle
+ * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated about fifty times for each piece of boundary as long as the tolerance. It is
- * evaluated a few times for each piece of a curve as long as the size, and once per vertex.
+ * Complexity: the field is evaluated once per vertex, about fifty times for each piece of boundary as long as the
+ * tolerance, and a few times for each piece as long as the size \f$s\f$.
+ *
+ * \sa `isolines()`
  */
 template <class TriangleMesh, class Field, class OutputIterator, class Tolerance, class... NamedParameters>
 OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, OutputIterator out,

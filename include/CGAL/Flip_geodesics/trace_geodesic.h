@@ -40,16 +40,16 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTracing
-/// Why a straightest geodesic ends.
+/// States why a straightest geodesic ends.
 enum class Trace_status {
-  LENGTH,           ///< it has the length that was asked for
-  VERTEX,           ///< it runs into a vertex, exactly, and was to stop there
+  LENGTH,           ///< it has the requested length
+  VERTEX,           ///< it reaches a vertex exactly and had to stop there
   BORDER,           ///< it meets the border, on an edge or at a vertex, or would leave the surface at its start there
-  CONSTRAINED_EDGE, ///< it meets an edge that it may not cross, or a vertex of one
-  CROSSING_LIMIT    ///< it has crossed as many edges as it may
+  CONSTRAINED_EDGE, ///< it meets an edge that must not be crossed, or a vertex of such an edge
+  CROSSING_LIMIT    ///< it has crossed the maximal number of edges
 };
 
-/// The name of a reason, as the enumerator is spelled.
+/// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Trace_status end)
 {
   switch(end) {
@@ -68,9 +68,9 @@ inline const char* to_string(Trace_status end)
 }
 
 /// \ingroup PkgFlipGeodesicsTracing
-/// What a straightest geodesic does at a vertex that it runs into, exactly.
+/// Specifies the behavior of a straightest geodesic that reaches a vertex exactly.
 enum class At_vertices {
-  GO_STRAIGHT, ///< it goes on with the same angle on its left as on its right [PS98]
+  GO_STRAIGHT, ///< it continues with the same angle on its left as on its right [PS98]
   STOP         ///< it ends there
 };
 
@@ -79,7 +79,7 @@ enum class At_vertices {
 namespace parameters {
 
 /// \ingroup PkgFlipGeodesicsParameters
-/// What `trace_geodesic()` does at vertices.
+/// Sets the behavior of `trace_geodesic()` at vertices.
 /// \param rule by default `At_vertices::GO_STRAIGHT`
 inline auto at_vertices(Flip_geodesics::At_vertices rule)
 {
@@ -99,33 +99,35 @@ struct No_edge_is_constrained
 };
 
 /// \ingroup PkgFlipGeodesicsTracing
-/// How far a straightest geodesic goes, and which edges it may not cross.
+/// Limits the length of a straightest geodesic and the edges that it may cross.
 template <class IsConstrained = No_edge_is_constrained>
 struct Trace_limits
 {
-  double length;                                      ///< at most this long, a finite number
-  At_vertices at_vertices = At_vertices::GO_STRAIGHT; ///< what it does at vertices
-  std::size_t most_crossings = 1000000;               ///< how many edges and vertices it may pass
-  IsConstrained is_constrained = IsConstrained();     ///< tells of an `Input_halfedge_index` whether its edge ends it
+  double length;                                      ///< the maximal length, a finite number
+  At_vertices at_vertices = At_vertices::GO_STRAIGHT; ///< the behavior at vertices
+  std::size_t most_crossings = 1000000;               ///< the maximal number of edges and vertices passed
+  IsConstrained is_constrained = IsConstrained();     ///< returns for an `Input_halfedge_index` whether its edge ends
+                                                      ///< the geodesic
 };
 
 /// \ingroup PkgFlipGeodesicsTracing
-/// A straightest geodesic that has been traced: how long it is, and where and how it ends.
+/// Describes a straightest geodesic that has been traced: its length, and where and why it ends.
 struct Trace_report
 {
-  double length = 0;                          ///< its length, at most that asked for
+  double length = 0;                          ///< its length, at most the requested one
   Trace_status status = Trace_status::LENGTH; ///< why it ends
-  std::size_t edges = 0;                      ///< how many edges it crosses
-  std::size_t vertices = 0;                   ///< how many vertices it passes straight on
+  std::size_t edges = 0;                      ///< the number of crossed edges
+  std::size_t vertices = 0;                   ///< the number of vertices passed straight on
   Surface_location location;                  ///< its end
-  Input_halfedge_index halfedge;  ///< what its direction at the end is told from, see `Geodesic_tracer::trace()`
-  double angle = 0;               ///< from there on to its direction, counterclockwise, in radians
-  Decision_statistics statistics; ///< how decisions were taken that doubles left open
+  Input_halfedge_index halfedge;              ///< the halfedge from which its direction at the end is measured, see
+                                              ///< `Geodesic_tracer::trace()`
+  double angle = 0;                           ///< the angle from there to its direction, counterclockwise, in radians
+  Decision_statistics statistics;             ///< how filter failures were resolved
 };
 
 namespace internal {
 
-/* One straightest geodesic, and what is told of it on its way. */
+/* Traces one straightest geodesic and records its report. */
 template <class Triangulation, class Limits, class Visitor>
 class Trace_walk
 {
@@ -156,7 +158,7 @@ public:
 private:
   using Ray = internal::Ray<Triangulation>;
 
-  // Up to an end, or a vertex at which it goes on from a new start.
+  // Continues up to an end, or to a vertex at which it starts anew.
   bool go_straight(Ray_start& start)
   {
     Ray ray(m_triangulation, m_exact_faces, start.place, start.direction, m_trace.statistics);
@@ -241,14 +243,15 @@ private:
     return true;
   }
 
-  // With the same angle on both sides, from corner().
+  // Returns the angle from corner() that bisects the total angle as seen from the ray.
   double straight_on(const Ray& ray) const
   {
     const double total = m_directions.total_angle(ray.corner());
     return ray.angle_at_corner() + (std::isfinite(total) ? total / 2 : boost::math::constants::pi<double>());
   }
 
-  // Are the angles about the tail of h exactly 2 pi, of faces with areas? Then a ray goes on as in a plane.
+  // Returns whether the angles around the tail of h sum to exactly 2 pi and all faces have an area. A ray then
+  // continues as in a plane.
   bool is_flat(Input_halfedge_index first)
   {
     if(!(std::abs(m_directions.total_angle(first) - boost::math::constants::two_pi<double>()) < near_full_turn))
@@ -303,23 +306,24 @@ struct No_visitor_of_points
 /*!
  * \ingroup PkgFlipGeodesicsTracing
  *
- * Traces straightest geodesics on the input of a triangulation [PS98]: straight over faces and edges, and at a vertex
- * with the same angle on both sides. It is the exponential map of the surface. `trace_geodesic()` does it in one call.
+ * Traces straightest geodesics on the input mesh of a triangulation [PS98], that is, evaluates the exponential map.
+ * They are straight across faces and edges, and have the same angle on both sides of a vertex. The free function is
+ * `trace_geodesic()`.
  *
- * Which edges are crossed, and that a vertex is run into, is decided exactly: by the signs of the real numbers that
- * the place's weights, the direction and the input's coordinates define, taken as the doubles that they round to. A
- * direction that is given as an angle is rounded once, to a vector in the face. Where the angles about a vertex are
- * \f$2\pi\f$, exactly, the geodesic goes on as in a plane, and nothing is rounded: so it is inside of flat parts, and
- * on edges along which these are folded. At other vertices, and those with a face without area, half of all angles is
- * rounded, and the direction on is.
+ * Which edges are crossed, and whether a vertex is reached, is decided exactly by the signs of the real numbers that
+ * are defined by the weights of the start, the direction and the input coordinates, each rounded to a double. A
+ * direction given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly
+ * \f$2\pi\f$, the geodesic continues as in a plane without rounding; this includes the interior of planar parts and the
+ * edges along which they are folded. At other vertices, and at vertices of a degenerate face, the bisecting angle is
+ * rounded, and so is the outgoing direction.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
  */
 template <class Triangulation>
 class Geodesic_tracer
 {
 public:
-  /// The tracer refers to the triangulation, and keeps what it has computed of faces.
+  /// Constructs a tracer, which refers to the triangulation and caches what it has computed of faces.
   explicit Geodesic_tracer(const Triangulation& triangulation)
     : m_triangulation(triangulation)
     , m_exact_faces(triangulation)
@@ -327,23 +331,24 @@ public:
   }
 
   /*!
-   * Traces a geodesic from a location.
+   * Traces a geodesic from a location in the direction of an angle.
    *
-   * \param location where it starts
-   * \param halfedge what its direction is told from: a side of a face that has the location, or a halfedge that
-   *        starts there
-   * \param angle from `halfedge` on to the direction, in radians, counterclockwise in the surface; at a vertex over all
-   *        faces about it, so that a whole turn is the sum of their angles
+   * \param location the start
+   * \param halfedge the halfedge from which the direction is measured: a side of a face that contains the location, or
+   *        a halfedge that starts there
+   * \param angle the angle from `halfedge` to the direction, in radians, counterclockwise on the surface. At a vertex
+   *        it extends over all incident faces, so a full turn is the sum of their angles
    * \param limits a `Trace_limits`
-   * \param visitor called with a `Surface_point` for the start, each edge that is crossed, each vertex, and the end
-   * \throws Invalid_location_error for a location that is none
-   * \throws Invalid_parameter_error if the direction is no finite number, `halfedge` is another, or the length is negative
-   *         or not finite
-   * \throws Degenerate_face_error for a face with a side of length zero, or a direction told in a face without area
-   * \throws Invalid_coordinate_error if a coordinate is no finite number
-   * \throws Invalid_mesh_error if a face is no triangle
+   * \param visitor a function object that is called with a `Surface_point` for the start, each crossed edge, each
+   *        vertex, and the end
+   * \throws Invalid_location_error if `location` is not a point of the surface
+   * \throws Invalid_parameter_error if the angle is not finite, `halfedge` is not such a halfedge, or the length is
+   *         negative or not finite
+   * \throws Degenerate_face_error if a face has a side of length zero, or the direction lies in a degenerate face
+   * \throws Invalid_coordinate_error if a coordinate is not finite
+   * \throws Invalid_mesh_error if a face is not a triangle
    *
-   * Complexity: linear in the edges that are crossed, where doubles suffice to decide.
+   * Complexity: linear in the number of crossed edges if the floating-point filter suffices.
    */
   template <class IsConstrained, class Visitor>
   Trace_report trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
@@ -353,7 +358,7 @@ public:
                 visitor);
   }
 
-  /// Traces a geodesic from a location, by an angle, without a visitor.
+  /// Traces a geodesic from a location in the direction of an angle, without a visitor.
   template <class IsConstrained>
   Trace_report trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
                      const Trace_limits<IsConstrained>& limits) const
@@ -362,9 +367,10 @@ public:
   }
 
   /*!
-   * The same by a direction in the face of `location.halfedge`, in coordinates along two of its sides: `direction[0]`
-   * times the vector from the tail of the halfedge to its head, and `direction[1]` times that to the third corner. It is
-   * not rounded, unless the location is a vertex and it points out of the face, or one number is 1e100 times the other.
+   * Traces a geodesic from a location in a direction that is given by coordinates in the face of `location.halfedge`:
+   * `direction[0]` is the coefficient of the vector from the tail of the halfedge to its head, and `direction[1]` that
+   * of the vector from its tail to the third corner. The direction is not rounded, unless the location is a vertex and
+   * the direction points out of the face, or one coefficient is 1e100 times the other.
    */
   template <class IsConstrained, class Visitor>
   Trace_report trace(const Surface_location& location, const std::array<double, 2>& direction,
@@ -374,7 +380,7 @@ public:
                 visitor);
   }
 
-  /// Traces a geodesic from a location, by coordinates of its direction, without a visitor.
+  /// Traces a geodesic from a location in a direction that is given by coordinates, without a visitor.
   template <class IsConstrained>
   Trace_report trace(const Surface_location& location, const std::array<double, 2>& direction,
                      const Trace_limits<IsConstrained>& limits) const
@@ -397,20 +403,20 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsTracing
-/// What `trace_geodesic()` returns.
+/// Contains the result of `trace_geodesic()`.
 template <class OutputIterator, class TriangleMesh>
 struct Trace_result
 {
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;         ///< of the mesh
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;         ///< the face type
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
 
-  OutputIterator out;                                         ///< the end of the output
-  Trace_report report;                                        ///< what became of the geodesic
+  OutputIterator out;                                         ///< the past-the-end iterator of the output
+  Trace_report report;                                        ///< the report on the geodesic
   std::pair<face_descriptor, std::array<double, 3>> location; ///< its end, a `Face_location`
-  std::pair<halfedge_descriptor, double> direction;           ///< in which it would go on from its end
+  std::pair<halfedge_descriptor, double> direction;           ///< the direction in which it would continue
 
-  double length() const { return report.length; }       ///< the length of the geodesic
-  Trace_status status() const { return report.status; } ///< why it ends
+  double length() const { return report.length; }       ///< returns the length of the geodesic
+  Trace_status status() const { return report.status; } ///< returns why it ends
 };
 
 namespace internal {
@@ -428,7 +434,7 @@ template <class T>
 constexpr bool
     is_face_location<T, std::void_t<decltype(std::declval<T>().first), decltype(std::declval<T>().second[0])>> = true;
 
-/* Starts of rays by what users give: a vector in space, or a halfedge and an angle. */
+/* Converts a direction given by the user, a vector in space or a halfedge and an angle, to the start of a ray. */
 template <class Triangulation, class TriangleMesh>
 class Given_direction
 {
@@ -465,13 +471,14 @@ public:
   }
 
 private:
-  // A vector's part in the plane of the face of h, along h and along the side from its tail to the third corner.
+  // Returns the projection of a vector to the plane of the face of h, in coordinates along h and along the side from
+  // its tail to the third corner.
   std::array<double, 2> in_face(Input_halfedge_index h, const Vector& v) const
   {
     const auto& input = m_triangulation.input();
     if(input.is_border(h))
       return {0, 0};
-    input_face_geometry(m_triangulation, h); // throws for corners that are no points
+    input_face_geometry(m_triangulation, h); // throws for corners with invalid coordinates
     const Vector a = side(h), c = side(input.next(input.next(h))), b = {{-c[0], -c[1], -c[2]}};
     const Vector normal = unit_of(cross(unit_of(a), unit_of(b))), direction = unit_of(v);
     if(normal == Vector{{0, 0, 0}})
@@ -490,7 +497,7 @@ private:
              CGAL::to_double(q.z()) - CGAL::to_double(p.z())}};
   }
 
-  // Over a power of two, so that the largest coordinate is between 1 and 2: no digit is lost.
+  // Divides by a power of two, so that the largest coordinate is between 1 and 2 and all digits are kept.
   static Vector unit_of(const Vector& v)
   {
     const double size = (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
@@ -514,7 +521,7 @@ private:
   const Triangulation& m_triangulation;
 };
 
-/* Which edges end a geodesic, by the map of the named parameters. */
+/* Returns whether an edge ends a geodesic, by the map of the named parameters. */
 template <class Triangulation, class TriangleMesh, class Map>
 struct Is_constrained
 {
@@ -542,7 +549,10 @@ auto make_trace_limits(const Triangulation& triangulation, const TriangleMesh& m
   }
 }
 
-/* A place on the mesh. A Face_location is not put on an edge or vertex that is near: so can be traced on from each end. */
+/*
+ * Converts to a location on the mesh. A Face_location is not snapped to a nearby edge or vertex, so that tracing can
+ * continue from every end.
+ */
 template <class Triangulation, class TriangleMesh, class Place>
 Surface_location trace_start(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
@@ -559,7 +569,7 @@ Surface_location trace_start(const Triangulation& triangulation, const TriangleM
   }
 }
 
-/* Points of a curve in the form that the output takes, with directions from each to the next. */
+/* Writes the points of a curve in the form that the output accepts, with directions from each point to the next. */
 template <class Form, class Triangulation, class TriangleMesh, class OutputIterator>
 OutputIterator write_points(const Triangulation& triangulation, const TriangleMesh& mesh,
                             const std::vector<Surface_point>& points, OutputIterator out)
@@ -582,34 +592,58 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
 /*!
  * \ingroup PkgFlipGeodesicsTracing
  *
- * Traces a straightest geodesic [PS98] from a place in a direction: the exponential map. It is straight over faces and
- * edges; at a vertex it goes on with the same angle on its left as on its right, or ends there. Which edges it crosses,
- * and that it runs into a vertex, is decided exactly. The direction is taken as it is rounded in its first face, and
- * again after each vertex about which the angles are not exactly \f$2\pi\f$.
+ * Traces a straightest geodesic [PS98] from a surface point in a given direction, that is, evaluates the exponential
+ * map.
+ *
+ * The geodesic is straight across faces and edges. At a vertex it continues with the same angle on its left as on its
+ * right, or ends. Which edges are crossed, and whether a vertex is reached, is decided exactly. The direction is
+ * rounded in the first face, and again after each vertex whose angles do not sum to exactly \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
  *        `geodesic_path_through()`
- * \param direction either a `std::pair` of a halfedge and an angle from there, in radians, counterclockwise on the
- *        surface: a side of a face that has the source; at a vertex the angle goes over all faces about it. Or a vector
- *        in space, which is projected to the plane of the face of a `Face_location`; it may leave that face at once
- * \param length how long it is to be, at most; its unit is that of the coordinates
- * \param out receives the points of the geodesic in order, as `geodesic_path()` writes them: its start, the edges and
- *        vertices that it crosses, its end
- * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`;
- *        `edge_is_constrained_map`, a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as
- *        values: it ends at edges that have `true`, by default none; `number_of_iterations`, how many edges and vertices it
- *        crosses at most, a million by default; `at_vertices`, an `At_vertices`, whether it passes vertices, which it
- *        does by default
- * \return a `Trace_result`. From its `location` in its `direction` it can be traced on
- * \throws Vertex_out_of_range_error, Invalid_location_error for a source that is not on the mesh
- * \throws Invalid_parameter_error for a length or a direction that is not finite, a negative length, a vector without
- *         length in the plane of its face, another halfedge, or a negative number of iterations
- * \throws Degenerate_face_error if it meets a face with a side of length zero, or starts into a face without area
- * \throws Invalid_coordinate_error, Invalid_mesh_error
+ * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
+ *        halfedge, in radians and counterclockwise on the surface. The halfedge is a side of a face that contains the
+ *        source; at a vertex the angle extends over all incident faces. A vector is projected to the plane of the face
+ *        of a `Face_location`; it may point out of that face
+ * \param length the maximal length, in the unit of the coordinates
+ * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
+ *        vertices, and its end, in the form described at `geodesic_path()`
+ * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map` or `metric` as
+ *        for `geodesic_path()`
  *
- * Complexity: linear in the edges that it crosses, where doubles suffice to decide. For many geodesics on one mesh
- * there is `Geodesic_tracer`; meshes other than `Surface_mesh` are indexed, \f$O(n \log n)\f$.
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map that returns `true` for the edges at which the geodesic must end}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as values}
+ *     \cgalParamDefault{no edge is constrained}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the maximal number of edges and vertices passed}
+ *     \cgalParamType{an integer}
+ *     \cgalParamDefault{1000000}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{at_vertices}
+ *     \cgalParamDescription{the behavior at vertices}
+ *     \cgalParamType{`At_vertices`}
+ *     \cgalParamDefault{`At_vertices::GO_STRAIGHT`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a `Trace_result`, whose `location` and `direction` can be used to continue the geodesic
+ * \throws Vertex_out_of_range_error if the source is not a vertex of the mesh
+ * \throws Invalid_location_error if the source does not lie on the mesh
+ * \throws Invalid_parameter_error if the length or the direction is not finite, the length or the number of iterations
+ *         is negative, the vector has no component in the plane of its face, or the halfedge is not such a halfedge
+ * \throws Degenerate_face_error if a face with a side of length zero is encountered, or the geodesic starts into a
+ *         degenerate face
+ * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
+ * \throws Invalid_mesh_error if a face is not a triangle
+ *
+ * Complexity: linear in the number of crossed edges if the floating-point filter suffices. Meshes other than
+ * `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ *
+ * \sa `Geodesic_tracer`, for many geodesics on one mesh
  */
 template <class TriangleMesh, class Source, class Direction, class OutputIterator, class... NamedParameters>
 Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& mesh, const Source& source,
@@ -630,10 +664,9 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   const Surface surface = internal::make_surface(mesh, options);
   const Surface_location place = internal::trace_start(surface, mesh, source);
   std::vector<Surface_point> points;
-  const Trace_report trace =
-      internal::Given_direction<Surface, TriangleMesh>(surface)
-          .trace(place, direction, internal::make_trace_limits(surface, mesh, length, options),
-                 [&points](const Surface_point& p) { points.push_back(p); });
+  const Trace_report trace = internal::Given_direction<Surface, TriangleMesh>(surface).trace(
+      place, direction, internal::make_trace_limits(surface, mesh, length, options),
+      [&points](const Surface_point& p) { points.push_back(p); });
   return {internal::write_points<Form>(surface, mesh, points, out),
           trace,
           internal::face_location_of(surface, mesh, trace.location),
