@@ -32,38 +32,40 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
-/// What growing a tree did.
+/// Reports the growth of a tree.
 struct Geodesic_tree_report
 {
-  /// `LOCALLY_SHORTEST`, or `STOPPED_BY_VISITOR`. `PRECISION_LIMIT` if paths are bent and doubles, also as coordinates,
-  /// cannot mend it; `DEGENERATE_FACES` if exact decisions cannot, since degenerate faces fold vertices onto one point.
+  /// `LOCALLY_SHORTEST` or `STOPPED_BY_VISITOR`; `PRECISION_LIMIT` if paths are bent and doubles, possibly as
+  /// coordinates, cannot resolve it; `DEGENERATE_FACES` if exact predicates cannot either, because degenerate faces
+  /// fold vertices onto one point.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
-  std::size_t flips = 0;     ///< edge flips
-  std::size_t flip_outs = 0; ///< wedges flipped out [SC20, Algorithm 1]
-  std::size_t reopened = 0;  ///< vertices that were reached, and then reached by a shorter path
+  std::size_t flips = 0;     ///< the number of edge flips
+  std::size_t flip_outs = 0; ///< the number of wedges flipped out [SC20, Algorithm 1]
+  std::size_t reopened = 0;  ///< the number of times a vertex was reached again by a shorter path
   /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite
-  /// where there is none, and with traits without drift, whose decisions need no measuring.
+  /// if no path passes a vertex, and with traits without drift, whose predicates make the measurement unnecessary.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * The tree of geodesics from a source vertex to all others, or to those within a distance: every path runs along edges
- * of one intrinsic triangulation [SC20, section 6.5].
+ * Represents the tree of geodesics from a source vertex to all other vertices, or to those within a distance. Every
+ * path consists of edges of one intrinsic triangulation [SC20, section 6.5].
  *
- * It is grown as Dijkstra's algorithm grows a tree, in the triangulation as it is at the moment. A vertex is accepted
- * only if the path to it is straight where it leaves the tree, or has at least \f$\pi\f$ on either side. Otherwise that
- * wedge is flipped out, which makes room for a shorter path, and the search goes on. No edge of the tree is ever in
- * such a wedge, since the paths through its apex are straight. Departing from [SC20], an accepted vertex is opened
- * again if a new edge leads to it by a shorter way. So the finished tree is a shortest path tree of the finished
- * triangulation's edges.
+ * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
+ * is straight where it leaves the tree, or has an angle of at least \f$\pi\f$ on either side. Otherwise the wedge with
+ * the smaller angle is flipped out, which makes room for a shorter path, and the search continues. Such a wedge never
+ * contains an edge of the tree, since the paths through its apex are straight. In contrast to [SC20], an accepted
+ * vertex is reopened if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of
+ * the edge graph of the final triangulation.
  *
- * The paths are locally shortest, and most are shortest; `make_shortest()` replaces the others.
- * They do not cross.
+ * The paths are locally shortest and do not cross. Most of them are globally shortest; `make_shortest()` replaces the
+ * others.
  *
- * The invariant, once grown: the distance of a reached vertex is that of its parent plus the length of the edge between
- * them. No edge between reached vertices offers a shorter way (`is_valid()`).
+ * Once the tree has been grown, it satisfies an invariant that `is_valid()` checks: the distance of a reached vertex is
+ * that of its parent plus the length of the edge between them, and no edge between reached vertices gives a shorter
+ * path.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulation`; a network in it must be empty while the tree is grown
  */
@@ -76,7 +78,7 @@ class Geodesic_tree
 public:
   using Triangulation = Triangulation_; ///< the template parameter
 
-  /// A tree without a source. Constant time; the triangulation must outlive the tree.
+  /// Constructs a tree without a source in constant time. The triangulation must outlive the tree.
   explicit Geodesic_tree(Triangulation& triangulation)
     : m_triangulation(&triangulation)
     , m_labels(static_cast<std::size_t>(triangulation.number_of_vertices()))
@@ -84,17 +86,24 @@ public:
   }
 
   /*!
-   * Grows the tree from a source, after forgetting the one before. The triangulation may have been flipped already.
+   * Grows the tree from a source and discards the previous tree. The triangulation may have been flipped before.
    *
-   * Deterministic: the nearest vertex first, then the one with the smaller index. About \f$O(n \log n)\f$ for the
-   * \f$n\f$ vertices within `max_distance`, and a flip takes constant time.
+   * The result is deterministic: the nearest vertex is processed first, and ties are broken in favor of the smaller
+   * index.
    *
    * \param source a vertex
-   * \param max_distance no path longer than this is wanted. Vertices that are nearer, but of which the search meets
-   *        only neighbors that are farther, are not found; so give a little more to have all
+   * \param max_distance the length of the longest path that is needed. A nearer vertex is missed if the search reaches
+   *        it only through neighbors that are farther, so choose a slightly larger value if all vertices within a
+   *        distance are required
    * \param visitor a model of `FlipOutVisitor`, of which `on_flip()` and `go_further()` are called
-   * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+   * \return a report on the growth
+   * \throws Vertex_out_of_range_error if `source` is not a vertex of the triangulation
+   * \throws Degenerate_face_error as `shorten()` does
+   * \throws Invalid_coordinate_error as `shorten()` does
+   * \throws Invalid_mesh_error if the connectivity of a visited face is invalid
    * \throws Occupied_triangulation_error if a network in the triangulation has curves
+   *
+   * Complexity: about \f$O(n \log n)\f$ for the \f$n\f$ vertices within `max_distance`, with constant time per flip.
    */
   template <class Visitor = Default_shortening_visitor>
   Geodesic_tree_report grow(Vertex_index source, double max_distance = std::numeric_limits<double>::infinity(),
@@ -106,31 +115,32 @@ public:
     return run_to_the_end(visitor);
   }
 
-  /// The triangulation whose edges the paths are.
+  /// Returns the triangulation whose edges form the paths.
   Triangulation& triangulation() const { return *m_triangulation; }
 
-  /// The source of the tree, `null_index` before `grow()`.
+  /// Returns the source of the tree, or `null_index` before `grow()`.
   Vertex_index source() const { return m_source; }
 
-  /// What growing it has done, with what `replace_paths()` grew since.
+  /// Returns the report on the growth of the tree, including that by `replace_paths()`.
   const Geodesic_tree_report& report() const { return m_report; }
 
-  /// No path longer than this was wanted.
+  /// Returns the length of the longest path that was requested.
   double max_distance() const { return m_max_distance; }
 
-  /// Has the tree a path to vertex `v`? \pre `v` was there when the tree was grown
+  /// Returns whether the tree has a path to vertex `v`. \pre `v` existed when the tree was grown
   bool is_reached(Vertex_index v) const { return m_labels.is_settled(v); }
 
-  /// The length of the path to `v`; infinite if there is none.
+  /// Returns the length of the path to `v`, or infinity if `v` is not reached.
   double distance(Vertex_index v) const
   {
     return is_reached(v) ? m_labels.distance(v) : std::numeric_limits<double>::infinity();
   }
 
-  /// The last halfedge of the path to `v`, which ends there; `null_index` at the source and where there is no path.
+  /// Returns the last halfedge of the path to `v`, which ends there, or `null_index` for the source and if `v` is not
+  /// reached.
   Halfedge_index incoming(Vertex_index v) const { return is_reached(v) ? m_labels.incoming(v) : null_index; }
 
-  /// The halfedges of the path from the source to `v`; none at the source and where there is no path.
+  /// Returns the halfedges of the path from the source to `v`; empty for the source and if `v` is not reached.
   std::vector<Halfedge_index> path(Vertex_index v) const
   {
     std::vector<Halfedge_index> result;
@@ -140,18 +150,18 @@ public:
     return result;
   }
 
-  /// What `replace_paths()` hands out: by it vertices are taken off the tree, and hung up again elsewhere.
+  /// Detaches vertices from the tree and attaches them elsewhere; `replace_paths()` passes it to a function.
   class Grafts
   {
   public:
-    /// Takes `v` off, alone: those whose paths pass it are to be taken off as well.
+    /// Detaches `v` alone; vertices whose paths pass `v` must be detached as well.
     void take_off(Vertex_index v)
     {
       m_tree.m_labels.forget(v);
       m_taken_off.push_back(v);
     }
 
-    /// Hangs `v` on a halfedge. \pre `h` leads to `v` from a vertex in the tree, which `v` is not in
+    /// Attaches `v` by a halfedge. \pre `h` leads to `v` from a vertex in the tree, and `v` is not in the tree
     void hang(Vertex_index v, Halfedge_index h)
     {
       const Triangulation& t = m_tree.triangulation();
@@ -173,12 +183,16 @@ public:
   };
 
   /*!
-   * Replaces paths by others, as `make_shortest()` does. The tree grows again from what it has: to what was taken off
-   * and not hung up, and to what new edges lead to by shorter ways. Linear in the mesh, besides what is grown.
+   * Replaces paths by others, as `make_shortest()` does.
    *
-   * \param function is called with a `Grafts&`. It may flip edges that the tree does not have then
-   * \return what growing the tree has done so far, with `grow()`; flips of `function` are not counted
+   * The tree then grows to the vertices that were detached and not attached again, and to those that new edges reach by
+   * shorter paths.
+   *
+   * \param function is called with a `Grafts&`, and may flip edges that are not in the tree at that time
+   * \return the report on the growth of the tree so far, including `grow()`; flips of `function` are not counted
    * \pre `grow()` was not stopped
+   *
+   * Complexity: linear in the mesh, plus the growth.
    */
   template <class Function>
   Geodesic_tree_report replace_paths(Function function)
@@ -188,10 +202,10 @@ public:
     return regrow(grafts.m_taken_off);
   }
 
-  /// Checks the invariant with a relative tolerance of 1e-10. Linear in the mesh.
+  /// Returns whether the invariant holds, with a relative tolerance of 1e-10. Linear in the mesh.
   bool is_valid() const { return is_valid(internal::default_tree_tolerance); }
 
-  /// Checks the invariant, lengths up to a relative `tolerance`. Linear in the mesh.
+  /// Returns whether the invariant holds, with a relative `tolerance` for lengths. Linear in the mesh.
   bool is_valid(double tolerance) const
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
@@ -259,25 +273,26 @@ private:
   }
 
   /*
-   * Where angles are pi but for rounding, a vertex could be handed from path to path of one length for ever. Each wedge
-   * flipped out without a flip makes some path shorter or moves it to one side, so that a few rounds over all vertices
-   * are enough; after many more, paths are accepted as they are. So they are after as many wedges that were called
-   * narrow, and whose arcs were no shorter, since others may be flipped out for them to and fro.
+   * If angles are pi up to rounding errors, a vertex could be passed between paths of equal length forever. Each wedge
+   * flipped out without a flip makes some path shorter or moves it to one side, so a few rounds over all vertices
+   * suffice; after many more, paths are accepted as they are. The same happens after as many wedges that were
+   * considered narrow and whose arcs were not shorter, since other wedges may be flipped out for them back and forth.
    */
   bool has_patience()
   {
     constexpr std::size_t few = 10000, rounds = 16;
     if((std::max)(m_idle, m_lengthened) < few + rounds * m_accepted)
       return true;
-    if(!Triangulation::Traits::Has_drift::value) // otherwise, what is accepted is measured
+    if(!Triangulation::Traits::Has_drift::value) // otherwise, accepted paths are measured
       m_report.status = Shortening_status::PRECISION_LIMIT;
     return false;
   }
 
-  // The key of the angle clockwise from a to c, if it is below pi and holds no edge of the tree.
+  // Returns the key of the angle clockwise from a to c if it is below pi and contains no edge of the tree.
   double key(const Walker& a, const Walker& c) const
   {
-    typename Triangulation::Turn turn; // an edge of the tree is there only where rounding hides that its path is bent
+    typename Triangulation::Turn turn; // contains an edge of the tree only if rounding errors hide that its path is
+                                       // bent
     const auto is_in_tree = [this](const Walker& h) { return incoming(h.twin().tail()) == h.index(); };
     return internal::is_free_wedge(*m_triangulation, a, c, turn, is_in_tree)
                ? m_triangulation->traits().turn_key_object()(turn)
@@ -285,7 +300,7 @@ private:
   }
 
   // Makes room for a shorter path to v, which arrives along a or c. The path along the outer arc is shorter, but its
-  // vertices need not be accepted yet; v waits for them.
+  // vertices may not be accepted yet; v waits for them.
   template <class Visitor>
   void flip_out(Vertex_index v, Halfedge_index a, Halfedge_index c, Visitor& visitor)
   {
@@ -305,7 +320,7 @@ private:
       m_idle = 0;
       visitor.on_flip(*m_triangulation, spoke);
     };
-    constexpr std::size_t any = (std::numeric_limits<std::size_t>::max)(); // the edges that are left are on offer, too
+    constexpr std::size_t any = (std::numeric_limits<std::size_t>::max)(); // the remaining edges are offered, too
     const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, flip, any);
     ++m_report.flip_outs;
     const bool is_in_vain =
@@ -323,7 +338,7 @@ private:
     }
   }
 
-  // The way to v along the arc is shorter, whatever other ways the rounding of their lengths makes seem so.
+  // Offers the path to v along the arc, which is shorter, even if rounding errors make others seem so.
   void prefer_arc(Vertex_index v, double old_distance)
   {
     const bool is_at_end = m_triangulation->head(m_arc.back()) == v;
@@ -336,7 +351,7 @@ private:
       m_labels.offer(v, distance, last);
   }
 
-  // Looks for new ways to vertices that have lost theirs, but not along `edge`.
+  // Searches for new paths to vertices that have lost theirs, but not along `edge`.
   void adopt_orphans(Edge_index edge)
   {
     for(Vertex_index v : m_orphans)
@@ -359,7 +374,7 @@ private:
     }
   }
 
-  // Looks at the way along h from a vertex that is accepted.
+  // Relaxes h, which leads from an accepted vertex.
   void relax(const Walker& h)
   {
     const double distance = useful_way(h);
@@ -368,14 +383,14 @@ private:
     const Vertex_index u = h.tail(), v = h.twin().tail();
     if(is_reached(v)) {
       reopen(v);
-      if(!is_reached(u)) // it hung on v
+      if(!is_reached(u)) // its path passed v
         return;
     }
     if(m_labels.is_unknown(v) || distance < m_labels.distance(v))
       m_labels.offer(v, distance, h.index());
   }
 
-  // The length of the way along h, if it leads from a vertex that is accepted and is shorter than what there is.
+  // Returns the length of the path along h if it leads from an accepted vertex and is shorter than the current one.
   double useful_way(const Walker& h) const
   {
     const Vertex_index u = h.tail(), v = h.twin().tail();
@@ -385,13 +400,13 @@ private:
     const double needed = m_labels.is_unknown(v)
                               ? infinity
                               : m_labels.distance(v) * (is_reached(v) ? 1 - internal::length_sum_rounding : 1);
-    if(start >= needed) // without a root: one way or the other it is so, along any edge
+    if(start >= needed) // without a square root: true in one of the two directions along any edge
       return infinity;
     const double distance = start + h.length();
     return distance < needed ? distance : infinity;
   }
 
-  // Grows paths to what was taken off and not hung up again.
+  // Grows paths to vertices that were detached and not attached again.
   Geodesic_tree_report regrow(const std::vector<Vertex_index>& taken_off)
   {
     Default_shortening_visitor visitor;
@@ -399,12 +414,12 @@ private:
       for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
         relax_forward(Triangulation::twin(spoke));
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(
-            m_triangulation->number_of_halfedges())) // new edges can be shorter ways to other vertices
+            m_triangulation->number_of_halfedges())) // new edges can be shorter paths to other vertices
       relax(m_triangulation->walker(h));
     return run_to_the_end(visitor);
   }
 
-  // Takes back the acceptance of v and of all whose paths pass it, and looks for other ways to them.
+  // Undoes the acceptance of v and of all vertices whose paths pass it, and searches for other paths to them.
   void reopen(Vertex_index v)
   {
     std::vector<Vertex_index> subtree = {v};
@@ -424,7 +439,7 @@ private:
         relax_forward(Triangulation::twin(spoke));
   }
 
-  // As relax(), to a vertex that is not accepted.
+  // Relaxes h if its head is not accepted.
   void relax_forward(Halfedge_index h)
   {
     const Vertex_index v = m_triangulation->head(h);
@@ -446,8 +461,8 @@ private:
   }
 
   /*
-   * Measures the finished paths afresh from the input. Where drift has hidden that they are bent, the faces there are
-   * laid out afresh and the search goes on.
+   * Measures the finished paths from the input. If drift has hidden bends, the faces there are recomputed from the
+   * input and the search continues.
    */
   template <class Visitor>
   void measure(Visitor& visitor)
@@ -486,12 +501,12 @@ private:
   Triangulation* m_triangulation;
   internal::Tree_labels m_labels;
   Vertex_index m_source = null_index;
-  std::size_t m_accepted = 0;   // vertices, each time that they were
+  std::size_t m_accepted = 0;   // the number of acceptances of vertices
   std::size_t m_idle = 0;       // wedges flipped out since the last flip
-  std::size_t m_lengthened = 0; // wedges flipped out for arcs that are no shorter
+  std::size_t m_lengthened = 0; // wedges flipped out for arcs that are not shorter
   double m_max_distance = std::numeric_limits<double>::infinity();
   Geodesic_tree_report m_report;
-  internal::Measured_legs m_measured; // of the paths, where they have been
+  internal::Measured_legs m_measured; // of the paths, if they have been measured
   internal::Hindered_joints m_hindered;
   std::vector<Halfedge_index> m_arc, m_flipped;
   std::vector<Vertex_index> m_orphans;
@@ -499,30 +514,32 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsTree
-/// The logarithmic map of a vertex at all vertices: their polar coordinates, and what the angles add up to.
+/// Stores the polar coordinates of all vertices under the logarithmic map of a vertex, and the total angle at that
+/// vertex.
 class Vertex_logarithmic_map
 {
 public:
-  double total_angle = 0;    ///< the sum of the angles of the faces about the source, \f$2\pi\f$ where it is flat
-  bool is_on_border = false; ///< does the source lie on the border?
+  double total_angle = 0;    ///< the sum of the face angles around the source, \f$2\pi\f$ if the surface is flat there
+  bool is_on_border = false; ///< whether the source lies on the border
 
-  /// Coordinates of no path for so many vertices.
+  /// Constructs the map of a given number of vertices without paths.
   explicit Vertex_logarithmic_map(Index number_of_vertices)
     : m_coordinates(static_cast<std::size_t>(number_of_vertices))
   {
   }
 
-  Polar_coordinates& operator[](Vertex_index v) { return m_coordinates[v]; } ///< the coordinates of a vertex
+  Polar_coordinates& operator[](Vertex_index v) { return m_coordinates[v]; } ///< returns the coordinates of a vertex
   const Polar_coordinates& operator[](Vertex_index v) const
   {
     return m_coordinates[v];
-  }                                                    ///< the coordinates of a vertex
-  auto begin() const { return m_coordinates.begin(); } ///< the coordinates, in the order of the vertices
-  auto end() const { return m_coordinates.end(); }     ///< the end of the coordinates
+  }                                                    ///< returns the coordinates of a vertex
+  auto begin() const { return m_coordinates.begin(); } ///< returns the first iterator, in the order of the vertices
+  auto end() const { return m_coordinates.end(); }     ///< returns the past-the-end iterator
 
   /*!
-   * The coordinates of vertex `v` in the plane, with the angles about an inner source stretched evenly to \f$2\pi\f$,
-   * as is usual; those about a source on the border stay. The origin for the source, NaN if no path exists.
+   * Returns the coordinates of vertex `v` in the plane. The angles around an interior source are scaled to a sum of
+   * \f$2\pi\f$, as is common; those around a source on the border are not. The result is the origin for the source, and
+   * NaN if no path exists.
    */
   std::array<double, 2> in_plane(Vertex_index v) const
   {
@@ -540,8 +557,8 @@ private:
 namespace internal {
 
 /*
- * Calls function(v, direction) for the vertices to which the first edges of a tree's paths lead, with directions at the
- * source. They are measured all at once, as far as that is possible; not those in other umbrellas.
+ * Calls function(v, direction) for the heads of the first edges of the paths of a tree, with directions at the source.
+ * The directions are measured together as far as possible; those in other umbrellas are not.
  */
 template <class Tree, class Directions, class Function>
 void measure_first_edges(const Tree& tree, const Directions& directions, const Function& function)
@@ -565,21 +582,24 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * The logarithmic map of a tree's source [SC20, section 6.5]: for each vertex the length of its path, and the direction
- * in which the path starts. The directions are angles in the surface, counterclockwise from an input edge, in
- * \f$[0, \mathtt{total\_angle})\f$; measured from the input's coordinates, so that errors do not add up over flips.
+ * Computes the logarithmic map of the source of a tree [SC20, section 6.5], that is, the length and the initial
+ * direction of the path to each vertex.
  *
- * Where paths pass a vertex with more than \f$2\pi\f$, all vertices in its shadow have the angle of that path. So the
- * map is continuous but for the places that shortest paths reach from two sides, the cut locus. It also tears at paths
- * of the tree that are not shortest, which `make_shortest()` replaces.
- *
- * Linear in the reached vertices and in the crossings of the edges at the source; and \f$O(n)\f$ for the result.
+ * The directions are angles on the surface, counterclockwise from an input edge, in \f$[0, \mathtt{total\_angle})\f$.
+ * They are measured with the input coordinates, so that errors do not accumulate over flips. If a path passes a vertex
+ * with more than \f$2\pi\f$, all vertices in the shadow of that vertex have the angle of the path. The map is
+ * discontinuous across the cut locus, the points that shortest paths reach from two sides, and at paths of the tree
+ * that are not shortest, which `make_shortest()` replaces.
  *
  * \param tree a tree that has been grown
- * \param zero the input halfedge whose direction is 0; it starts at the source. By default that of the input's first
- *        halfedge of the vertex. It is ignored on the border, where the angles start at the border. So it is at an
- *        inserted vertex, where they start at the direction of its `location()`'s halfedge.
- * \throws Invalid_location_error if `zero` is another halfedge
+ * \param zero the input halfedge whose direction is 0; it must start at the source. By default it is the first input
+ *        halfedge of the vertex. The parameter is ignored on the border, where angles are measured from the border, and
+ *        at an inserted vertex, where they are measured from the halfedge of its `location()`
+ * \return the polar coordinates of all vertices
+ * \throws Invalid_location_error if `zero` does not start at the source
+ *
+ * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \f$O(n)\f$ for
+ * the result.
  */
 template <class Triangulation>
 Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)

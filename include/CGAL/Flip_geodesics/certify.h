@@ -21,51 +21,54 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsProving
-/// How straight a curve is, measured from the input alone.
+/// Contains a measure of how straight a curve is, computed from the input alone.
 struct Straightness
 {
-  /// The largest angle, in radians, by which a segment leaves the strip of input faces that it is to cross.
+  /// The largest angle, in radians, by which a segment leaves the strip of input faces that it should cross.
   double largest_bend = 0;
-  /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
+  /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite if there are no such sides.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// The angle, in radians, by which a straight angle may be missed, 1e-8: far above the error of the measurement.
+  /// Returns the angle, in radians, by which a straight angle may be missed: 1e-8, far above the error of the
+  /// measurement.
   static constexpr double tolerance() { return internal::reported_bend; }
-  /// The angle, in radians, from which on a side of a joint counts as straight: \f$\pi\f$ less `tolerance()`.
+  /// Returns the angle, in radians, from which on a side of a joint counts as straight: \f$\pi\f$ minus `tolerance()`.
   static constexpr double straight_angle() { return boost::math::constants::pi<double>() - tolerance(); }
 
-  /// Takes the bend of a segment into account.
+  /// Accounts for the bend of a segment.
   void note_bend(double bend) { largest_bend = (std::max)(largest_bend, bend); }
-  /// Takes the angle at a side of a joint into account.
+  /// Accounts for the angle at a side of a joint.
   void note_angle(double angle) { smallest_angle = (std::min)(smallest_angle, angle); }
 
-  /// Is the curve locally shortest up to `tolerance()`?
+  /// Returns whether the curve is locally shortest up to `tolerance()`.
   bool is_locally_shortest() const { return largest_bend <= tolerance() && smallest_angle >= straight_angle(); }
 };
 
 /// \ingroup PkgFlipGeodesicsProving
-/// The verdict on one curve; if it is bent, where.
+/// Contains the verdict on one curve, and the position of a bend.
 struct Curve_certificate
 {
-  Verdict verdict = Verdict::PROVEN;  ///< what is said of the curve
+  Verdict verdict = Verdict::PROVEN;  ///< the verdict on the curve
   Segment_index segment = null_index; ///< the bent segment, or the one that arrives at the bent joint
   Side side = Side::LEFT;             ///< the side of the bent joint
 
-  /// Is the curve locally shortest, `PROVEN` or `PROBABLE`?
+  /// Returns whether the curve is locally shortest, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return Flip_geodesics::is_confirmed(verdict); }
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Measures curves of a network afresh from the input: each segment's word of crossed input edges is unfolded from the
- * input's coordinates, and the angles at the joints are summed over input faces. Nothing that the flips computed enters
- * but integers, and so no error of theirs. The unfolding is in double, its own error some units in the last place per
- * face [SC20, section 5.1 has the idea of checking; the strips are this package's].
+ * Measures the straightness of curves of a network from the input alone.
  *
- * Invalid after the triangulation has changed.
+ * The sequence of input edges that a segment crosses is unfolded from the input coordinates, and the angles at the
+ * joints are summed over input faces. The only results of the flips that are used are integers, so rounding errors of
+ * the flips have no influence. The unfolding uses doubles, with an error of some units in the last place per face. The
+ * idea of such a check is from [SC20, section 5.1]; the unfolded strips are specific to this package.
  *
- * \tparam Network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
+ * A meter is invalid after the triangulation has changed.
+ *
+ * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
 template <class Network>
 class Straightness_meter
@@ -74,14 +77,14 @@ class Straightness_meter
   using Edges = decltype(edge_straightness(std::declval<const Triangulation&>()));
 
 public:
-  /// Measures curves of a network, which must outlive the meter.
+  /// Constructs a meter for the curves of a network, which must outlive it.
   explicit Straightness_meter(const Network& network)
     : m_network(network)
     , m_edges(edge_straightness(network.triangulation()))
   {
   }
 
-  /// Measures one curve. Linear in the crossed input edges and in the degrees of the vertices it passes.
+  /// Measures one curve. Linear in the number of crossed input edges and the degrees of the passed vertices.
   Straightness operator()(Curve_index curve)
   {
     Straightness result;
@@ -91,8 +94,8 @@ public:
     return result;
   }
 
-  /// Measures one curve, and certifies it as `certify()` does, which see, but whatever the coordinates or lengths of
-  /// the mesh are. It is not measured from a segment on whose word is not one of a strip.
+  /// Measures one curve and certifies it as `certify()` does, but regardless of whether the coordinates or lengths of
+  /// the mesh are doubles. The measurement ends at the first segment whose edge sequence is not that of a strip.
   Curve_certificate certify(Curve_index curve, Straightness& straightness, Decision_statistics& statistics)
   {
     Curve_certificate result;
@@ -109,7 +112,7 @@ public:
       if(result.is_locally_shortest() && !(edge.has_strip && edge.is_straight))
         result = {Verdict::BENT_SEGMENT, s, Side::LEFT};
     });
-    // The angle of a joint is that between its segments' words, which are known to be true then.
+    // The angle at a joint is that between the edge sequences of its segments, which are known to be correct then.
     if(are_strips)
       for_each_joint([&](const Measured_joint& joint) {
         const auto angle = measured_angle(joint);
@@ -123,7 +126,8 @@ public:
     return result;
   }
 
-  /// The angle at a side of a joint, in radians; infinite if the side is blocked, fixed or holds the border.
+  /// Returns the angle at a side of a joint, in radians, or infinity if the side is blocked, fixed or contains the
+  /// border.
   double angle(const Joint& joint) const
   {
     const auto [a, b] = m_network.ends(joint);
@@ -131,9 +135,9 @@ public:
   }
 
   /*!
-   * Lays out the faces in the wedge at a side of a joint afresh, so that the triangulation's angles agree with the
-   * input's again; drift can have spoiled them in needles.
-   * \return is every corner of the faces between 0 and \f$\pi\f$? If not, the flips were wrong already.
+   * Recomputes the faces in the wedge at a side of a joint from the input, so that the angles of the triangulation
+   * agree with those of the input; drift may have spoiled them in needles.
+   * \return whether every corner of the faces is between 0 and \f$\pi\f$; if not, the flips themselves were wrong
    */
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
   {
@@ -148,7 +152,7 @@ private:
   struct Measured_joint
   {
     Joint joint;
-    Edge_end from, to; // the wedge at its side leads clockwise from one to the other
+    Edge_end from, to; // the wedge leads clockwise from one to the other
   };
 
   void note(Segment_index s, const Edge& edge, Straightness& straightness)
@@ -181,17 +185,17 @@ private:
 
   const Network& m_network;
   Edges m_edges;
-  std::vector<std::pair<Segment_index, Edge>> m_segments; // of the curve that is measured
+  std::vector<std::pair<Segment_index, Edge>> m_segments; // of the measured curve
 };
 
 /// \ingroup PkgFlipGeodesicsProving
-/// The verdicts on all curves of a network, and how the comparisons were decided.
+/// Contains the verdicts on all curves of a network, and how the comparisons were decided.
 struct Network_certificate
 {
   std::vector<Curve_certificate> curves; ///< one per curve of the network, by its index
   Decision_statistics statistics;        ///< how the comparisons were decided
 
-  /// Are all curves locally shortest, `PROVEN` or `PROBABLE`?
+  /// Returns whether all curves are locally shortest, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const
   {
     for(const Curve_certificate& curve : curves)
@@ -204,18 +208,20 @@ struct Network_certificate
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Proves from the input alone that the curves of a network are locally shortest, whatever traits computed them. Each
- * segment's word of crossed input edges unfolds to a strip that contains the straight line between its ends. Each side
- * of a joint that is not blocked has an angle of at least \f$\pi\f$. The comparisons are those of exact real numbers,
- * filtered by error bounds.
+ * Certifies from the input alone that the curves of a network are locally shortest, whatever traits computed them.
  *
- * A curve that has contracted is proven. If a coordinate or length of the mesh is not a double, no curve is certified:
- * the verdict is `Verdict::UNDECIDED`.
+ * The input edges that a segment crosses must unfold to a strip that contains the straight line between the ends of the
+ * segment, and each side of a joint that is not blocked must have an angle of at least \f$\pi\f$. The comparisons are
+ * those of exact real numbers, filtered by error bounds. A curve that has contracted is proven. If a coordinate or
+ * length of the mesh is not a double, no curve is certified, and the verdict is `Verdict::UNDECIDED`.
  *
- * Linear in the crossed input edges, where doubles suffice; linear in the mesh as well if its numbers can be others
- * than doubles.
+ * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
+ * \return one certificate per curve
  *
- * \param network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
+ * Complexity: linear in the number of crossed input edges if the floating-point filter suffices, and also linear in the
+ * mesh if its number type is not limited to doubles.
+ *
+ * \sa `certify_curve()`
  */
 template <class Network>
 Network_certificate certify(const Network& network)
@@ -225,7 +231,7 @@ Network_certificate certify(const Network& network)
   Straightness_meter<Network> meter(network);
   for(Curve_index c : internal::descriptors<Curve_index>(network.number_of_curves()))
     result.curves.push_back(meter.certify(c, straightness, result.statistics));
-  if(internal::is_input_rounded(network.triangulation())) // then it is not the mesh that is measured
+  if(internal::is_input_rounded(network.triangulation())) // the measured mesh differs from the input then
     for(Curve_certificate& curve : result.curves)
       curve = {Verdict::UNDECIDED, null_index, Side::LEFT};
   return result;

@@ -40,8 +40,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// A place of a curve that was made elsewhere, in one of the forms in which other packages give it: a vertex; a
-/// halfedge and a place on it, from 0 at its source to 1 at its target; or a
+/// The type of a surface point of a curve from another source, in the forms used by other packages: a vertex; a
+/// halfedge and a position on it, from 0 at its source to 1 at its target; or a
 /// `CGAL::Polygon_mesh_processing::Face_location`.
 template <class TriangleMesh>
 using Given_place =
@@ -50,37 +50,40 @@ using Given_place =
                  std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>>;
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// The verdict on a curve that is given by its places; if it is bent, where and by what angle.
+/// Contains the verdict on a curve that is given by its points, and the position and angle of its largest bend.
 template <class TriangleMesh>
 struct Given_curve_certificate
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< of the mesh
 
-  /// `BENT_JOINT` only if all segments are straight; `UNDECIDED` if coordinates or lengths of the mesh are not
-  /// doubles. Then the other members refer to the mesh with rounded ones.
+  /// The verdict. It is `BENT_JOINT` only if all segments are straight, and `UNDECIDED` if coordinates or lengths of
+  /// the mesh are not doubles. In the latter case the other members refer to the rounded mesh.
   Verdict verdict = Verdict::PROVEN;
-  /// If it is bent, the largest angle by which, in radians, rounded. At a joint, what the angle on a side lacks to pi. In
-  /// a segment, the turn of the shortest path that crosses the same edges between the same ends, about an end of an edge.
-  /// Where a straight segment touches a vertex, what the angles there lack to 2 pi.
+  /// The largest angle by which the curve is bent, in radians and rounded; 0 if it is not bent. At a joint, this is
+  /// \f$\pi\f$ minus the angle on one side. In a segment, it is the turn at the end of an edge of the shortest path
+  /// that crosses the same edges between the same end points. If a straight segment touches a vertex, it is \f$2\pi\f$
+  /// minus the angles of the vertex.
   double bend = 0;
-  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex there
-  /// The number of that place: of the passed vertex, or of the first crossed edge that ends in `vertex`.
+  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
+  /// The number of the point at the bend: that of the passed vertex, or of the first crossed edge that ends in
+  /// `vertex`.
   std::size_t number = 0;
-  Side side = Side::LEFT; ///< of a bent joint, the side; in a segment, the one on which `vertex` lies
-  /// By the numbers of the given places, where straight segments cross these edges, from 0 at the source of the halfedge
-  /// to 1 at its target, where that is the halfedge in the given face if the edge is given by a location; rounded, by
-  /// the length of the segment over that of the edge and over the sine of the angle at which it crosses it, times a
-  /// unit in the last place. For what is no crossed edge 0. Empty if the curve is bent.
+  Side side = Side::LEFT; ///< the side of a bent joint; in a segment, the side on which `vertex` lies
+  /// The positions at which straight segments cross edges, indexed by the numbers of the given points. A position is 0
+  /// at the source of the halfedge and 1 at its target; if the edge is given by a location, the halfedge is the one in
+  /// the given face. The rounding error is the length of the segment, divided by that of the edge and by the sine of
+  /// the angle at which it is crossed, times a unit in the last place. The entry is 0 for points that are not crossed
+  /// edges. Empty if the curve is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< how the comparisons were decided
 
-  /// Is the curve locally shortest, `PROVEN` or `PROBABLE`?
+  /// Returns whether the curve is locally shortest, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return is_confirmed(verdict); }
 };
 
 namespace internal {
 
-/* Reads what a curve is given by. */
+/* Reads the points of a given curve. */
 template <class Triangulation>
 class Given_curve
 {
@@ -141,7 +144,7 @@ private:
       return face_location_of(m_triangulation, m_mesh, located_place(m_triangulation, m_mesh, place));
   }
 
-  // The side of its edge that a location is told from, in its face.
+  // Returns the side on whose edge a location lies, in its face.
   Input_halfedge_index side_of_edge(Surface_location location) const
   {
     while(location.weights[2] != 0)
@@ -192,7 +195,7 @@ private:
   Vertex_index m_first = null_index;
 };
 
-/* Certifies the words of a curve. */
+/* Certifies the edge sequences of a curve. */
 template <class Triangulation>
 class Given_curve_certifier
 {
@@ -211,7 +214,7 @@ public:
     const std::vector<Segment_of_places>& segments = m_curve.segments();
     for(const Segment_of_places& segment : segments)
       look_at_segment(segment);
-    // The angle at a joint is that between its words, which are known to be straight now.
+    // The angle at a joint is that between its edge sequences, which are known to be straight now.
     if(m_result.is_locally_shortest())
       for(std::size_t i = is_closed ? 0 : 1; i < segments.size(); ++i)
         look_at_joint(segments[i == 0 ? segments.size() - 1 : i - 1].word, segments[i]);
@@ -258,7 +261,7 @@ private:
     look_at_side(out, in, segment, Side::RIGHT);
   }
 
-  // The angle at a side of the tail of a segment, clockwise.
+  // Considers the angle on one side of the tail of a segment, clockwise.
   void look_at_side(const Seen_word& from, const Seen_word& to, const Segment_of_places& segment, Side side)
   {
     constexpr double pi = boost::math::constants::pi<double>();
@@ -267,7 +270,7 @@ private:
       note(Verdict::BENT_JOINT, (std::max)(pi - angle.value, 0.0), segment.word.tail, segment.start, side);
   }
 
-  // The first bend, and each that is larger.
+  // Records the first bend, and each larger one.
   void note(Verdict verdict, double bend, Vertex_index v, std::size_t number, Side side)
   {
     if(!m_result.is_locally_shortest() && bend <= m_result.bend)
@@ -304,28 +307,39 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Proves that a curve that was made elsewhere is locally shortest. Each segment, from one end or passed vertex to the
- * next, is the straight line across its edges. On each side of a passed vertex that has no border in between, the angle
- * is at least \f$\pi\f$. Ends and edges determine the segments. So places on crossed edges are not believed, but told.
+ * Certifies that a curve from any source is locally shortest.
  *
- * An end inside a face or on an edge is exactly the point with the given weights, over their sum; on an edge these are
- * 1 - t, rounded, and t. They are not snapped. Nothing is asked of the ends of a curve that is not closed.
+ * Each segment, from one end or passed vertex to the next, must be the straight line across its crossed edges, and on
+ * each side of a passed vertex that does not contain the border, the angle must be at least \f$\pi\f$. The segments are
+ * determined by their end points and edge sequences. The given positions on crossed edges are therefore ignored, and
+ * the exact ones are returned.
+ *
+ * An end inside a face or on an edge is exactly the point with the given weights divided by their sum; on an edge these
+ * are 1 - t, rounded, and t. Ends are not snapped. The end points of an open curve are not subject to any condition.
  *
  * \param mesh a triangle mesh
  * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
- *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last are the ends. What is in between
- *        is a passed vertex, or a crossed edge: a location with one weight of zero, or either halfedge of the edge.
- *        Where nothing is crossed, the segment is on the edge, or in the face, that has both its ends
- * \param is_closed does the curve go on from the last place to the first, which is a vertex then, and not repeated?
- * \param np named parameters: `vertex_point_map` or `metric`, as for `geodesic_path()`
- * \throws Invalid_curve_error if the places are no such curve: too few, two in a row equal, in between one inside a face
- *         or an edge that is on the border or does not lead on from what is before. The element is the number of a place
- * \throws Invalid_location_error if weights of an end are negative, no numbers, too small or too large
- * \throws Vertex_out_of_range_error also for a vertex that no face has
- * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last are the ends. Every other point
+ *        is a passed vertex or a crossed edge, the latter given by a location with one weight of zero or by either
+ *        halfedge of the edge. A segment that crosses nothing lies on the edge, or in the face, that contains both its
+ *        ends
+ * \param is_closed whether the curve continues from the last point to the first, which is then a vertex and not
+ *        repeated
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \return the certificate of the curve
+ * \throws Invalid_curve_error if the points do not form such a curve: there are too few, two consecutive ones are
+ *         equal, one between the ends lies inside a face, or an edge is on the border or not adjacent to the point
+ *         before it. The element is the number of a point
+ * \throws Invalid_location_error if weights of an end are negative, NaN, too small or too large
+ * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: linear in the crossed edges and the degrees of passed vertices, where doubles suffice; meshes other than
- * `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
+ * Complexity: linear in the number of crossed edges and the degrees of passed vertices if the floating-point filter
+ * suffices. Meshes other than `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ *
+ * \sa `certify()`
  */
 template <class TriangleMesh, class PlaceRange, class... NamedParameters>
 Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, const PlaceRange& curve, bool is_closed,

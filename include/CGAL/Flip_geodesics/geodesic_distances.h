@@ -494,7 +494,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * Sources are vertices, points anywhere on the surface, and curves; different kinds can be mixed. The distances are
  * computed with a `Geodesic_distance_field`. Two fallbacks handle difficult input:
  * - If the field encounters a face so flat that rays can be lost in it, or if rounding errors may have changed a
- *   distance by more than 1e-10 of it, distances from vertices are computed by a search with outward-rounded bounds.
+ *   distance by more than 1e-10 of it, a search with outward-rounded bounds follows, provided that all sources are
+ *   vertices.
  * - If the bounds of the search are too far apart as well, or the field exceeds its limit, a tree of geodesics is grown
  *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was not passed in a range. Its paths are
  *   replaced as far as shorter ones are found (`make_shortest()`).

@@ -310,7 +310,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
  * Complexity: the field is evaluated once per vertex, about fifty times for each piece of boundary as long as the
- * tolerance, and a few times for each piece as long as the size \f$s\f$.
+ * tolerance, and in the other faces a few times \f$s / t\f$.
  *
  * \sa `isolines()`
  */

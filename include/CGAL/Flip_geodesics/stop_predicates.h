@@ -22,27 +22,27 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsStop
-/// What a stop predicate says of a step that is about to be taken.
+/// Lists the decisions of a stop predicate on the next step.
 enum class Stop_decision {
-  CONTINUE,           ///< take it
-  CURVE_LENGTH_LIMIT, ///< do not take it, and leave its curve as it is; go on with the others
-  LENGTH_LIMIT,       ///< do not take it, and end
-  ANGLE_LIMIT,        ///< do not take it, and end
-  ITERATION_LIMIT,    ///< do not take it, and end
-  MEMORY_LIMIT        ///< do not take it, and end
+  CONTINUE,           ///< take the step
+  CURVE_LENGTH_LIMIT, ///< reject the step and keep its curve as it is, but continue with the others
+  LENGTH_LIMIT,       ///< reject the step and end
+  ANGLE_LIMIT,        ///< reject the step and end
+  ITERATION_LIMIT,    ///< reject the step and end
+  MEMORY_LIMIT        ///< reject the step and end
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// The step that is about to be taken, with the lengths before and after it.
+/// Describes the next step, with the lengths before and after it.
 struct Shortening_step
 {
   Curve_index curve;           ///< the curve that the step shortens
-  double angle_key;            ///< `Turn_key` of the wedge, in [0, 2]: 1 - cos / (|cos| + sin) of its angle
+  double angle_key;            ///< the `Turn_key` of the wedge, in [0, 2]: 1 - cos / (|cos| + sin) of its angle
   std::size_t steps;           ///< the number of steps taken so far
-  double curve_initial_length; ///< of the curve
-  double curve_length_after;   ///< of the curve, if the step is taken
-  double initial_length;       ///< of the network
-  double length_after;         ///< of the network, if the step is taken
+  double curve_initial_length; ///< the initial length of the curve
+  double curve_length_after;   ///< the length of the curve if the step is taken
+  double initial_length;       ///< the initial length of the network
+  double length_after;         ///< the length of the network if the step is taken
   std::size_t memory;          ///< `Intrinsic_triangulation::memory_of_records()` with the flips of the step, in bytes
 };
 
@@ -50,15 +50,15 @@ struct Shortening_step
 /// Never stops. \cgalModels{FlipOutStopPredicate}
 struct Never_stop_predicate
 {
-  /// `CONTINUE`, whatever the step.
+  /// Returns `CONTINUE` for every step.
   Stop_decision operator()(const Shortening_step&) const { return Stop_decision::CONTINUE; }
 };
 
 namespace internal {
 
 /*
- * Returns whether a length is below `ratio` times the initial one, or so close to it that rounding errors could hide
- * this. The lengths of a step are kept by adding up the changes of all steps and differ from sums over the segments;
+ * Returns whether a length is below `ratio` times the initial one, or so close to this limit that rounding errors could
+ * hide the fact. The lengths of a step are updated by the changes of all steps and differ from sums over the segments;
  * the margin covers an error of 2^-53 of the initial length for each of 2^21 additions.
  */
 inline bool is_below_limit(double length, double ratio, double initial_length)
@@ -70,14 +70,14 @@ inline bool is_below_limit(double length, double ratio, double initial_length)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Keeps the network's total length at `ratio` times its initial length or above, as summed over its segments. A step
-/// that would lead closer to the limit than 2^-32 of the initial length is refused, for the sake of rounding errors.
+/// Keeps the total length of the network, summed over its segments, at `ratio` times its initial length or above. To
+/// allow for rounding errors, a step that would lead closer to the limit than 2^-32 of the initial length is rejected.
 /// \cgalModels{FlipOutStopPredicate}
 class Length_ratio_stop_predicate
 {
 public:
   /// Sets the limit.
-  /// \param ratio the least length, as a part of the initial one
+  /// \param ratio the minimal length, as a fraction of the initial one
   /// \pre 0 <= ratio <= 1
   explicit Length_ratio_stop_predicate(double ratio)
     : m_ratio(ratio)
@@ -85,7 +85,7 @@ public:
     CGAL_precondition(0 <= ratio && ratio <= 1);
   }
 
-  /// `LENGTH_LIMIT` if the network would become shorter than allowed, else `CONTINUE`.
+  /// Returns `LENGTH_LIMIT` if the network would become too short, otherwise `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return internal::is_below_limit(step.length_after, m_ratio, step.initial_length) ? Stop_decision::LENGTH_LIMIT
@@ -97,15 +97,15 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Keeps each curve's length at `ratio` times its initial length or above, as summed over its segments, so that small
-/// loops survive too. A step that would lead closer to the limit than 2^-32 of the initial length is refused, for the
-/// sake of rounding errors.
+/// Keeps the length of each curve, summed over its segments, at `ratio` times its initial length or above, so that even
+/// small loops survive. To allow for rounding errors, a step that would lead closer to the limit than 2^-32 of the
+/// initial length is rejected.
 /// \cgalModels{FlipOutStopPredicate}
 class Curve_length_ratio_stop_predicate
 {
 public:
   /// Sets the limit.
-  /// \param ratio the least length, as a part of the initial one
+  /// \param ratio the minimal length, as a fraction of the initial one
   /// \pre 0 <= ratio <= 1
   explicit Curve_length_ratio_stop_predicate(double ratio)
     : m_ratio(ratio)
@@ -113,7 +113,7 @@ public:
     CGAL_precondition(0 <= ratio && ratio <= 1);
   }
 
-  /// `CURVE_LENGTH_LIMIT` if the curve would become shorter than allowed, else `CONTINUE`.
+  /// Returns `CURVE_LENGTH_LIMIT` if the curve would become too short, otherwise `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return internal::is_below_limit(step.curve_length_after, m_ratio, step.curve_initial_length)
@@ -126,7 +126,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the smallest angle that could be widened has reached a limit. \cgalModels{FlipOutStopPredicate}
+/// Stops when the smallest angle that can be widened has reached a limit. \cgalModels{FlipOutStopPredicate}
 class Angle_stop_predicate
 {
 public:
@@ -138,7 +138,8 @@ public:
     CGAL_precondition(angle > 0);
   }
 
-  /// `ANGLE_LIMIT` if the angle of the wedge, the smallest left, has reached the limit, else `CONTINUE`.
+  /// Returns `ANGLE_LIMIT` if the angle of the wedge, which is the smallest one, has reached the limit, otherwise
+  /// `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.angle_key >= m_key ? Stop_decision::ANGLE_LIMIT : Stop_decision::CONTINUE;
@@ -149,18 +150,18 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops after a number of steps. \cgalModels{FlipOutStopPredicate}
+/// Stops after a given number of steps. \cgalModels{FlipOutStopPredicate}
 class Iteration_stop_predicate
 {
 public:
   /// Sets the limit.
-  /// \param limit the number of steps that may be taken, as `Shortening_step::steps` counts them
+  /// \param limit the maximal number of steps, as counted by `Shortening_step::steps`
   explicit Iteration_stop_predicate(std::size_t limit)
     : m_limit(limit)
   {
   }
 
-  /// `ITERATION_LIMIT` if so many steps were taken, else `CONTINUE`.
+  /// Returns `ITERATION_LIMIT` if this number of steps has been taken, otherwise `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.steps >= m_limit ? Stop_decision::ITERATION_LIMIT : Stop_decision::CONTINUE;
@@ -183,7 +184,7 @@ struct Can_restart<StopPredicate, std::void_t<decltype(std::declval<const StopPr
 {
 };
 
-/* The predicate for a further curve: itself, unless it can start afresh. */
+/* Returns the predicate for the next curve: a restarted one if it can be restarted, otherwise the predicate itself. */
 template <class StopPredicate>
 decltype(auto) restarted(const StopPredicate& stop)
 {
@@ -196,27 +197,27 @@ decltype(auto) restarted(const StopPredicate& stop)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when a time is over, counted from the predicate's construction; where a function computes several curves, one
-/// after the other, counted for each from its start. \cgalModels{FlipOutStopPredicate}
+/// Stops when a time has elapsed since the construction of the predicate. Functions that compute several curves one
+/// after the other measure the time of each curve separately. \cgalModels{FlipOutStopPredicate}
 class Time_stop_predicate
 {
 public:
-  /// Sets the limit, and starts to count.
-  /// \param limit a time in seconds, or any duration of `std::chrono`; it runs from now on
+  /// Sets the limit and starts the timer.
+  /// \param limit a time in seconds, or any duration of `std::chrono`
   explicit Time_stop_predicate(std::chrono::duration<double> limit)
     : m_limit(limit)
     , m_start(std::chrono::steady_clock::now())
   {
   }
 
-  /// `ITERATION_LIMIT` if the time is over, else `CONTINUE`.
+  /// Returns `ITERATION_LIMIT` if the time has elapsed, otherwise `CONTINUE`.
   Stop_decision operator()(const Shortening_step&) const
   {
     return std::chrono::steady_clock::now() - m_start >= m_limit ? Stop_decision::ITERATION_LIMIT
                                                                  : Stop_decision::CONTINUE;
   }
 
-  /// The same time, counted from now.
+  /// Returns a predicate with the same limit whose timer starts now.
   Time_stop_predicate restarted() const { return Time_stop_predicate(m_limit); }
 
 private:
@@ -225,8 +226,8 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the records of flips take more memory than a limit. The flips of one step can pass it before they are taken
-/// back, and what was derived for them stays. \cgalModels{FlipOutStopPredicate}
+/// Stops when the records of flips take more memory than a limit. The flips of one step can exceed it until they are
+/// rolled back, and data derived for them is kept. \cgalModels{FlipOutStopPredicate}
 class Memory_stop_predicate
 {
 public:
@@ -237,7 +238,8 @@ public:
   {
   }
 
-  /// `MEMORY_LIMIT` if the records with the flips of the step take more than the limit, else `CONTINUE`.
+  /// Returns `MEMORY_LIMIT` if the records, including the flips of the step, take more than the limit, otherwise
+  /// `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.memory > m_limit ? Stop_decision::MEMORY_LIMIT : Stop_decision::CONTINUE;
@@ -248,18 +250,19 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops as soon as one of several predicates does; the first that does decides how. \cgalModels{FlipOutStopPredicate}
+/// Stops as soon as one of several predicates does; the first one that stops determines the decision.
+/// \cgalModels{FlipOutStopPredicate}
 template <class... Predicates>
 class Any_stop_predicate
 {
 public:
-  /// Takes copies of the predicates, which are asked in this order.
+  /// Copies the predicates, which are evaluated in this order.
   explicit Any_stop_predicate(Predicates... predicates)
     : m_predicates(predicates...)
   {
   }
 
-  /// The first answer that is not `CONTINUE`, if there is one; predicates after it are not asked.
+  /// Returns the first decision that is not `CONTINUE`, or else `CONTINUE`; predicates after it are not evaluated.
   Stop_decision operator()(const Shortening_step& step) const
   {
     Stop_decision decision = Stop_decision::CONTINUE;
@@ -271,7 +274,7 @@ public:
     return decision;
   }
 
-  /// The same predicates, those started afresh that can.
+  /// Returns the same predicates, restarted if possible.
   Any_stop_predicate restarted() const
   {
     return std::apply(
@@ -286,52 +289,53 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsStop
  *
- * A visitor that does nothing; derive from it and hide what you need.
+ * Implements a visitor that does nothing; derive from it and hide the members that you need.
  *
  * \cgalModels{FlipOutVisitor}
  * \cgalModels{RefinementVisitor}
  */
 struct Default_shortening_visitor
 {
-  /// After the edge of halfedge `h` was flipped. A step that is not taken after all flips back without a call.
+  /// Is called after the edge of halfedge `h` has been flipped, but not when the flips of a rejected step are rolled
+  /// back.
   template <class Triangulation>
   void on_flip(const Triangulation&, Halfedge_index /* h */)
   {
   }
 
-  /// After a step: a joint of `curve` has been moved over its wedge.
+  /// Is called after a step, which has moved a joint of `curve` over its wedge.
   template <class Network>
   void after_flip_out(const Network&, Curve_index /* curve */)
   {
   }
 
-  /// After `refine()` has inserted vertex `v`, with the flips around it.
+  /// Is called after `refine()` has inserted vertex `v`, with the flips around it.
   template <class Triangulation>
   void on_insertion(const Triangulation&, Vertex_index /* v */)
   {
   }
 
-  /// Asked before each step: shall the shortening go on?
+  /// Is called before each step; shortening stops if the result is `false`.
   bool go_further() { return true; }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// How many windows a search for shortest paths may make, of some 60 bytes each, and along how many edges rays may start
-/// from vertices; beyond either the search is given up.
+/// Limits the number of windows that a search for shortest paths may create, of some 60 bytes each, and the number of
+/// edges along which rays may start from vertices. The search is aborted when either is exceeded.
 class Window_limit
 {
 public:
-  /// For \f$n\f$ vertices \f$10^6 + 500 n + 2 n^{3/2}\f$: several times the number for meshes whose faces are not needles. On smooth
-  /// ones all distances from a vertex take up to about \f$0.7 n^{3/2}\f$.
+  /// Sets the default limit, \f$10^6 + 500 n + 2 n^{3/2}\f$ for \f$n\f$ vertices, several times what meshes without
+  /// needles require. On smooth meshes, all distances from a vertex require up to about \f$0.7 n^{3/2}\f$ windows.
   Window_limit() = default;
 
-  /// At most about so many.
+  /// Sets an approximate maximal number of windows.
   explicit Window_limit(std::size_t windows)
     : m_windows(windows)
   {
   }
 
-  /// The limit for a mesh with a number of vertices.
+  /// Returns the limit for a mesh with a given number of vertices.
   std::size_t operator()(std::size_t number_of_vertices) const
   {
     const double n = static_cast<double>(number_of_vertices);
@@ -344,7 +348,7 @@ private:
 
 namespace internal {
 
-/* The stop predicate that is given, or one that never stops. */
+/* Returns the given stop predicate, or else one that never stops. */
 template <class NamedParameters>
 decltype(auto) stop_predicate_of(const NamedParameters& np)
 {

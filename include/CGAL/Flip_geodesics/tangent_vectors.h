@@ -38,8 +38,10 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * The logarithmic map of a place anywhere: for any other place how long the shortest path there is, and in which
- * direction it starts. It is the inverse of the exponential map, which `Geodesic_tracer` is:
+ * Computes the logarithmic map of a surface point, that is, the length and initial direction of a shortest path from it
+ * to any other point.
+ *
+ * The map is the inverse of the exponential map, which `Geodesic_tracer` evaluates:
  *
  * \code
  * const Logarithmic_map<Triangulation> logarithm(triangulation, mesh, source);
@@ -47,16 +49,18 @@ namespace Flip_geodesics {
  * Geodesic_tracer<Triangulation>(triangulation).trace(source, logarithm.halfedge(), p.angle, Trace_limits<>{p.radius});
  * \endcode
  *
- * comes to the target, unless the shortest path bends at a vertex, which straightest geodesics do not do. A
- * `Geodesic_distance_field` finds the edges that a path crosses. These are laid out in a plane from the source on, and
- * the target's place there is the result. So its errors are those of some roundings per edge, not those of distances.
+ * This code arrives at the target, unless the shortest path bends at a vertex, which straightest geodesics never do. A
+ * `Geodesic_distance_field` finds the edges that the path crosses. They are unfolded into a plane from the source on,
+ * and the unfolded target gives the result. The error is therefore that of a few rounding errors per edge, not that of
+ * the distances.
  *
- * The map tears where shortest paths arrive from two sides. Which of them counts there is left to roundings.
+ * The map is discontinuous across the cut locus, the points that shortest paths reach from two sides. Which of these
+ * paths is taken there depends on rounding errors.
  *
- * It is not safe to be used from two threads at once, not even by `const` members; the `const` members of its
- * triangulation and of its `distance_field()` are.
+ * A map must not be used by two threads at once, not even through its `const` members; the `const` members of its
+ * triangulation and of its `distance_field()` are thread-safe.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
  */
 template <class Triangulation>
 class Logarithmic_map
@@ -69,17 +73,20 @@ public:
   /*!
    * Computes the distances from the source.
    *
-   * \param triangulation of the mesh; both must outlive the map
+   * \param triangulation a triangulation of the mesh; both must outlive the map
    * \param mesh the mesh
    * \param source any location
-   * \param limits how far the map is wanted
-   * \param visitor as for `Geodesic_distance_field::compute()`, which it can stop; then `report()` has the status
-   *        `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known as far as `distance_field().reach()`
+   * \param limits how far the map is needed
+   * \param visitor as for `Geodesic_distance_field::compute()`. If it stops the computation, `report()` has the status
+   *        `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known up to `distance_field().reach()`
+   *
+   * \throws Invalid_location_error if `source` is not a point of the surface
+   * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
+   * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
+   * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
+   * \throws Invalid_parameter_error as `Geodesic_distance_field::compute()` does
    *
    * Complexity: that of `Geodesic_distance_field::compute()`.
-   *
-   * \throws Invalid_location_error for a source that is none
-   * \throws what `Geodesic_distance_field::compute()` throws
    */
   template <class Visitor = Default_shortening_visitor>
   Logarithmic_map(const Triangulation& triangulation, const Triangle_mesh& mesh, const Surface_location& source,
@@ -94,31 +101,33 @@ public:
     m_report = m_field.compute(limits, visitor);
   }
 
-  /// The halfedge from which angles are told: that of the source's location, or its twin if that is on the border.
+  /// Returns the halfedge from which angles are measured: that of the location of the source, or its twin if the former
+  /// is a border halfedge.
   Input_halfedge_index halfedge() const { return m_halfedge; }
 
-  /// The sum of the angles about the source: \f$2\pi\f$ but at vertices, \f$\pi\f$ on an edge of the border.
+  /// Returns the sum of the angles around the source: \f$\pi\f$ on a border edge, and \f$2\pi\f$ elsewhere except at
+  /// vertices.
   double total_angle() const { return m_frame.total(); }
 
-  /// Is the source on the border? Then angles are not reduced to \f$[0, \mathtt{total\_angle()})\f$.
+  /// Returns whether the source is on the border. Angles are then not reduced to \f$[0, \mathtt{total\_angle()})\f$.
   bool is_on_border() const { return m_frame.has_border(); }
 
-  /// The distances from the source.
+  /// Returns the distances from the source.
   const Geodesic_distance_field<Triangulation>& distance_field() const { return m_field; }
 
-  /// What became of the distances.
+  /// Returns the report on the computation of the distances.
   const Distance_field_report& report() const { return m_report; }
 
   /*!
-   * The length of the shortest path to a location, and the angle of its direction at the source, counterclockwise from
-   * `halfedge()`. The radius is infinite where there is no path, or none within the limits.
+   * Returns the length of a shortest path to a location, and the angle of its direction at the source, counterclockwise
+   * from `halfedge()`. The radius is infinite if no path exists within the limits.
    *
-   * Where the path bends at a vertex, the angle is that of the way to the first such vertex: all places in the shadow
-   * of a vertex have one angle.
+   * If the path bends at vertices, the angle is that of the path to the first of them, so all points in the shadow of a
+   * vertex have the same angle.
    *
-   * Complexity: linear in the edges that the path crosses, each with the windows on it.
+   * \throws Invalid_location_error if `location` is not a point of the surface
    *
-   * \throws Invalid_location_error
+   * Complexity: linear in the number of edges that the path crosses and of the windows on these.
    */
   Polar_coordinates operator()(const Surface_location& location) const
   {
@@ -131,7 +140,8 @@ public:
     return {path_length(*path), m_frame.angle(position, m_halfedge)};
   }
 
-  /// The same for a vertex of the input. \throws Vertex_out_of_range_error
+  /// Returns the polar coordinates of a vertex of the input. \throws Vertex_out_of_range_error if `v` is not a vertex
+  /// of the input
   Polar_coordinates operator()(Vertex_index v) const
   {
     internal::check_vertex(v, m_triangulation.input().number_of_vertices());
@@ -140,8 +150,9 @@ public:
     return (*this)(internal::canonical_location(m_triangulation.input(), m_triangulation.location(v)));
   }
 
-  /// The same in the plane in which `halfedge()` is the positive first axis, with the angles about an inner source
-  /// stretched evenly to \f$2\pi\f$. The origin for the source, NaN where there is no path.
+  /// Converts polar coordinates to Cartesian coordinates in the plane in which `halfedge()` is the positive first axis.
+  /// The angles around an interior source are scaled to a sum of \f$2\pi\f$. The result is the origin for the source,
+  /// and NaN if no path exists.
   std::array<double, 2> in_plane(const Polar_coordinates& p) const
   {
     if(p.radius == 0)
@@ -150,8 +161,9 @@ public:
     return {p.radius * std::cos(angle), p.radius * std::sin(angle)};
   }
 
-  /// The polar coordinates of a vector in that plane: the inverse of `in_plane()`. At a vertex of the border with
-  /// angles of more than \f$2\pi\f$, of those of one vector the ones nearest to the middle of the surface.
+  /// Returns the polar coordinates of a vector in that plane, as the inverse of `in_plane()`. At a border vertex whose
+  /// angles exceed \f$2\pi\f$, several angles have the same vector; the one nearest to the middle of the surface is
+  /// returned.
   Polar_coordinates from_plane(const std::array<double, 2>& vector) const
   {
     const double angle = std::atan2(vector[1], vector[0]) / m_frame.stretch();
@@ -159,11 +171,12 @@ public:
   }
 
   /*!
-   * A place on the shortest path to a location, at a part of its length: the midpoint for 1/2.
+   * Returns the point that divides a shortest path to a location at a given fraction of its length, for example its
+   * midpoint for 1/2.
    *
-   * \throws Invalid_location_error
-   * \throws Invalid_parameter_error if the part is not between 0 and 1
-   * \throws Disconnected_endpoints_error if there is no path, or none within the limits
+   * \throws Invalid_location_error if `location` is not a point of the surface
+   * \throws Invalid_parameter_error if the fraction is not between 0 and 1
+   * \throws Disconnected_endpoints_error if no path exists within the limits
    */
   Surface_location between(const Surface_location& location, double part) const
   {
@@ -183,14 +196,14 @@ public:
   }
 
   /*!
-   * Carries a direction at the source along the shortest path to a location, as `Parallel_transport` does.
+   * Transports a direction at the source along a shortest path to a location, as `Parallel_transport` does.
    *
-   * \param location where to
-   * \param angle of the direction, from `halfedge()`
-   * \return the direction, told from the location's halfedge, or its twin if that is on the border; the angle is NaN
-   *         where there is no path
-   * \throws Invalid_location_error
-   * \throws Invalid_parameter_error if the angle is no finite number
+   * \param location the end of the path
+   * \param angle the angle of the direction, from `halfedge()`
+   * \return the direction, measured from the halfedge of the location, or from its twin if the former is a border
+   *         halfedge; the angle is NaN if no path exists
+   * \throws Invalid_location_error if `location` is not a point of the surface
+   * \throws Invalid_parameter_error if the angle is not finite
    */
   Surface_direction transported(const Surface_location& location, double angle) const
   {
@@ -214,7 +227,7 @@ private:
     return length;
   }
 
-  // On from the start of a leg, which is straight, along it.
+  // Traces on from the start of a geodesic segment along it.
   Surface_location traced(const Corridor& path, std::size_t leg, double position, double length) const
   {
     const Surface_location& place = path.places()[leg];
@@ -236,7 +249,7 @@ private:
                                        {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
   }
 
-  // The shortest path, pulled tight.
+  // Returns the shortest path as a sleeve, with the exact shortest path in it.
   std::optional<Corridor> path_to(const Surface_location& location) const
   {
     std::vector<Surface_location> locations;
@@ -244,7 +257,7 @@ private:
       locations.push_back(internal::surface_location(m_triangulation, p));
     if(locations.empty())
       return std::nullopt;
-    locations.front() = location; // with all its digits
+    locations.front() = location; // unrounded
     locations.back() = m_place;
     Corridor path(m_triangulation, locations);
     path.reverse();
@@ -261,33 +274,34 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// What `logarithmic_map()` of a place returns.
+/// Contains the result of `logarithmic_map()` of a surface point.
 template <class OutputIterator, class TriangleMesh>
 struct Logarithmic_map_result
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
 
-  OutputIterator out;           ///< the end of the output
-  halfedge_descriptor halfedge; ///< what the angles are told from, counterclockwise
-  double total_angle = 0;    ///< the sum of the angles about the source, \f$2\pi\f$ but at vertices and on the border
-  bool is_on_border = false; ///< is the source on the border? Then at a vertex angles can be negative
-  Distance_field_report report; ///< what became of the distances
+  OutputIterator out;           ///< the past-the-end iterator of the output
+  halfedge_descriptor halfedge; ///< the halfedge from which the angles are measured counterclockwise
+  double total_angle = 0;       ///< the sum of the angles around the source: \f$2\pi\f$ except at vertices and on the
+                                ///< border
+  bool is_on_border = false;    ///< whether the source is on the border; at a vertex angles can then be negative
+  Distance_field_report report; ///< the report on the distances
 
-  Distance_field_status status() const { return report.status; } ///< how their computation ended
-  Verdict verdict() const { return report.verdict; }             ///< whether the distances are confirmed
+  Distance_field_status status() const { return report.status; } ///< returns how their computation ended
+  Verdict verdict() const { return report.verdict; }             ///< returns whether the distances are confirmed
 };
 
 namespace internal {
 
 /*
- * What a `Logarithmic_map` says of many targets. Of a vertex the distance is known, and where the path starts is found
- * without a walk along it.
+ * Evaluates a `Logarithmic_map` for many targets. For a vertex, the known distance is used, and the initial direction
+ * is found without following the path.
  */
 template <class Triangulation>
 class Logarithm_of_targets
 {
 public:
-  /* \param source that of the logarithm */
+  /* \param source the source of the logarithm */
   Logarithm_of_targets(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
                        const Logarithmic_map<Triangulation>& logarithm, const Surface_location& source)
     : m_triangulation(triangulation)
@@ -308,7 +322,7 @@ public:
   }
 
 private:
-  // It may be isolated.
+  // The vertex may be isolated.
   Polar_coordinates at_vertex(Vertex_index v)
   {
     const double radius = m_logarithm.distance_field().distance(v);
@@ -331,23 +345,30 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * The logarithmic map of a place anywhere on the surface: for each target how long the shortest path from the source is,
- * and in which direction it starts. See `Logarithmic_map`. `trace_geodesic(mesh, source, std::pair(result.halfedge,
- * p.angle), p.radius, out)` comes back to a target with the coordinates `p`, unless the path bends at a vertex.
+ * Computes the logarithmic map of a surface point, that is, the length and initial direction of a shortest path from it
+ * to each target.
+ *
+ * `trace_geodesic(mesh, source, std::pair(result.halfedge, p.angle), p.radius, out)` arrives at a target with the
+ * coordinates `p`, unless the path bends at a vertex.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
  *        `trace_geodesic()`
- * \param targets a range of such; for all vertices `vertices(mesh)`
- * \param out receives `Polar_coordinates`, one for each target
- * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
- * \return a `Logarithmic_map_result`. Of a `Face_location` the angles are told from `halfedge(face, mesh)`, of a vertex
- *         from a halfedge that starts there
- * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
- * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ * \param targets a range of such points; `vertices(mesh)` for all vertices
+ * \param out an output iterator that receives `Polar_coordinates`, one for each target
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \return a `Logarithmic_map_result`. The angles are measured from `halfedge(face, mesh)` for a `Face_location`, and
+ *         from an outgoing halfedge for a vertex
+ * \throws Vertex_out_of_range_error if the source or a target is not a vertex of the mesh
+ * \throws Invalid_location_error if the source or a target does not lie on the mesh
+ * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, also for all vertices as targets; and for each other target
- * that of `Logarithmic_map`.
+ * Complexity: that of `Geodesic_distance_field::compute()`, which includes all targets at vertices, plus that of
+ * `Logarithmic_map` for each other target.
+ *
+ * \sa `Logarithmic_map`
  */
 template <class TriangleMesh, class Source, class TargetRange, class OutputIterator, class... NamedParameters,
           std::enable_if_t<!internal::Is_named_parameters<OutputIterator>::value, int> = 0>
@@ -371,22 +392,29 @@ Logarithmic_map_result<OutputIterator, TriangleMesh> logarithmic_map(const Trian
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Carries a tangent vector along a curve, so that it does not turn in the surface. See `Parallel_transport`.
+ * Transports a tangent vector along a curve, parallel in the sense of the Levi-Civita connection.
  *
  * \param mesh a triangle mesh
- * \param curve a range of vertices, or of `CGAL::Polygon_mesh_processing::Face_location`s, as `geodesic_path()`,
- *        `trace_geodesic()` and `isolines()` write them: each two in a row in one face. The locations of a
- *        `Located_polyline`, for example
- * \param direction at the start of the curve: a halfedge and an angle from there, as for `trace_geodesic()`
- * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
- * \return the direction at the end of the curve, in the same form; of a `Face_location` told from `halfedge(face, mesh)`
- * \throws Invalid_curve_error if there is no location, or no face has two in a row
- * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
- * \throws Invalid_parameter_error if the angle is no finite number, or the halfedge no side of a face of the start
- * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error for a face on the way
+ * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s, of which two consecutive ones
+ *        lie in one face. `geodesic_path()` and `trace_geodesic()` write such ranges, and a `Located_polyline` contains
+ *        one
+ * \param direction the direction at the start of the curve: a halfedge and an angle from there, as for
+ *        `trace_geodesic()`
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \return the direction at the end of the curve in the same form; for a `Face_location` it is measured from
+ *         `halfedge(face, mesh)`
+ * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+ * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
+ * \throws Invalid_location_error if a point does not lie on the mesh
+ * \throws Invalid_parameter_error if the angle is not finite, or the halfedge is not a side of a face of the start
+ * \throws Degenerate_face_error for a face along the curve
+ * \throws Invalid_coordinate_error for a face along the curve
+ * \throws Invalid_mesh_error for a face along the curve
  *
- * Complexity: linear in the number of locations and the degrees of vertices among them; meshes other than
- * `Surface_mesh` are indexed, \f$O(n \log n)\f$.
+ * Complexity: linear in the number of locations and the degrees of the vertices among them. Meshes other than
+ * `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ *
+ * \sa `Parallel_transport`
  */
 template <class TriangleMesh, class LocationRange, class... NamedParameters>
 auto parallel_transport(
