@@ -21,26 +21,26 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// What elements are numbered by.
+/// The type of the numbers of elements.
 using Index = std::int32_t;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// The type of `null_index`.
 struct Null_index
 {
-  /// The number that no element has.
+  /// Returns a number that no element has.
   constexpr operator Index() const { return -1; }
 };
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// No element: every descriptor can be compared with it and made from it.
+/// Represents no element; every descriptor can be compared with it and constructed from it.
 inline constexpr Null_index null_index{};
 
 /*!
  * \ingroup PkgFlipGeodesicsDescriptors
  *
- * Names one element of a triangulation or of a network: a number in a type of its own, so that a halfedge cannot be
- * given where a vertex is asked for.
+ * Identifies one element of a triangulation or of a network by its number. Each kind of element has its own type, so
+ * that a halfedge cannot be passed instead of a vertex.
  *
  * Descriptors are ordered by their numbers, can be hashed, and are printed as a letter and the number.
  *
@@ -50,28 +50,28 @@ template <class Element>
 class Descriptor
 {
 public:
-  /// Names no element.
+  /// Constructs a null descriptor.
   constexpr Descriptor() = default;
 
-  /// Names no element.
+  /// Constructs a null descriptor.
   constexpr Descriptor(Null_index) {}
 
-  /// Names the element with a number.
+  /// Constructs the descriptor of the element with a given number.
   explicit constexpr Descriptor(Index number)
     : m_number(number)
   {
   }
 
-  /// The number of the element, -1 if there is none.
+  /// Returns the number of the element, or -1 for a null descriptor.
   constexpr Index idx() const { return m_number; }
 
-  /// Does it name an element?
+  /// Returns whether the descriptor is not null.
   constexpr bool is_valid() const { return m_number >= 0; }
 
-  /// What stands before the number when it is printed.
+  /// Returns the text that is printed before the number.
   static constexpr const char* letter() { return Element::letter; }
 
-  /// Goes on to the next number.
+  /// Advances to the next number.
   Descriptor& operator++()
   {
     ++m_number;
@@ -94,7 +94,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// The kinds of elements that a `Descriptor` names, each with the letter that is printed before the number.
+/// Lists the kinds of elements that a `Descriptor` identifies, each with the letter that is printed before the number.
 struct Element_kind
 {
   // clang-format off
@@ -116,56 +116,58 @@ struct Element_kind
 };
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// A vertex of a triangulation; the input's have the same numbers as in the input.
+/// Identifies a vertex of a triangulation. Vertices of the input have the same numbers as in the input.
 using Vertex_index = Descriptor<Element_kind::Vertex>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// A halfedge of a triangulation.
+/// Identifies a halfedge of a triangulation.
 using Halfedge_index = Descriptor<Element_kind::Halfedge>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// A face of a triangulation, by the smallest number of its halfedges. A flip takes away two faces and makes two.
+/// Identifies a face of a triangulation by the smallest number of its halfedges. A flip replaces two faces by two
+/// others.
 using Face_index = Descriptor<Element_kind::Face>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// A halfedge of the input of a triangulation, which flips do not change.
+/// Identifies a halfedge of the input of a triangulation, which flips do not change.
 using Input_halfedge_index = Descriptor<Element_kind::Input_halfedge>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// A segment of a curve of a network.
+/// Identifies a segment of a curve of a network.
 using Segment_index = Descriptor<Element_kind::Segment>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// A curve of a network.
+/// Identifies a curve of a network.
 using Curve_index = Descriptor<Element_kind::Curve>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// A vertex of a surface that is cut open: one of the copies of a vertex of a triangulation.
+/// Identifies a vertex of a surface that has been cut open: one of the copies of a vertex of a triangulation.
 using Vertex_copy_index = Descriptor<Element_kind::Vertex_copy>;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// An edge of a triangulation. It knows from which halfedge it was made, and is the same edge whichever it was: so
-/// `source()` and `target()` of an edge that a traversal hands out are where the traversal is and where it leads.
+/// Identifies an edge of a triangulation. The descriptor stores the halfedge from which it was constructed, which does
+/// not affect comparisons. The `source()` and `target()` of an edge returned by a traversal are therefore its current
+/// vertex and the one that the edge leads to.
 class Edge_index
 {
 public:
-  /// Names no edge.
+  /// Constructs a null descriptor.
   constexpr Edge_index() = default;
-  /// Names no edge.
+  /// Constructs a null descriptor.
   constexpr Edge_index(Null_index) {}
-  /// Names the edge with a number, from its first halfedge.
+  /// Constructs the descriptor of the edge with a given number, from its first halfedge.
   explicit constexpr Edge_index(Index number)
     : m_halfedge(2 * number)
   {
   }
-  /// Names the edge of a halfedge.
+  /// Constructs the descriptor of the edge of a halfedge.
   explicit constexpr Edge_index(Halfedge_index h)
     : m_halfedge(h)
   {
   }
 
-  /// The number of the edge, -1 if there is none.
+  /// Returns the number of the edge, or -1 for a null descriptor.
   constexpr Index idx() const { return m_halfedge.idx() >> 1; }
-  /// Does it name an edge?
+  /// Returns whether the descriptor is not null.
   constexpr bool is_valid() const { return m_halfedge.is_valid(); }
-  /// The halfedge that it was made from.
+  /// Returns the halfedge from which the descriptor was constructed.
   constexpr Halfedge_index halfedge() const { return m_halfedge; }
 
-  /// Goes on to the next number.
+  /// Advances to the next number.
   Edge_index& operator++() { return *this = Edge_index(idx() + 1); }
 
   /// \cond
@@ -185,14 +187,14 @@ private:
 
 namespace internal {
 
-/* The other side of the edge. */
+/* Returns the other side of the edge. */
 template <class Halfedge_element>
 Descriptor<Halfedge_element> twin_index(Descriptor<Halfedge_element> h)
 {
   return Descriptor<Halfedge_element>(h.idx() ^ 1);
 }
 
-/* The edge of a halfedge, and its two sides. */
+/* Return the edge of a halfedge, and its two sides. */
 inline Edge_index edge_of(Halfedge_index h) { return Edge_index(h); }
 inline Halfedge_index first_side(Edge_index e) { return Halfedge_index(e.halfedge().idx() & ~1); }
 template <class Halfedge_element>
@@ -206,7 +208,7 @@ bool is_first_side(Descriptor<Halfedge_element> h)
   return (h.idx() & 1) == 0;
 }
 
-/* A halfedge whose edge was not flipped yet is one of the input's. */
+/* Convert a halfedge whose edge has not been flipped to one of the input and back. */
 inline Input_halfedge_index as_input(Halfedge_index h) { return Input_halfedge_index(h.idx()); }
 inline Halfedge_index as_intrinsic(Input_halfedge_index h) { return Halfedge_index(h.idx()); }
 
@@ -222,7 +224,7 @@ public:
   decltype(auto) operator[](Key key) const { return Array::operator[](static_cast<std::size_t>(key.idx())); }
 };
 
-/* Counts descriptors. */
+/* Iterates over descriptors. */
 template <class Key>
 class Descriptor_iterator
   : public boost::iterator_facade<Descriptor_iterator<Key>, Key, std::random_access_iterator_tag, Key>
@@ -247,7 +249,7 @@ private:
   Index m_number = 0;
 };
 
-/* The descriptors with the numbers below `end`. */
+/* Returns the descriptors with numbers below `end`. */
 template <class Key>
 Iterator_range<Descriptor_iterator<Key>> descriptors(Index end)
 {
@@ -260,19 +262,19 @@ Iterator_range<Descriptor_iterator<Key>> descriptors(Index end)
 
 namespace std {
 
-/// Makes descriptors keys of unordered containers.
+/// Allows descriptors as keys of unordered containers.
 template <class Element>
 struct hash<CGAL::Flip_geodesics::Descriptor<Element>>
 {
-  /// The number of the descriptor.
+  /// Returns the hash value of a descriptor, its number.
   size_t operator()(CGAL::Flip_geodesics::Descriptor<Element> d) const { return hash_value(d); }
 };
 
-/// Makes edges keys of unordered containers.
+/// Allows edges as keys of unordered containers.
 template <>
 struct hash<CGAL::Flip_geodesics::Edge_index>
 {
-  /// The number of the edge.
+  /// Returns the hash value of an edge, its number.
   size_t operator()(CGAL::Flip_geodesics::Edge_index e) const { return hash_value(e); }
 };
 
@@ -284,23 +286,23 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * The input edges that an intrinsic edge crosses, from its tail to its head. With its ends, it determines the edge: the
- * straight line in the unfolded faces.
+ * Describes the input edges that an intrinsic edge crosses, from its tail to its head. Together with its end points,
+ * this edge sequence determines the edge: it is the straight line in the unfolded faces.
  *
- * There are three cases. The edge lies along the input halfedge `along`, or along a part of it, and crosses nothing. Or
- * it crosses nothing and lies inside the input face of the halfedge `face`. Or `crossed` lists input halfedges, each as
- * a side of the face that is left through it. Then `along` and `face` are `null_index`. Edges inside a face end at an
- * inserted vertex.
+ * Three cases are possible. If the edge lies along the input halfedge `along`, or along a part of it, it crosses
+ * nothing. If it lies inside the input face of the halfedge `face`, it crosses nothing either; such an edge ends at an
+ * inserted vertex. Otherwise, `crossed` contains the crossed input halfedges, each as a side of the face that is left
+ * through it, and `along` and `face` are `null_index`.
  */
 struct Crossing_word
 {
-  Input_halfedge_index along = null_index;   ///< the input halfedge that the edge lies along, if it does
-  std::vector<Input_halfedge_index> crossed; ///< in order; empty if nothing is crossed
-  Input_halfedge_index face = null_index;    ///< a halfedge of the face that holds the whole edge
+  Input_halfedge_index along = null_index;   ///< the input halfedge that the edge lies along, if any
+  std::vector<Input_halfedge_index> crossed; ///< the crossed edges in order; empty if nothing is crossed
+  Input_halfedge_index face = null_index;    ///< a halfedge of the face that contains the whole edge
   Vertex_index tail = null_index;            ///< the vertex at which the edge starts
   Vertex_index head = null_index;            ///< the vertex at which the edge ends
 
-  /// Turns it into the word of the other direction.
+  /// Reverses the direction of the edge.
   void reverse()
   {
     along = along == null_index ? null_index : internal::twin_index(along);
@@ -310,7 +312,7 @@ struct Crossing_word
       h = internal::twin_index(h);
   }
 
-  /// The word of the other direction.
+  /// Returns the edge sequence in the opposite direction.
   Crossing_word reversed() const
   {
     Crossing_word result = *this;
@@ -318,60 +320,62 @@ struct Crossing_word
     return result;
   }
 
-  /// A halfedge of the input face at the tail. \pre the edge does not lie along an input edge
+  /// Returns a halfedge of the input face at the tail. \pre the edge does not lie along an input edge
   Input_halfedge_index first_face() const { return crossed.empty() ? face : crossed.front(); }
-  /// A halfedge of the input face at the head. \pre the edge does not lie along an input edge
+  /// Returns a halfedge of the input face at the head. \pre the edge does not lie along an input edge
   Input_halfedge_index last_face() const { return crossed.empty() ? face : internal::twin_index(crossed.back()); }
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// The side of a curve, as seen along it.
+/// Specifies the side of a curve, as seen along it.
 enum class Side { LEFT, RIGHT };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// The other side.
+/// Returns the other side.
 inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// One side of the joint between a segment and the next one of its curve.
+/// Identifies one side of the joint between a segment and the next one of its curve.
 struct Joint
 {
   Segment_index incoming; ///< the segment that arrives at the node
-  Side side;              ///< on which side of the curve
+  Side side;              ///< the side of the curve
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// The end of a segment at a node: an outgoing halfedge, which tells the ends of a loop edge apart, and the segment.
+/// Identifies the end of a segment at a node by an outgoing halfedge, which distinguishes the ends of a loop edge, and
+/// the segment.
 struct Strand_end
 {
-  Halfedge_index halfedge = null_index; ///< outgoing at the node; null if there is no end
-  Segment_index segment = null_index;   ///< which starts or ends there along `halfedge`
+  Halfedge_index halfedge = null_index; ///< outgoing at the node; null if this is not an end
+  Segment_index segment = null_index;   ///< starts or ends there along `halfedge`
 
-  /// Is it no end at all?
+  /// Returns whether this is not an end.
   bool is_none() const { return halfedge == null_index; }
-  /// Is it the same end?
+  /// Returns whether the ends are the same.
   bool operator==(const Strand_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
-  /// Is it another end?
+  /// Returns whether the ends differ.
   bool operator!=(const Strand_end& other) const { return !(*this == other); }
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// What stands in the wedge at one side of a joint.
+/// Describes the content of the wedge at one side of a joint.
 enum class Wedge_state {
   FREE,     ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
-  STRAIGHT, ///< the angle is \f$\pi\f$ or more
-  BLOCKED,  ///< another strand, or an edge that another network holds, is in the wedge, at an angle below \f$\pi\f$
-  BORDER,   ///< the border of the surface is in the wedge, whose angle is infinite
-  FIXED     ///< the node is fixed: the wedge is not looked at
+  STRAIGHT, ///< the angle is at least \f$\pi\f$
+  BLOCKED,  ///< another segment, or an edge held by another network, lies in the wedge, at an angle below \f$\pi\f$
+  BORDER,   ///< the border of the surface lies in the wedge, so the angle is infinite
+  FIXED     ///< the node is fixed, and the wedge is not inspected
 };
 
 namespace internal {
 
 /*
- * What the log of an `Intrinsic_triangulation` keeps of a flip: enough to take it back, and to derive the crossings of
- * the new edge. If `hp` is `null_index`, nothing was flipped. Either the face of `h` was laid out afresh: then `tn` is
- * `null_index` as well, and the first three vectors are the old ones. Or a point was inserted: then `number` is the
- * number of the insertion, `version_hp` the `gap()`, and `tn` is `h` if its face was split, its twin if its edge was.
+ * What the log of an `Intrinsic_triangulation` stores of a flip: enough to undo it, and to derive the crossings of the
+ * new edge. If `hp` is `null_index`, no edge was flipped. Then either the face of `h` was recomputed from the input,
+ * `tn` is `null_index` as well, and the first three vectors are the old ones; or a point was inserted, `number` is the
+ * number of the insertion, `version_hp` the `gap()`, and `tn` is `h` if its face was split and its twin if its edge
+ * was.
  */
 template <class Halfedge_geometry>
 struct Flip_record
@@ -381,7 +385,7 @@ struct Flip_record
   Halfedge_index tn;        // i->l
   Index version_hp;         // the version of `hp` at the time
   Index version_tn;         // the version of `tn` at the time
-  Index number;             // of input edges that the new edge crosses; -1 if it lies along one
+  Index number;             // number of input edges that the new edge crosses; -1 if it lies along one
   Index old_version;        // of the edge, before
   Index old_crossings;      // one more than the number of input edges that the edge crossed before
   Halfedge_geometry old_h;  // what `h` stored before
@@ -389,13 +393,13 @@ struct Flip_record
   Halfedge_geometry old_tn; // what `tn` stored before
   Halfedge_geometry old_tp; // what the halfedge l->j stored before
 
-  /* Was an edge flipped? */
+  /* Returns whether an edge was flipped. */
   bool is_flip() const { return hp != null_index; }
-  /* Was a point inserted? */
+  /* Returns whether a point was inserted. */
   bool is_insertion() const { return hp == null_index && tn != null_index; }
-  /* Was the point inserted on the edge of `h`, rather than into its face? \pre `is_insertion()` */
+  /* Returns whether the point was inserted on the edge of `h` rather than into its face. \pre `is_insertion()` */
   bool is_on_edge() const { return tn != h; }
-  /* The gap of the crossing word of `h` whose input face holds the inserted point. \pre `is_insertion()` */
+  /* Returns the gap of the edge sequence of `h` whose input face contains the inserted point. \pre `is_insertion()` */
   Index gap() const { return version_hp; }
 };
 

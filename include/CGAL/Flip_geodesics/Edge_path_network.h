@@ -33,31 +33,31 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * A network of curves along the edges of an intrinsic triangulation: open paths, closed loops, curves with fixed nodes
- * inside, several strands over one edge, strands that run to and fro. Model of `EdgePathGraph`.
+ * Represents a network of curves along the edges of an intrinsic triangulation. Curves are open paths or closed loops.
+ * They may have fixed nodes, several segments on one edge, and segments that run back and forth.
  *
- * A curve is a chain of *segments*, each on a halfedge; the node between two segments is a *joint*, which is fixed or
- * not. The ends of an open path are always fixed. Each edge keeps the list of its segments, its *stack*, from left to
- * right as seen along its first halfedge. Around a vertex the ends of segments have a cyclic order: by spoke clockwise,
- * and on a spoke by the stack from left to right as seen from the vertex.
+ * A curve is a chain of *segments*, each on a halfedge. The node between two segments is a *joint*, which is fixed or
+ * free; the end points of an open path are always fixed. Each edge keeps the bundle of its overlapping segments
+ * (`stack()`), ordered from left to right as seen along its first halfedge. Around a vertex, the segment ends have a
+ * cyclic order: clockwise by incident edge, and on each edge from left to right as seen from the vertex.
  *
- * The invariant (`is_valid()`): curves are chains, and stacks hold exactly the segments on their edge. Around each
- * vertex the ends joined by joints that are not fixed form a non-crossing matching. All other ends, and the border, are
- * in one of its regions.
+ * The network satisfies an invariant that `is_valid()` checks. Curves are chains, and each bundle contains exactly the
+ * segments on its edge. Around each vertex, the ends connected by free joints form a non-crossing matching; all other
+ * ends, and the border, lie in one of its regions.
  *
- * Segment ids are given once and never again, so that an id in a queue cannot come to mean something else.
+ * Segment ids are assigned once and never reused, so an id in a queue cannot refer to another segment later.
  *
- * Several networks can have curves in one triangulation. A network holds the edges under its curves, and an edge that is
- * held is not flipped. Hence curves of other networks are obstacles: they do not move, and where one of their edges is in
- * a wedge, the wedge is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges; there they have no
- * order, and each of them can leave such an edge to either side. What is to hold between curves, as that they do not
- * cross, requires that they are in one network.
+ * Several networks can have curves in one triangulation. A network holds the edges under its curves, and a held edge is
+ * not flipped. Curves of other networks are therefore obstacles: they do not move, and a wedge that contains one of
+ * their edges is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges, but have no order there,
+ * and each of them can leave such an edge to either side. Curves that must not cross have to belong to the same
+ * network.
  *
- * The network refers to its triangulation, which must neither be destroyed nor moved while the network has curves. If
- * both are moved, the constructor from a network and a triangulation keeps them together. A network that was moved from
- * can be cleared, assigned to and destroyed.
+ * The network refers to its triangulation, which must not be destroyed or moved while the network has curves. To move
+ * both, use the constructor from a network and a triangulation. A network that was moved from can only be cleared,
+ * assigned to and destroyed.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, one of
+ * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, a model of
  *         `IntrinsicTriangulationOfMesh`
  *
  * \cgalModels{EdgePathGraph}
@@ -67,16 +67,16 @@ class Edge_path_network
 {
 public:
   using Triangulation = Triangulation_;      ///< the template parameter
-  using Turn = typename Triangulation::Turn; ///< a rotation about a vertex, of the triangulation's traits
+  using Turn = typename Triangulation::Turn; ///< a rotation around a vertex, of the traits of the triangulation
 
-  /// What can be known of a wedge by looking at it.
+  /// Describes a wedge as far as it has been inspected.
   struct Wedge
   {
-    Wedge_state state; ///< what stands in it
-    Turn turn;         ///< over the corners up to the next strand; to be compared only if `state` is `FREE`
+    Wedge_state state; ///< what the wedge contains
+    Turn turn;         ///< over the corners up to the next segment end; meaningful only if `state` is `FREE`
   };
 
-  /// An empty network in a triangulation. Constant time.
+  /// Constructs an empty network in a triangulation. Constant time.
   explicit Edge_path_network(Triangulation& triangulation)
     : m_triangulation(&triangulation)
     , m_segments(triangulation)
@@ -86,7 +86,7 @@ public:
   /// Moves a network, whose curves and segments keep their numbers.
   Edge_path_network(Edge_path_network&&) noexcept = default;
 
-  /// Moves a network whose triangulation has been moved to `moved_to`. Numbers are kept, as above.
+  /// Moves a network whose triangulation has been moved to `moved_to`. Curves and segments keep their numbers.
   Edge_path_network(Edge_path_network&& other, Triangulation& moved_to) noexcept
     : Edge_path_network(std::move(other))
   {
@@ -107,22 +107,26 @@ public:
 
   Edge_path_network(const Edge_path_network&) = delete;
   Edge_path_network& operator=(const Edge_path_network&) = delete;
-  /// Removes all curves. \pre if there are any, the triangulation is where it was
+  /// Removes all curves. \pre the triangulation has not been moved if the network has curves
   ~Edge_path_network() { m_segments.release_edges(); }
 
-  /// The triangulation that the curves lie in.
+  /// Returns the triangulation that contains the curves.
   Triangulation& triangulation() const { return *m_triangulation; }
 
   /// \name Building
   /// @{
 
   /*!
-   * Adds a curve along halfedges of the triangulation, each segment rightmost on its edge as seen along its halfedge.
+   * Adds a curve along halfedges of the triangulation. Each segment becomes the rightmost one on its edge, as seen
+   * along its halfedge.
    *
-   * \param halfedges a chain: the head of each is the tail of the next, and the last's of the first if `is_closed`
-   * \param is_closed is the curve a loop without ends?
-   * \return the curve's index; curves are numbered from 0
-   * \throws Invalid_curve_error if the halfedges are no chain
+   * \param halfedges a chain: the head of each halfedge is the tail of the next, and that of the last is the tail of
+   *        the first if `is_closed` is `true`
+   * \param is_closed whether the curve is a closed loop
+   * \return the index of the curve; curves are numbered from 0
+   * \throws Invalid_curve_error if the halfedges do not form a chain
+   *
+   * Complexity: linear in the number of halfedges.
    */
   template <class HalfedgeRange>
   Curve_index add_curve(const HalfedgeRange& halfedges, bool is_closed)
@@ -133,7 +137,8 @@ public:
     return curve;
   }
 
-  /// Fixes every node at vertex `v` that a curve passes now: it stays where it is, and strands cannot cross it.
+  /// Fixes every node at vertex `v` that a curve currently passes: it keeps its position, and other curves cannot cross
+  /// it. Linear in the number of segment ids.
   void fix_nodes_at(Vertex_index v)
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
@@ -141,11 +146,11 @@ public:
         set_head_fixed(s, true);
   }
 
-  /// Fixes or frees the node at the head of `s`. \pre if it is freed, the strands there do not cross
+  /// Fixes or frees the node at the head of `s`. \pre if the node is freed, the curves do not cross there
   void set_head_fixed(Segment_index s, bool is_fixed) { m_segments.set_head_fixed(s, is_fixed); }
 
-  /// Frees all nodes of a curve, but the ends of an open one.
-  /// \throws Crossing_curves_error if strands cross at one of them; nothing is changed then
+  /// Frees all nodes of a curve, except the ends of an open one.
+  /// \throws Crossing_curves_error if curves cross at one of the nodes; the network is unchanged then
   void free_nodes(Curve_index curve)
   {
     std::vector<Segment_index> freed;
@@ -167,60 +172,66 @@ public:
     }
   }
 
-  /// Takes the present length of a curve for its initial one, for instance once it is the polyline that was drawn.
+  /// Sets the initial length of a curve to its current length, for instance once the curve is a drawn polyline.
   void reset_initial_length(Curve_index curve) { set_initial_length(curve, length(curve)); }
 
-  /// Sets the initial length of a curve that was shorter already when it was added.
+  /// Sets the initial length of a curve that had already been shortened when it was added.
   void set_initial_length(Curve_index curve, double length) { m_segments.set_initial_length(curve, length); }
 
-  /// Rearranges the stack of edge `e`. \pre `order` is a permutation of `stack(e)`
+  /// Reorders the segments on edge `e`. \pre `order` is a permutation of `stack(e)`
   void set_stack(Edge_index e, const std::vector<Segment_index>& order) { m_segments.set_stack(e, order); }
 
   /*!
-   * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()`. Segments on an
-   * edge that is split become two each, with a joint that is not fixed; their order stays.
-   * \return the new vertex, or the one that is there already
-   * \throws as `Intrinsic_triangulation::insert()`
+   * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()` does. Each
+   * segment on an edge that is split becomes two, with a free joint between them; the order of the segments is kept.
+   * \param location the point
+   * \return the new vertex, or the existing one at the point
+   * \throws Invalid_location_error as `Intrinsic_triangulation::insert()` does
+   * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
+   * \throws Occupied_triangulation_error if another network has a curve on the edge of the point
+   * \throws Degenerate_face_error as `Intrinsic_triangulation::insert()` does
+   * \throws Invalid_coordinate_error as `Intrinsic_triangulation::insert()` does
    */
   Vertex_index insert(const Surface_location& location)
   {
     return Division(*m_triangulation, m_segments).insert(location);
   }
 
-  /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()`.
+  /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()` does.
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
     return Division(*m_triangulation, m_segments).split_edge(h, location, gap);
   }
 
-  /// Removes all curves. Linear in the segments.
+  /// Removes all curves. Linear in the number of segments.
   void clear() { m_segments.clear(); }
 
   /// @}
   /// \name Curves
   /// @{
 
-  /// The number of curves added, those that have contracted included; curves are numbered from 0.
+  /// Returns the number of curves that have been added, including those that have contracted. Curves are numbered from
+  /// 0.
   Index number_of_curves() const { return m_segments.number_of_curves(); }
-  /// All curves, a range with random access: `for(Curve_index c : network.curves())`.
+  /// Returns all curves as a range with random access: `for(Curve_index c : network.curves())`.
   auto curves() const { return internal::descriptors<Curve_index>(number_of_curves()); }
 
-  /// One more than the largest segment id given so far; ids start at 1.
+  /// Returns one more than the largest segment id assigned so far; ids start at 1.
   Index end_of_segment_ids() const { return m_segments.end_of_ids(); }
 
-  /// The first segment of a curve, `null_index` if the curve has shrunk to a point.
+  /// Returns the first segment of a curve, or `null_index` if the curve has contracted to a point.
   Segment_index first_segment(Curve_index curve) const { return m_segments.first(curve); }
-  /// The last segment of a curve, `null_index` if the curve has shrunk to a point.
+  /// Returns the last segment of a curve, or `null_index` if the curve has contracted to a point.
   Segment_index last_segment(Curve_index curve) const { return m_segments.last(curve); }
-  /// Is the curve a loop without ends?
+  /// Returns whether the curve is a closed loop.
   bool is_closed(Curve_index curve) const { return m_segments.is_closed(curve); }
-  /// Has the curve shrunk to a point?
+  /// Returns whether the curve has contracted to a point.
   bool is_contracted(Curve_index curve) const { return first_segment(curve) == null_index; }
 
-  /// The length of a curve when it was added.
+  /// Returns the length of a curve when it was added, unless another one has been set.
   double initial_length(Curve_index curve) const { return m_segments.initial_length(curve); }
 
-  /// The length of a curve, summed over its segments.
+  /// Returns the length of a curve, summed over its segments.
   double length(Curve_index curve) const
   {
     double sum = 0;
@@ -235,7 +246,7 @@ public:
     m_segments.for_each_segment(curve, function);
   }
 
-  /// The halfedges of a curve, in order.
+  /// Returns the halfedges of a curve, in order.
   std::vector<Halfedge_index> halfedges(Curve_index curve) const
   {
     std::vector<Halfedge_index> result;
@@ -247,33 +258,33 @@ public:
   /// \name Segments
   /// @{
 
-  /// Is `s` a segment of a curve now? Ids of segments that were replaced stay dead.
+  /// Returns whether `s` is currently a segment of a curve. Ids of replaced segments stay invalid.
   bool is_alive(Segment_index s) const { return m_segments.is_alive(s); }
-  /// The halfedge that segment `s` runs along, `null_index` if it is dead.
+  /// Returns the halfedge of segment `s`, or `null_index` if the segment does not exist any longer.
   Halfedge_index halfedge(Segment_index s) const { return m_segments.halfedge(s); }
-  /// The curve of segment `s`.
+  /// Returns the curve of segment `s`.
   Curve_index curve(Segment_index s) const { return m_segments.curve(s); }
-  /// The next segment of the curve, `null_index` at the end of a path.
+  /// Returns the next segment of the curve, or `null_index` at the end of a path.
   Segment_index next(Segment_index s) const { return m_segments.next(s); }
-  /// The previous segment of the curve, `null_index` at the start of a path.
+  /// Returns the previous segment of the curve, or `null_index` at the start of a path.
   Segment_index previous(Segment_index s) const { return m_segments.previous(s); }
-  /// Is the node at the head of `s` fixed? So is the end of a path.
+  /// Returns whether the node at the head of `s` is fixed, like the end of a path.
   bool is_head_fixed(Segment_index s) const { return m_segments.is_head_fixed(s); }
 
-  /// Does any segment of this network lie on the edge of `h`?
+  /// Returns whether any segment of this network lies on the edge of `h`.
   bool is_occupied(Halfedge_index h) const { return m_segments.is_occupied(h); }
 
-  /// The segments on edge `e`, from left to right as seen along halfedge `2e`.
+  /// Returns the segments on edge `e`, from left to right as seen along halfedge `2e`.
   std::vector<Segment_index> stack(Edge_index e) const { return m_segments.stack(e); }
 
-  /// The outermost segment on a side of the edge of `h`, as seen along `h`. \pre `is_occupied(h)`
+  /// Returns the outermost segment on a side of the edge of `h`, as seen along `h`. \pre `is_occupied(h)`
   Segment_index outermost(Halfedge_index h, Side side) const { return m_segments.outermost(h, side); }
 
   /// @}
   /// \name Ends and wedges
   /// @{
 
-  /// The two ends at a joint: the wedge on its side lies clockwise from the first to the second.
+  /// Returns the two ends at a joint. The wedge on the side of the joint lies clockwise from the first to the second.
   std::pair<Strand_end, Strand_end> ends(const Joint& joint) const
   {
     const Segment_index x = joint.incoming, y = next(x);
@@ -281,28 +292,30 @@ public:
     return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
   }
 
-  /// The next end clockwise about the node; none if the border, or an edge that only other networks hold, comes first.
-  /// Linear in the incident edges passed.
+  /// Returns the next end clockwise around the node, or no end if the border, or an edge held only by other networks,
+  /// comes first. Linear in the number of incident edges passed.
   Strand_end next_clockwise(const Strand_end& end) const
   {
     return next_end(end, Side::RIGHT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// The next end counterclockwise about the node; none if the border, or an edge that only other networks hold, comes
-  /// first. Linear in the incident edges passed.
+  /// Returns the next end counterclockwise around the node, or no end if the border, or an edge held only by other
+  /// networks, comes first. Linear in the number of incident edges passed.
   Strand_end next_counterclockwise(const Strand_end& end) const
   {
     return next_end(end, Side::LEFT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// The next end of this network about the node, clockwise if `side` is `Side::RIGHT`, otherwise counterclockwise,
-  /// whatever other networks hold in between; none if the border comes first. Linear in the incident edges passed.
+  /// Returns the next end of this network around the node, clockwise if `side` is `Side::RIGHT` and otherwise
+  /// counterclockwise, regardless of edges that other networks hold in between. Returns no end if the border comes
+  /// first. Linear in the number of incident edges passed.
   Strand_end next_beyond_others(const Strand_end& end, Side side) const
   {
     return next_end(end, side, [this](const Walker& h) { return h.is_held() && m_segments.leftmost(h) != no_segment; });
   }
 
-  /// Looks into the wedge of a joint, no further than to \f$\pi\f$.
+  /// Returns the state and the angle of the wedge of a joint. The wedge is inspected up to an angle of \f$\pi\f$ at
+  /// most, so the time is linear in the number of incident edges within that angle.
   Wedge wedge(const Joint& joint) const
   {
     const Wedge result = look_into_wedge(joint);
@@ -311,7 +324,7 @@ public:
     return result;
   }
 
-  /// Do the two ends of a joint lie on one spoke, next to each other, so that the joint turns back on itself?
+  /// Returns whether the two ends of a joint are adjacent on one halfedge, so that the joint turns back on itself.
   bool is_turning_back(const Joint& joint) const
   {
     const auto [a, b] = ends(joint);
@@ -323,13 +336,16 @@ public:
   /// @{
 
   /*!
-   * Moves a joint over its wedge: replaces its two segments by segments along `arc`. The arc leads from the head of the
-   * joint's first end to that of its second, with the wedge on its right. The new segments are outermost on that side.
-   * An empty arc cancels a joint that turns back.
+   * Moves a joint over its wedge, that is, replaces its two segments by segments along `arc`.
    *
-   * \param affected receives the joints that are new, or newly adjacent: the complete list of those to look at again,
-   *        without the sides of which it is known that they are not below \f$\pi\f$
-   * \return the first new segment in the direction of the curve, `null_index` if there is none
+   * The arc leads from the head of the first end of the joint to that of the second, with the wedge on its right. The
+   * new segments are outermost on that side. An empty arc cancels a joint that turns back.
+   *
+   * \param joint the joint
+   * \param arc the halfedges of the arc
+   * \param affected receives the joints that are new or newly adjacent: all joints that must be inspected again, except
+   *        the sides that are known not to be below \f$\pi\f$
+   * \return the first new segment in the direction of the curve, or `null_index` if no segment was created
    * \pre the angles of the arc on its right are at least \f$\pi\f$
    */
   Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected)
@@ -338,23 +354,24 @@ public:
   }
 
   /*!
-   * Replaces the one segment of a loop by two [SC20, Appendix B]. They run along the other two edges of the face on the
-   * left of `h`, the segment's halfedge or its twin.
+   * Replaces the only segment of a loop by two [SC20, Appendix B], which lie on the other two edges of the face on the
+   * left of `h`, where `h` is the halfedge of the segment or its twin.
    * \return the new segment that arrives at the old node
    */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }
 
 #ifdef DOXYGEN_RUNNING
-  /// Where a segment lies in its stack: what is needed to put another one into its place.
+  /// Stores the position of a segment among the segments on its edge, so that another one can be put there.
   using Stack_place = unspecified_type;
 #else
   using Stack_place = internal::Stack_place;
 #endif
 
-  /// The place of segment `s`, to be kept for `restore_loop()`.
+  /// Returns the position of segment `s` on its edge, to be passed to `restore_loop()`.
   Stack_place stack_place(Segment_index s) const { return m_segments.stack_place(s); }
 
-  /// Replaces a closed curve by the one segment that it was when `place` was taken. \pre the flips since are undone
+  /// Replaces a closed curve by the single segment that it had when `place` was taken. \pre all later flips have been
+  /// undone
   Segment_index restore_loop(Curve_index curve, const Stack_place& place)
   {
     return m_segments.restore_loop(curve, place);
@@ -362,12 +379,12 @@ public:
 
   /// @}
 
-  /// Checks the invariant; linear in the segments and the degrees of the vertices they touch.
+  /// Returns whether the invariant holds. Linear in the number of segments and the degrees of the vertices on them.
   bool is_valid() const { return internal::Network_validity<Edge_path_network>(*this).is_valid(); }
 
   /*!
-   * Do the ends about the vertex of `end` form a non-crossing matching, with all ends of curves, fixed nodes and the
-   * border in one region?
+   * Returns whether the ends around the vertex of `end` form a non-crossing matching, and all ends of curves, fixed
+   * nodes and the border lie in one of its regions.
    */
   bool is_non_crossing_at(const Strand_end& end) const
   {
@@ -381,7 +398,8 @@ private:
 
   static constexpr Segment_index no_segment{0};
 
-  // The outermost segment on the first edge at which `is_end(h)` holds; none if only other networks hold that edge.
+  // Returns the outermost segment on the first edge for which `is_end(h)` holds, or no end if only other networks hold
+  // that edge.
   template <class IsEnd>
   Strand_end next_end(const Strand_end& end, Side side, const IsEnd& is_end) const
   {
@@ -397,7 +415,8 @@ private:
     return end_on(h, opposite_side(side));
   }
 
-  // The outermost segment on an edge, on the side given as seen from the node; none if only other networks hold it.
+  // Returns the outermost segment on an edge, on the given side as seen from the node, or no end if only other networks
+  // hold it.
   Strand_end end_on(const Walker& h, Side side) const
   {
     const Segment_index first = m_segments.leftmost(h);
@@ -435,16 +454,16 @@ struct Internals<Edge_path_network<Triangulation>>
 {
   using Network = Edge_path_network<Triangulation>;
 
-  /* Inserts points with hints where they are, and splits edges, with all segments. */
+  /* Returns an object that inserts points with hints for their positions, and splits edges with all their segments. */
   static auto splitter(Network& network)
   {
     return typename Network::Division(*network.m_triangulation, network.m_segments);
   }
 
   /*
-   * Takes the state that read_network() has read. Returns false, and leaves the network empty, if its curves are not
-   * chains in the triangulation as it is, or its stacks not those of their edges. Whether curves cross is not checked:
-   * they may before they are put in order. \pre there are no curves
+   * Sets the state that read_network() has read. Returns false and leaves the network empty if its curves are not
+   * chains in the current triangulation, or its bundles do not match the edges. Curves may cross before they are put in
+   * order, so crossings are not checked. \pre the network has no curves
    */
   static bool restore(Network& network, const Network_state& state)
   {
@@ -461,11 +480,15 @@ struct Internals<Edge_path_network<Triangulation>>
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The chain of halfedges of the triangulation that passes given vertices, one edge between each two.
+ * Returns the chain of halfedges of the triangulation through given vertices, with one edge between consecutive
+ * vertices.
  *
+ * \param triangulation a triangulation
  * \param vertices a range of vertex indices; a closed curve does not repeat the first
- * \throws Vertex_out_of_range_error
- * \throws Invalid_curve_error if there are fewer than two vertices, or two in a row share no edge
+ * \param is_closed whether the chain leads back to the first vertex
+ * \throws Vertex_out_of_range_error if an index is not that of a vertex
+ * \throws Invalid_curve_error if the range has fewer than two vertices, or two consecutive vertices do not share an
+ *         edge
  *
  * Complexity: linear in the degrees of the vertices.
  */
@@ -498,16 +521,19 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The chain of input halfedges along shortest edge paths from each way point to the next.
+ * Returns the chain of input halfedges along shortest edge paths between consecutive waypoints.
  *
- * \param search a `Shortest_edge_path` over the network's triangulation, whose edges are still the input's
- * \param way_points vertex indices, at least two; those that repeat the one before count once. A closed curve need not
- *        repeat the first
- * \param is_closed says whether the chain leads back to the first way point
+ * \param search a `Shortest_edge_path` over the triangulation of the network, whose edges are still those of the input
+ * \param way_points at least two vertex indices; a vertex that equals the previous one is skipped. A closed curve need
+ *        not repeat the first
+ * \param is_closed whether the chain leads back to the first waypoint
  * \param visitor nothing, or a model of `FlipOutVisitor`, of which only `go_further()` is called, by the searches. If
- *        it returns `false`, then no halfedges are returned
- * \throws Invalid_curve_error for fewer than two way points, or if all are one vertex
- * \throws Vertex_out_of_range_error, Disconnected_endpoints_error as `Shortest_edge_path`
+ *        it returns `false`, no halfedges are returned
+ * \throws Invalid_curve_error if the range has fewer than two waypoints, or all of them are the same vertex
+ * \throws Vertex_out_of_range_error if an index is not that of a vertex
+ * \throws Disconnected_endpoints_error if no edge path connects two consecutive waypoints
+ *
+ * Complexity: that of the searches of `Shortest_edge_path`.
  */
 template <class Search, class VertexRange, class... Visitor>
 std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const VertexRange& way_points,
@@ -520,7 +546,7 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
-    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1], visitor...); // also refuses what is no vertex
+    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1], visitor...); // throws for invalid vertices, too
     if(leg.empty() && v[i] != v[i + 1])                                         // stopped by the visitor
       return {};
     result.insert(result.end(), leg.begin(), leg.end());
@@ -534,10 +560,10 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
 
 namespace internal {
 
-/* A set of edges of a triangulation: a sign for each. */
+/* A set of edges of a triangulation, as one flag per edge. */
 using Edge_marks = Indexed_by<Edge_index, std::vector<char>>;
 
-/* How many edges of a set end at each vertex. */
+/* Returns the number of edges of a set that end at each vertex. */
 template <class Triangulation>
 Indexed_by<Vertex_index, std::vector<Index>> degrees(const Triangulation& triangulation, const Edge_marks& is_marked)
 {
@@ -550,7 +576,7 @@ Indexed_by<Vertex_index, std::vector<Index>> degrees(const Triangulation& triang
   return result;
 }
 
-/* Calls `add()`, which adds curves. Returns how many; if it throws, a network that was empty is empty again. */
+/* Calls `add()`, which adds curves, and returns their number. If it throws, a network that was empty is empty again. */
 template <class Network, class Add>
 Index add_all_or_none(Network& network, const Add& add)
 {
@@ -565,13 +591,15 @@ Index add_all_or_none(Network& network, const Add& add)
   return network.number_of_curves() - before;
 }
 
-/* Adds the chains of a set of edges between the vertices for which `is_node(v)` holds, and the closed ones. Returns how
- * many. \pre two edges end at each vertex of the set that is no node */
+/*
+ * Adds the chains of a set of edges between vertices for which `is_node(v)` holds, and the closed ones. Returns their
+ * number. \pre every vertex of the set that is not a node has two edges of the set
+ */
 template <class Network, class IsNode>
 Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
 {
   const auto& triangulation = network.triangulation();
-  // The way on from the head of h, null_index at a node.
+  // Returns the next halfedge after the head of h, or null_index at a node.
   const auto next_open = [&](Halfedge_index h) -> Halfedge_index {
     if(is_node(triangulation.head(h)))
       return null_index;
@@ -604,16 +632,20 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the network formed by the marked edges of the input mesh: a curve for each chain between vertices where other
- * than two marked edges meet, which are its fixed ends. A loop without such a vertex becomes a closed one. Open curves
- * come first. Each begins with the smaller of the halfedges that leave its two ends and lie on it, and they are ordered
- * by these halfedges. Closed curves follow, ordered by their smallest edges. If the function throws, a network that was
- * empty is empty again. Linear in the mesh.
+ * Adds the network that is formed by the marked edges of the input mesh.
  *
- * \param mesh the triangulation's mesh
- * \param is_marked a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as values
+ * Vertices at which one or more than two marked edges meet become fixed ends, and each chain between such vertices
+ * becomes a curve. A loop without such a vertex becomes a closed curve. Open curves come first: each begins with the
+ * smaller of the two halfedges on it that leave its ends, and the curves are ordered by these halfedges. Closed curves
+ * follow, ordered by their smallest edges. If the function throws, a network that was empty is empty again.
+ *
+ * \param network the network
+ * \param mesh the mesh of the triangulation
+ * \param is_marked a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as values
  * \return the number of curves added
- * \pre the triangulation's edges are still the input's
+ * \pre the edges of the triangulation are still those of the input
+ *
+ * Complexity: linear in the mesh.
  */
 template <class Network, class TriangleMesh, class EdgeIsMarkedMap>
 Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedMap is_marked)
@@ -631,7 +663,7 @@ Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedM
 
 namespace internal {
 
-/* Orders the strands on each edge. Returns what is in the way, if there is anything; then the order is of no use. */
+/* Orders the segments on each edge. Returns the conflict, if one exists; the order is meaningless then. */
 template <class Network>
 Order_conflict order_stacks(Network& network)
 {
@@ -649,7 +681,7 @@ Order_conflict order_stacks(Network& network)
   return {};
 }
 
-/* As `order_overlapping_curves()`, but returns what it throws. */
+/* Orders curves as `order_overlapping_curves()` does, but returns the conflict instead of throwing. */
 template <class Network>
 Order_conflict order_if_possible(Network& network)
 {
@@ -669,32 +701,32 @@ Order_conflict order_if_possible(Network& network)
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Finds the order in which the curves of a network lie side by side on the edges that they share. In it no two cross,
- * nor does one cross itself. To be called after the curves were added: `add_curve()` puts them on an edge in the order
- * in which they come.
+ * Computes an order of the overlapping segments on each edge of a network such that no two curves cross and no curve
+ * crosses itself.
  *
- * Two strands that share a run of edges are ordered by where they part, at either end of it. Where a path ends, or has
- * a fixed node, the order is left open. But all such ends at a vertex, and the border, must be on one side of each
- * curve that passes. What is left open at both ends follows from the order of others on the same edges, or else is
- * chosen. The strand that was added first is then on the left, as seen along it. It is seen against it if its curve has
- * turned back an odd number of times before. So copies of a curve that does not turn back lie to its right.
+ * The function must be called after the curves have been added, because `add_curve()` orders segments by insertion. The
+ * result depends on the connectivity only and is exact: if an order without crossings exists, it is found. Otherwise
+ * the curves cross in every order; for example, two curves that part on opposite sides at the ends of a common chain of
+ * edges, or a curve that goes around an annulus twice before it closes.
  *
- * The answer depends on the connectivity only, and is exact. If there is an order, it is found. If there is none, the
- * curves cross however they lie. Two do that part on opposite sides at the ends of a run. So does one that goes around
- * an annulus twice before it closes. Only where long paths turn back on each other again and again, and their choices
- * interlock, may the search be given up.
- *
- * If it throws, the curves are unchanged, but the order along the edges may not be.
- *
- * Complexity: for \f$n\f$ segments, \f$O(n \log n)\f$ and the degrees of the vertices they pass. If edges have several,
- * there are \f$p\f$ pairs of segments on one edge besides. They take \f$O(p \log p)\f$ time, half a second per million,
- * and \f$O(p)\f$ memory. Where the choices above do not fit together, it is \f$p\f$ times the most segments on one
- * edge.
+ * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. The
+ * end of a path or a fixed node does not determine an order, but all such ends at a vertex, and the border, must lie on
+ * one side of each curve that passes. An order that is undetermined at both ends follows from those of other segments
+ * on the same edges, or else is chosen: the segment that was added first lies on the left, as seen along it, or against
+ * it if its curve has turned back an odd number of times before. Copies of a curve that does not turn back therefore
+ * lie to its right.
  *
  * \param network an `Edge_path_network`
- * \throws Crossing_curves_error with a vertex at which curves cross; where only several vertices together make it
- *         impossible that they do not, with one of these
- * \throws Ambiguous_order_error with the vertices of a shared edge, if the search is given up
+ * \throws Crossing_curves_error if curves cross in every order. The element is a vertex at which they cross, or one of
+ *         several vertices that together make an order impossible
+ * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
+ *         repeatedly and their choices interlock; the elements are the vertices of a shared edge. After either
+ *         exception the curves are unchanged, but the order of their segments may not be
+ *
+ * Complexity: \f$O(n \log n)\f$ for \f$n\f$ segments, plus the degrees of the vertices that they pass. If edges have
+ * several segments, with \f$p\f$ pairs of segments on one edge in total, these take \f$O(p \log p)\f$ time, half a
+ * second per million pairs, and \f$O(p)\f$ memory. If the choices described above are inconsistent, the time is \f$p\f$
+ * times the maximal number of segments on one edge.
  */
 template <class Network>
 void order_overlapping_curves(Network& network)
