@@ -46,8 +46,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A halfedge of a triangulation, held by where the triangulation keeps it: for walks, whose steps each take a look into
- * the table of slots if they are made by index.
+ * A halfedge of a triangulation, represented by its position in the storage of the triangulation. Walks use it to avoid
+ * the look-up in the table of slots that every access by index needs.
  *
  * The functions are those of `Intrinsic_triangulation`, and copy faces of the input as they do.
  */
@@ -58,7 +58,7 @@ class Placed_halfedge
   using Turn = typename Store::Traits::Turn;
 
 public:
-  /* What a halfedge's place is kept in; default constructed it is none. */
+  /* The storage of a halfedge and its slot; default constructed, it refers to no halfedge. */
   using Place = Slot;
 
   Placed_halfedge(Store& store, Slot slot)
@@ -75,7 +75,7 @@ public:
   void hold() const { store().hold(m_slot); }
   void release() const { store().release(m_slot); }
 
-  /* What clockwise() and counterclockwise() give where the border intervenes. */
+  /* Returns whether this is no halfedge, which clockwise() and counterclockwise() return at the border. */
   bool is_none() const { return m_slot == Slot::NONE; }
   bool operator==(const Placed_halfedge& other) const { return m_slot == other.m_slot; }
   bool operator!=(const Placed_halfedge& other) const { return m_slot != other.m_slot; }
@@ -113,14 +113,17 @@ public:
     if(in.is_border())
       return at(Slot::NONE);
     extend_turn_over(turn, in);
-    prefetch(&store()[store()[in.next()].next()]); // for flips, should it come to that
+    prefetch(&store()[store()[in.next()].next()]); // for a possible flip
     return at(in.next());
   }
 
   void extend_turn(Turn& turn) const { extend_turn_over(turn, store().known(m_slot)); }
 
-  /* Adds the angle at the head in the two faces of the edge; returns from where it leads, clockwise, and to where.
-   * \pre both faces exist */
+  /*
+   * Adds the angle at the head in the two faces of the edge; returns the halfedges from and to which it leads,
+   * clockwise.
+   * \pre both faces exist
+   */
   std::pair<Placed_halfedge, Placed_halfedge> extend_turn_at_head(Turn& turn) const
   {
     const Record& at_h = store().known(m_slot);
@@ -150,10 +153,10 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * The elements of an intrinsic triangulation: how they are connected, how long they are, and which edges networks hold.
- * This is the base of `Intrinsic_triangulation`, which flips edges and inserts points.
+ * Provides the elements of an intrinsic triangulation: their connectivity, their lengths, and the edges that networks
+ * hold. This is the base class of `Intrinsic_triangulation`, which flips edges and inserts points.
  *
- * Template parameters are those of `Intrinsic_triangulation`.
+ * The template parameters are those of `Intrinsic_triangulation`.
  */
 template <class TriangleMesh, class Traits_, class Metric_>
 class Intrinsic_triangulation_elements
@@ -161,20 +164,20 @@ class Intrinsic_triangulation_elements
   static_assert(internal::are_triangulation_traits<Traits_>());
 
 public:
-  using Triangle_mesh = TriangleMesh;                           ///< the input, as it was given
+  using Triangle_mesh = TriangleMesh;                           ///< the type of the input
   using Traits = Traits_;                                       ///< the template parameter
   using Metric = Metric_;                                       ///< the template parameter
-  using Input_mesh = Numbered_mesh<TriangleMesh>;               ///< the input, numbered
+  using Input_mesh = Numbered_mesh<TriangleMesh>;               ///< the numbered input
   using vertex_descriptor = Vertex_index;                       ///< of the intrinsic triangulation
   using halfedge_descriptor = Halfedge_index;                   ///< of the intrinsic triangulation
   using edge_descriptor = Edge_index;                           ///< of the intrinsic triangulation
   using face_descriptor = Face_index;                           ///< of the intrinsic triangulation
   using FT = typename Traits::FT;                               ///< of squared lengths
-  using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< what the traits store of a halfedge
-  using Turn = typename Traits::Turn;                           ///< a rotation about a vertex, of the traits
-  /// Descriptors of `Triangle_mesh`.
+  using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< the data that the traits store for a halfedge
+  using Turn = typename Traits::Turn;                           ///< a rotation around a vertex, of the traits
+  /// The vertex type of `Triangle_mesh`.
   using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  /// Descriptors of `Triangle_mesh`.
+  /// The halfedge type of `Triangle_mesh`.
   using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 #ifdef DOXYGEN_RUNNING
   /// A model of `IntrinsicTriangulationWalker`.
@@ -186,100 +189,101 @@ public:
   /// \name The input
   /// @{
 
-  /// The input mesh, numbered by consecutive integers.
+  /// Returns the input mesh, numbered by consecutive integers.
   const Input_mesh& input() const { return m_halfedges.input(); }
-  /// Where the lengths of the input's edges come from.
+  /// Returns the metric, which defines the lengths of the input edges.
   const Metric& metric() const { return m_halfedges.metric(); }
-  /// The arithmetic.
+  /// Returns the traits.
   const Traits& traits() const { return m_halfedges.traits(); }
 
-  /// The number of vertices: the input's, and those inserted, which come after them.
+  /// Returns the number of vertices: those of the input, followed by the inserted ones.
   Index number_of_vertices() const { return m_halfedges.number_of_vertices(); }
-  /// The number of halfedges, twice the number of edges.
+  /// Returns the number of halfedges, twice the number of edges.
   Index number_of_halfedges() const { return 2 * number_of_edges(); }
-  /// The number of edges, the input's and those of inserted points; flips do not change it.
+  /// Returns the number of edges of the input and of inserted points, which flips do not change.
   Index number_of_edges() const { return m_halfedges.number_of_edges(); }
 
-  /// The vertex that a vertex of the input mesh is, `null_index` if it is not one.
+  /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if that is not valid.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
-  /// The halfedge that a halfedge of the input mesh is as long as its edge is not flipped; none if it is not one.
+  /// Returns the halfedge that corresponds to a halfedge of the input mesh as long as its edge has not been flipped, or
+  /// `null_index` if the latter is not valid.
   Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
-  /// What vertex `v` is in the input mesh. \pre `v` was not inserted
+  /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted
   Mesh_vertex vertex(Vertex_index v) const { return input().vertex(v); }
 
-  /// The input mesh's halfedge with the number of `h`.
+  /// Returns the halfedge of the input mesh with the number of `h`.
   Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
 
   /// @}
   /// \name Connectivity
-  /// Constant time. The face on the left of a halfedge is copied from the input at the first touch. Then a face that is
-  /// no triangle, degenerate or not finite throws `Invalid_mesh_error`, `Degenerate_face_error` or
-  /// `Invalid_coordinate_error`.
+  /// The functions take constant time. The face on the left of a halfedge is copied from the input when it is first
+  /// accessed. At that time `Invalid_mesh_error`, `Degenerate_face_error` or `Invalid_coordinate_error` is thrown if
+  /// the face is not a triangle, is degenerate or is not finite.
   /// @{
 
-  /// The other side of the edge.
+  /// Returns the other side of the edge.
   static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }
-  /// The edge that `h` is a side of.
+  /// Returns the edge of `h`.
   static Edge_index edge(Halfedge_index h) { return internal::edge_of(h); }
 
-  /// The next halfedge around the face. \pre `h` is not on the border
+  /// Returns the next halfedge around the face. \pre `h` is not on the border
   Halfedge_index next(Halfedge_index h) const { return m_halfedges.halfedge(record(h).next()); }
-  /// The previous halfedge around the face. \pre `h` is not on the border
+  /// Returns the previous halfedge around the face. \pre `h` is not on the border
   Halfedge_index previous(Halfedge_index h) const { return m_halfedges.halfedge(m_halfedges[record(h).next()].next()); }
-  /// The vertex at which `h` starts.
+  /// Returns the vertex at which `h` starts.
   Vertex_index tail(Halfedge_index h) const { return record(h).tail; }
-  /// The vertex at which `h` ends.
+  /// Returns the vertex at which `h` ends.
   Vertex_index head(Halfedge_index h) const { return record(twin(h)).tail; }
-  /// Has `h` no face on its left?
+  /// Returns whether `h` has no face on its left.
   bool is_border(Halfedge_index h) const { return record(h).is_border(); }
 
-  /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
+  /// Returns the next halfedge clockwise around the tail, or `null_index` if the border lies in between.
   Halfedge_index clockwise(Halfedge_index h) const
   {
     const Record& at_t = record(twin(h));
     return at_t.is_border() ? null_index : m_halfedges.halfedge(at_t.next());
   }
 
-  /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
+  /// Returns the next halfedge counterclockwise around the tail, or `null_index` if the border lies in between.
   Halfedge_index counterclockwise(Halfedge_index h) const { return is_border(h) ? null_index : twin(previous(h)); }
 
-  /// A walker that stands at `h`.
+  /// Returns a walker positioned at `h`.
   Walker walker(Halfedge_index h) const { return Walker(m_halfedges, m_halfedges.taken(h)); }
-  /// The same, given the place of a walker at either side of the edge.
+  /// Returns a walker positioned at `h`, given the place of a walker at either side of the edge.
   Walker walker(typename Walker::Place place, Halfedge_index h) const
   {
     return Walker(m_halfedges, internal::side_slot(place, h));
   }
 
-  /// Announces that the face on the left of `h` will be read soon: a hint to the cache, without any effect.
+  /// Prefetches the face on the left of `h` into the cache, without any other effect.
   void prefetch_face(Halfedge_index h) const { m_halfedges.prefetch_face(m_halfedges.slot(h)); }
 
-  /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
+  /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Halfedge_index outgoing(Vertex_index v) const { return m_halfedges.outgoing(v); }
 
   /// @}
   /// \name Geometry
   /// @{
 
-  /// What the traits keep of a halfedge, in the frame of its face. \pre `h` is not on the border
+  /// Returns the data that the traits store for a halfedge, in the frame of its face. \pre `h` is not on the border
   const Halfedge_geometry& geometry(Halfedge_index h) const { return record(h).geometry; }
 
-  /// The squared length of edge `edge(h)`, in the traits' number type.
+  /// Returns the squared length of edge `edge(h)`, in the number type of the traits.
   FT squared_length(Halfedge_index h) const
   {
     return traits().compute_squared_length_object()(geometry(is_border(h) ? twin(h) : h));
   }
 
-  /// The length of edge `edge(h)`, rounded to double.
+  /// Returns the length of edge `edge(h)`, rounded to double.
   double length(Halfedge_index h) const
   {
     return traits().compute_length_object()(geometry(is_border(h) ? twin(h) : h));
   }
 
   /*!
-   * Adds to a turn about the tail of `h` the corner on the right of `h`, and moves on.
-   * \return the next halfedge clockwise, `null_index` where the border intervenes and nothing is added
+   * Adds the corner on the right of `h` to a turn around the tail of `h`, and advances to the next halfedge.
+   * \return the next halfedge clockwise, or `null_index` if the border lies in between and nothing is added
    */
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const
   {
@@ -287,34 +291,36 @@ public:
     return next.is_none() ? null_index : next.index();
   }
 
-  /// Adds to a turn the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
+  /// Adds the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`, to a turn.
   void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
 
   /// @}
   /// \name Held edges
-  /// An edge that is held is not flipped. A network holds each edge on which it has a segment once. Constant time.
+  /// A held edge is not flipped. A network holds each edge on which it has a segment once. The functions take constant
+  /// time.
   /// @{
 
-  /// The number of holds on edge `e`: of networks that have a segment there, 0 at first.
+  /// Returns the number of holds on edge `e`, one for each network that has a segment there; it is 0 initially.
   Index holds(Edge_index e) const { return m_halfedges.holds(m_halfedges.slot(internal::first_side(e))); }
-  /// Holds edge `e` once more.
+  /// Adds a hold on edge `e`.
   void hold(Edge_index e) { m_halfedges.hold(m_halfedges.taken(internal::first_side(e))); }
-  /// Takes one hold on edge `e` back. \pre `holds(e) > 0`
+  /// Removes a hold on edge `e`. \pre `holds(e) > 0`
   void release(Edge_index e) { m_halfedges.release(m_halfedges.slot(internal::first_side(e))); }
-  /// The number of holds on all edges; 0 if and only if no network has a segment in the triangulation.
+  /// Returns the number of holds on all edges, which is 0 if and only if no network has a segment in the triangulation.
   std::size_t number_of_holds() const { return m_halfedges.number_of_holds(); }
 
-  /// An upper bound of `Walker::edge_place()`. It grows with the number of edges that have been touched.
+  /// Returns an upper bound of `Walker::edge_place()`, which grows with the number of edges that have been accessed.
   std::size_t number_of_edge_places() const { return m_halfedges.number_of_edge_places(); }
 
   /// @}
 
-  /// Checks the invariant with a tolerance of 1e-9.
+  /// Returns whether the invariant holds, with a tolerance of 1e-9.
   bool is_valid() const { return is_valid(internal::default_validity_tolerance); }
 
   /*!
-   * Checks the invariant of all that has been touched: the links of faces, the closing of their vectors, the equal
-   * lengths of an edge's two sides, relative to the longest edge of the face by `tolerance`. Linear in the mesh.
+   * Returns whether the invariant holds for all accessed elements: the links of faces, the closedness of their vectors,
+   * and the equal lengths of the two sides of an edge, up to `tolerance` relative to the longest edge of the face.
+   * Linear in the mesh.
    */
   bool is_valid(double tolerance) const
   {
@@ -326,9 +332,9 @@ public:
   }
 
 protected:
-  using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>; ///< where the elements are kept
+  using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>; ///< the storage of the elements
 
-  /// The elements of an input that was not touched yet.
+  /// Constructs the elements of an input of which nothing has been accessed yet.
   Intrinsic_triangulation_elements(const Input_mesh& input, const Metric& metric, const Traits& traits)
     : m_halfedges(input, metric, traits)
   {
@@ -339,20 +345,21 @@ protected:
   /// Moves the elements.
   Intrinsic_triangulation_elements& operator=(Intrinsic_triangulation_elements&&) noexcept = default;
 
-  /// Where the elements are kept, for what changes them: faces of the input are copied when they are first read.
+  /// Returns the storage of the elements for functions that change them; faces of the input are copied when they are
+  /// first read.
   Store& store() const { return m_halfedges; }
 
 private:
   using Record = typename Store::Record;
 
-  // Of a face that is known from here on.
+  // The face is known after this call.
   const Record& record(Halfedge_index h) const { return m_halfedges.known(h); }
 
   mutable Store m_halfedges;
 };
 
 /// \ingroup PkgFlipGeodesicsMetrics
-/// The metric of a mesh unless another is given: that of its own points.
+/// The default metric of a mesh, which is that of its own points.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
@@ -371,43 +378,44 @@ using Default_traits = std::conditional_t<internal::Has_exact_faces<Metric>::val
 #endif
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// What a triangulation makes of edges of length zero.
+/// Specifies how a triangulation treats degenerate edges.
 enum class Zero_length_edges {
-  REFUSE,  ///< a face with such an edge throws `Degenerate_face_error` when it is touched
-  CONTRACT ///< vertices that such edges join, or that faces without area fold onto one place, are one vertex, and faces
-           ///< with such an edge and folded faces are gone
+  REFUSE, ///< a face with a degenerate edge throws `Degenerate_face_error` when it is accessed
+  /// vertices that degenerate edges connect, or that degenerate faces fold onto one point, become one vertex; faces
+  /// with a degenerate edge and folded faces are removed
+  CONTRACT
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * An intrinsic triangulation of a triangle mesh: the mesh's vertices, joined by straight edges *in* the surface, that
- * can be flipped without changing the surface [SC20, section 3.1].
+ * Represents an intrinsic triangulation of a triangle mesh: the vertices of the mesh are connected by straight edges
+ * *in* the surface, which can be flipped without changing the surface [SC20, section 3.1].
  *
- * It is a true \f$\Delta\f$-complex: an edge may be a loop, two edges may share both end vertices, a vertex may have
- * degree 1, a face may be glued to itself. Elements are told apart by their indices, never by their vertices. Vertices
- * keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`; both ids survive flips, and before
- * the first flip they are the input's. Points of the surface can be inserted as further vertices, with the next
- * indices.
+ * The triangulation is a \f$\Delta\f$-complex: an edge may be a loop, two edges may have the same two end points, a
+ * vertex may have degree 1, and a face may be glued to itself. Elements are therefore identified by their indices,
+ * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`;
+ * both ids survive flips, and before the first flip they are those of the input. Points of the surface can be inserted
+ * as further vertices, which receive the next indices.
  *
- * Faces of the input are copied when they are first touched. So construction takes constant time over a `Surface_mesh`,
- * and \f$O(n \log n)\f$ over other meshes, whose elements are numbered first. The mesh and its points must outlive the
- * triangulation, unchanged.
+ * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
+ * `Surface_mesh`, and \f$O(n \log n)\f$ for other meshes, whose elements are indexed first. The mesh and its points
+ * must outlive the triangulation and must not be changed.
  *
- * The invariant: the vectors of a face close, the two sides of an edge have one length, and the crossing numbers of the
- * edges are those of the input edges (`is_valid()`).
+ * The triangulation satisfies an invariant that `is_valid()` checks: the vectors of a face sum to zero, the two sides
+ * of an edge have the same length, and the crossing numbers of the edges are those of the input edges.
  *
- * Several threads can call `const` members at once, if the mesh and its points can be read at once. They copy faces of
- * the input and keep what they derive all the same. Which halfedge `outgoing()` returns can depend on which faces were
- * read before; nothing else does. While one thread calls another member, changes a network in the triangulation or moves
- * a walker's hold, no other thread may use the triangulation.
+ * Several threads may call `const` members concurrently if the mesh and its points can be read concurrently, although
+ * these members copy faces of the input and cache derived data. Only the choice of the halfedge that `outgoing()`
+ * returns can depend on the faces read before. While one thread calls another member, changes a network in the
+ * triangulation or moves the hold of a walker, no other thread may use the triangulation.
  *
  * \cgalModels{IntrinsicTriangulationOfMesh}
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
- *         `Surface_mesh` without removed vertices or edges
+ *         `Surface_mesh` must not contain removed vertices or edges
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`; by default `Certified_intrinsic_triangulation_traits` of
- *         the points' kernel, whatever kernel that is
+ *         the kernel of the points
  * \tparam Metric_ a model of `IntrinsicMetric`
  */
 template <class TriangleMesh, class Traits_ = Default_traits<Default_metric<TriangleMesh>>,
@@ -420,19 +428,19 @@ class Intrinsic_triangulation : public Intrinsic_triangulation_elements<Triangle
 public:
   using Traits = Traits_;                                       ///< the template parameter
   using Metric = Metric_;                                       ///< the template parameter
-  using Input_mesh = typename Elements::Input_mesh;             ///< the input, numbered
-  using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< what the traits store of a halfedge
-  using Turn = typename Traits::Turn;                           ///< a rotation about a vertex, of the traits
+  using Input_mesh = typename Elements::Input_mesh;             ///< the numbered input
+  using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< the data that the traits store for a halfedge
+  using Turn = typename Traits::Turn;                           ///< a rotation around a vertex, of the traits
   using Walker = typename Elements::Walker;                     ///< a model of `IntrinsicTriangulationWalker`
 
 #ifdef DOXYGEN_RUNNING
-  /// What the log keeps of a flip, see `IntrinsicTriangulationOfMesh::Flip_record`.
+  /// The log entry of a flip, see `IntrinsicTriangulationOfMesh::Flip_record`.
   using Flip_record = unspecified_type;
 #else
   using Flip_record = internal::Flip_record<Halfedge_geometry>;
 #endif
 
-  /// A position in the flip log, to roll back to.
+  /// A position in the flip log, to which the triangulation can be rolled back.
   using Log_position = std::size_t;
 
   using Elements::edge, Elements::geometry, Elements::holds, Elements::input, Elements::is_border, Elements::next,
@@ -441,28 +449,31 @@ public:
   /// \name Construction
   /// @{
 
-  /// Over an embedded mesh with the mesh's own points. Complexity: see the class.
-  /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` keeps removed vertices or edges
+  /// Constructs the triangulation of a mesh with its own points. The complexity is given at the class.
+  /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
   explicit Intrinsic_triangulation(const TriangleMesh& mesh, const Traits& traits = Traits())
     : Intrinsic_triangulation(mesh, Metric(get(CGAL::vertex_point, mesh)), traits)
   {
   }
 
-  /// Over a mesh with a metric. Complexity, exceptions: as above.
+  /// Constructs the triangulation of a mesh with a metric. The complexity is given at the class.
+  /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
     : Elements(Input_mesh(mesh), metric, traits)
   {
   }
 
   /*!
-   * The same, and says what becomes of edges of length zero.
+   * Constructs the triangulation of a mesh with a metric, and refuses or contracts degenerate edges.
    *
-   * If they are contracted, the input is the surface that is left: vertices in one place have the index of one of them,
-   * the others are isolated; the edges that faces of no area lay between are one edge. `index()` tells where the
-   * mesh's elements are, `null_index` if nothing is left of a halfedge, and `input_halfedge()` gives one of several.
-   * Where sheets of the surface met in a point only, each has a vertex of its own, and no curve leads from one to
-   * another. If there is no such edge, nothing differs. Linear in the mesh if edges are to be contracted.
+   * If edges are contracted, the input of the triangulation is the contracted surface. Coincident vertices have the
+   * index of one of them, and the others are isolated; the edges on both sides of degenerate faces become one edge.
+   * `index()` returns the corresponding elements, or `null_index` for a halfedge that has vanished, and
+   * `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the surface meet only in a
+   * point, each has its own vertex, and no curve leads from one to another. If the mesh has no degenerate edges, the
+   * result is the same as without contraction. Contraction takes linear time in the mesh.
    *
+   * \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
    * \throws Degenerate_face_error if a face has one edge of length zero and two of different lengths
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
@@ -472,29 +483,30 @@ public:
   }
 
   /*!
-   * Moves a triangulation, without copying anything of its size. What refers to `other`, such as networks, walkers, trees
-   * and shorteners, still does so, and can only be destroyed; networks with curves not even that. An
-   * `Edge_path_network` can be moved along, see its constructors. `other` can be assigned to and destroyed.
+   * Moves a triangulation without copying data proportional to its size. Networks, walkers, trees and shorteners that
+   * refer to `other` still do so, and can only be destroyed; a network with curves cannot even be destroyed, but an
+   * `Edge_path_network` can be moved along by one of its constructors. `other` can be assigned to and destroyed.
    */
   Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
-  /// Moves a triangulation, as the constructor does. \pre no network has curves in the one that is assigned to
+  /// Moves a triangulation, as the constructor does. \pre no network has curves in the triangulation that is assigned
+  /// to
   Intrinsic_triangulation& operator=(Intrinsic_triangulation&& other) noexcept = default;
 
   /// @}
   /// \name Geometry
   /// @{
 
-  /// Replaces the vectors of the face on the left of `h`, from `h` on, by more accurate ones. The log keeps the old
-  /// ones.
+  /// Replaces the vectors of the face on the left of `h`, starting with that of `h`, by more accurate ones. The log
+  /// keeps the old ones.
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
     m_log.lay_out(store(), h, geometry);
   }
 
   /*!
-   * Is the turn, which leads clockwise about a vertex from halfedge `from` to halfedge `to`, at least \f$\pi\f$?
-   * \pre the turn has at least one corner, and was below \f$\pi\f$ before the last one; `from == to` means all the way
-   * round
+   * Returns whether a turn, which leads clockwise around a vertex from halfedge `from` to halfedge `to`, is at least
+   * \f$\pi\f$.
+   * \pre the turn has at least one corner, and was below \f$\pi\f$ before the last one; `from == to` means a full turn
    */
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const
   {
@@ -505,12 +517,14 @@ public:
     return comparison.make_certain() != SMALLER;
   }
 
-  /// How the decisions that were left open by the traits were taken, since construction.
+  /// Returns how filter failures of the traits have been resolved since construction.
   Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
 
-  /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
+  /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$. \pre both faces
+  /// exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
-  /// The same, of a halfedge that a walker stands at.
+  /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$, for the
+  /// halfedge of a walker. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const
   {
     Turn turn;
@@ -519,17 +533,18 @@ public:
   }
 
   /*!
-   * Is the edge of `h` locally Delaunay: on the border, or the two angles opposite to it together at most \f$\pi\f$? An
-   * edge that is not can be flipped, and is locally Delaunay afterwards.
+   * Returns whether the edge of `h` is locally Delaunay: it is on the border, or the sum of the two opposite angles is
+   * at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped, and is locally Delaunay afterwards.
    *
-   * Exact where the traits are. Otherwise four points count as cocircular up to the traits' tolerance, and Delaunay
-   * then. So flipping what is not Delaunay, in any order, ends as long as drift stays below the tolerance.
+   * The result is exact if the predicates of the traits are. Otherwise, points that are cocircular up to the tolerance
+   * of the traits count as Delaunay, so flipping non-Delaunay edges in any order terminates as long as the drift stays
+   * below the tolerance.
    */
   bool is_locally_delaunay(Halfedge_index h) const
   {
     const Halfedge_index t = twin(h);
     if(is_border(h) || is_border(t) || next(h) == t || next(t) == h)
-      return true; // at a vertex of degree 1, opposite are the base angles of an isosceles face
+      return true; // at a vertex of degree 1, the opposite angles are the base angles of an isosceles face
     const Halfedge_index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
     const Uncertain<bool> result = traits().is_locally_delaunay_object()(geometry(h), geometry(hn), geometry(hp),
                                                                          geometry(t), geometry(tn), geometry(tp));
@@ -549,8 +564,8 @@ public:
   /// \name Flips
   /// @{
 
-  /// Can the edge of `h` be flipped [SC20, section 3.1.3]: inside, in a convex quad, both ends of degree above 1, and
-  /// not held?
+  /// Returns whether the edge of `h` can be flipped [SC20, section 3.1.3]: it is an interior edge in a convex
+  /// quadrilateral, both its ends have a degree above 1, and it is not held.
   bool is_flippable(Halfedge_index h) const
   {
     const Halfedge_index t = twin(h);
@@ -560,31 +575,35 @@ public:
   }
 
   /*!
-   * Flips the edge of `h`: `h` leads from the apex of its twin's face to the apex of its own afterwards. Four flips of
-   * one halfedge restore the connectivity. Constant time. If anything is thrown, `std::bad_alloc` above all, nothing
-   * has changed.
+   * Flips the edge of `h`. Afterwards, `h` leads from the apex of the former face of its twin to the apex of its own
+   * former face.
+   *
+   * Four flips of one halfedge restore the connectivity. Constant time. If anything is thrown, in particular
+   * `std::bad_alloc`, the triangulation is unchanged.
    * \pre `is_flippable(h)`
    */
   void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
 
-  /// The end of the flip log: the number of flips and insertions since the input, and of faces laid out afresh.
+  /// Returns the end of the flip log: the number of flips, insertions and recomputed faces since construction.
   Log_position log_position() const { return m_log.size(); }
 
   /*!
-   * The bytes that the records of what was done take: the flip log, inserted points, and what was derived from the log
-   * of crossings and, for exact decisions, of vectors. With `Certified_intrinsic_triangulation_traits` a flip takes
-   * about 165 bytes, at most 200, besides some megabytes for all; with doubles about 100. Not counted is what numbers
-   * own besides their own size, such as the digits of rationals. What `rollback()` takes back is free again, up to some
-   * megabytes kept for reuse. Constant time.
+   * Returns the number of bytes used by the records of changes in constant time.
+   *
+   * The records consist of the flip log, the inserted points, and the data derived from the log about crossings and,
+   * for exact predicates, about vectors. With `Certified_intrinsic_triangulation_traits` a flip takes about 165 bytes,
+   * at most 200, in addition to some megabytes in total; with doubles it takes about 100. Memory that numbers own on
+   * the heap, such as the digits of rationals, is not included. `rollback()` frees the memory of everything that it
+   * undoes, except for some megabytes kept for reuse.
    */
   std::size_t memory_of_records() const
   {
     return m_log.memory() + m_points.size() * sizeof(internal::Inserted_point<Halfedge_geometry>) + m_history.memory();
   }
 
-  /// Takes flips and insertions back, the last first, until the log has `position` entries; bit for bit. Linear in what
-  /// is undone. \pre no curve of any network lies on an edge that goes, or all such curves are removed before they are
-  /// used
+  /// Undoes flips and insertions, the last first, until the log has `position` entries. The former state is restored
+  /// bitwise. Linear in the number of undone entries. \pre no curve of any network lies on an edge that vanishes,
+  /// unless all such curves are removed before they are used
   void rollback(Log_position position = 0)
   {
     if(m_log.size() > position)
@@ -598,20 +617,20 @@ public:
     }
   }
 
-  /// Entry `i` of the flip log.
+  /// Returns entry `i` of the flip log.
   const Flip_record& flip_record(Log_position i) const { return m_log[i]; }
 
   /// @}
   /// \name Points of the surface as vertices
   /// @{
 
-  /// Was vertex `v` inserted? The others are the input's.
+  /// Returns whether vertex `v` was inserted rather than being a vertex of the input.
   bool is_inserted(Vertex_index v) const { return v.idx() >= input().number_of_vertices(); }
 
   /*!
-   * Where vertex `v` is on the input, told in one way only: an input vertex by a halfedge that starts there, with
-   * weights (1, 0, 0); a point of an edge by its first halfedge that is not on the border, with third weight zero; a
-   * point inside a face by the face's smallest halfedge.
+   * Returns the location of vertex `v` on the input in a canonical form. An input vertex is given by a halfedge that
+   * starts there, with weights (1, 0, 0); a point of an edge by the first halfedge of the edge that is not on the
+   * border, with third weight zero; and a point inside a face by the smallest halfedge of the face.
    * \pre `v` is not isolated
    */
   Surface_location location(Vertex_index v) const
@@ -622,24 +641,27 @@ public:
   }
 
   /*!
-   * Makes a point of the surface a vertex: splits the face or the edge of this triangulation that holds it. Where the
-   * input's faces, the points' weights and the words of the edges meet, everything is exact: the point lies in the face
-   * or on the edge that it is put into, and the words of the new edges are right, whatever the numbers do. Only traits
-   * whose decisions err can leave no face for a point; then it goes onto the nearest edge, if that is as close as
-   * rounding explains.
+   * Makes a point of the surface a vertex, by splitting the face or the edge of this triangulation that contains it.
    *
-   * `rollback()` takes the vertex out again.
+   * The position of the point with respect to the input faces and the edge sequences is determined exactly. The point
+   * lies in the face or on the edge that is split, and the edge sequences of the new edges are correct, even if the
+   * geometry is rounded. Only with inexact predicates can it happen that no face contains the point; it is then
+   * inserted on the nearest edge, provided that rounding errors explain the distance. `rollback()` removes the vertex
+   * again.
    *
    * \param location any point of the surface
-   * \return the new vertex, or the one that is there already
-   * \throws Invalid_location_error
-   * \throws Insertion_error if flips were wrong by rounding around the point, the point is closer to a vertex than
-   *         numbers can tell, or an exact number type cannot express it; nothing is changed then
-   * \throws Occupied_triangulation_error if a curve lies on the edge that the point is on, which
-   *         `Edge_path_network::insert()` splits; nothing is changed then
-   * \throws Degenerate_face_error, Invalid_coordinate_error
+   * \return the new vertex, or the existing one at the point
+   * \throws Invalid_location_error if `location` is not a point of the surface
+   * \throws Insertion_error if rounding errors have led to wrong flips around the point, the point is too close to a
+   *         vertex to be distinguished from it, or an exact number type cannot represent it; the triangulation is
+   *         unchanged then
+   * \throws Occupied_triangulation_error if a curve lies on the edge that contains the point, which
+   *         `Edge_path_network::insert()` would split; the triangulation is unchanged then
+   * \throws Degenerate_face_error if a face that is visited is degenerate
+   * \throws Invalid_coordinate_error if a face that is visited is not finite
    *
-   * Linear in the words of the edges that pass the point's input face, most often those of its face alone.
+   * Complexity: linear in the lengths of the sequences of the edges that cross the input face of the point, usually
+   * only those of the face that contains it.
    */
   Vertex_index insert(const Surface_location& location)
   {
@@ -650,8 +672,10 @@ public:
   }
 
   /*!
-   * As above. Where an edge is split, `on_split` is called with two halfedges: `first`, which is now half as long, and
-   * `second`, which leads on from the new vertex to the old head of `first`. If it throws, the insertion is taken back.
+   * Makes a point of the surface a vertex as above, and calls `on_split` if an edge is split.
+   *
+   * The arguments are two halfedges: `first`, which now has part of its former length, and `second`, which leads from
+   * the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
    */
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split)
@@ -661,18 +685,25 @@ public:
   }
 
   /*!
-   * Splits the edge of `h` at a point that lies on it up to rounding; it lies on it by definition from then on.
+   * Splits the edge of `h` at a point that lies on it up to rounding errors; by definition, the point lies on the edge
+   * from then on.
    *
-   * \param gap where the point's input face is on the edge's way: the number of letters of `crossing_word(h)` before it
-   * \param location a point of that face; not on its border, unless the edge runs along it
+   * \param h a side of the edge
+   * \param gap the position of the input face of the point along the edge, that is, the number of crossed edges of
+   *        `crossing_word(h)` before it
+   * \param location a point of that face, not on its boundary unless the edge lies on the boundary
    * \param on_split as for `insert()`
-   * \throws as `insert()`
+   * \return the new vertex
+   * \throws Insertion_error as `insert()` does
+   * \throws Invalid_location_error as `insert()` does
+   * \throws Degenerate_face_error as `insert()` does
+   * \throws Invalid_coordinate_error as `insert()` does
    */
   template <class OnSplit>
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split)
   {
     if(is_border(h))
-      h = twin(h); // an input edge: it crosses nothing
+      h = twin(h); // an input edge, which crosses nothing
     return internal::insert_point(*this, editor(), {h, gap, true, null_index},
                                   internal::canonical_location(input(), location), on_split);
   }
@@ -680,9 +711,14 @@ public:
   /*!
    * Splits the face on the left of `h` at a point inside it.
    *
-   * \param gap the number of letters of `crossing_word(h)` before the input face that holds the point
+   * \param h a side of the face
+   * \param gap the number of crossed edges of `crossing_word(h)` before the input face that contains the point
    * \param location a point of that input face
-   * \throws as `insert()`
+   * \return the new vertex
+   * \throws Insertion_error as `insert()` does
+   * \throws Invalid_location_error as `insert()` does
+   * \throws Degenerate_face_error as `insert()` does
+   * \throws Invalid_coordinate_error as `insert()` does
    */
   Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
@@ -694,23 +730,27 @@ public:
   /// \name Correspondence with the input
   /// @{
 
-  /// How many input edges the edge crosses; -1 if it lies along an input edge [GSC21].
+  /// Returns the number of input edges that the edge crosses, or -1 if it lies along an input edge [GSC21].
   Index crossings(Edge_index e) const { return store().crossings(store().slot(internal::first_side(e))); }
 
   /*!
-   * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone [GSC21, section
-   * 3]. Read off the numbers of crossings around the edge when it is first asked for, and kept. Derived from the flip
-   * log where points are inserted or no edge at either end is the input's any more: in total about as many words as the
-   * edge's history has joints.
+   * Returns the sequence of input edges that halfedge `h` crosses, from tail to head. It is exact, since it is computed
+   * with integers only [GSC21, section 3].
+   *
+   * The sequence is computed from the crossing numbers around the edge when it is first requested, and then stored. If
+   * points have been inserted, or if no input edge remains at either end, it is derived from the flip log, which takes
+   * about as many sequences as the history of the edge has joints in total.
    */
   Crossing_word crossing_word(Halfedge_index h) const { return m_history.word(*this, h); }
 
-  /// The version of an edge: 0 for the input's, otherwise one more than the position of its last flip in the log.
+  /// Returns the version of an edge: 0 for an edge of the input, otherwise one more than the position of its last flip
+  /// in the log.
   Index version(Edge_index e) const { return store().version(store().slot(internal::first_side(e))); }
 
   /*!
-   * How many input edges start strictly inside the wedge from halfedge `from` clockwise to halfedge `to` of one vertex;
-   * `from == to` means all the way round. \pre no border in between. Linear in the wedge's degree.
+   * Returns the number of input edges that start strictly inside the wedge from halfedge `from` clockwise to halfedge
+   * `to` of one vertex; `from == to` means a full turn. Linear in the degree of the wedge. \pre the wedge does not
+   * contain the border
    */
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
   {
@@ -740,7 +780,7 @@ private:
     return internal::contracted(input, internal::Contracted_metric<Metric>{metric, input});
   }
 
-  // Of a wedge that the traits leave open.
+  // Decides a filter failure of the traits for a wedge.
   Comparison_result compare_with_straight(Halfedge_index from, Halfedge_index to) const
   {
     const internal::Side_version a = {from, version(edge(from))}, b = {to, version(edge(to))};
@@ -749,7 +789,7 @@ private:
     });
   }
 
-  // `search(locator, point)` finds where the point is.
+  // `search(locator, point)` determines where the point lies.
   template <class OnSplit, class Search>
   Vertex_index insert_found(const Surface_location& location, const OnSplit& on_split, const Search& search)
   {
@@ -770,7 +810,7 @@ private:
     return {*this, store(), m_log, m_points, m_history};
   }
 
-  // After a flip; if it fails, the flip is taken back.
+  // Is called after a flip, which is undone if this fails.
   void refresh_inaccurate(const std::array<internal::Slot, 4>& changed)
   {
     const Log_position before = log_position() - 1;
@@ -792,7 +832,7 @@ private:
 
 namespace internal {
 
-/* What hard decisions compute is kept, since they come in crowds. */
+/* Results of expensive predicates are cached, because such predicates occur in clusters. */
 template <class TriangleMesh, class Traits, class Metric>
 struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
 {
@@ -801,19 +841,19 @@ struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
   static constexpr bool has_exact_faces = true;
   static constexpr bool has_precise_numbers = true;
 
-  /* The input face on the left of h. */
+  /* Returns the input face on the left of h. */
   static const Exact_face& exact_face(const Triangulation& t, Input_halfedge_index h)
   {
     return t.m_history.exact_face(t, h);
   }
 
-  /* Of about 100 bits. */
+  /* Returns an input halfedge in double-double arithmetic. */
   static const Precise_halfedge& precise_halfedge(const Triangulation& t, Input_halfedge_index h)
   {
     return t.m_history.input_halfedge(t, h);
   }
 
-  /* The edge of h in numbers of about 100 bits, if its ends are input vertices. */
+  /* Returns the edge of h in double-double arithmetic if its ends are input vertices. */
   static Precise_edge precise_edge(const Triangulation& t, Halfedge_index h) { return t.m_history.edge(t, h); }
 
   static Flat_edges& flat_edges(const Triangulation& t)
@@ -821,7 +861,7 @@ struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
     return t.m_decisions.flat_edges(static_cast<std::size_t>(t.input().number_of_halfedges() / 2));
   }
 
-  /* Close to a known piece, many edges in the input face need not be passed. */
+  /* Inserts a point close to a known piece, so that fewer edges in the input face have to be passed. */
   template <class OnSplit>
   static Vertex_index insert(Triangulation& t, const Surface_location& location, const OnSplit& on_split,
                              Known_piece& close_by)
@@ -834,7 +874,7 @@ struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// A face of the intrinsic triangulation; side `i` leads from vertex `i` to vertex `(i + 1) % 3`.
+/// Describes a face of the intrinsic triangulation; side `i` leads from vertex `i` to vertex `(i + 1) % 3`.
 struct Intrinsic_face
 {
   std::array<Vertex_index, 3> vertices;    ///< the tails of the halfedges
@@ -845,8 +885,14 @@ struct Intrinsic_face
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Writes all faces of a triangulation, which contains the curves of its network as edges, ordered by their smallest
- * halfedge, which comes first. Copies what was not touched yet: linear in the mesh.
+ * Writes all faces of a triangulation, whose edges include the curves of its networks.
+ *
+ * Each face begins with its smallest halfedge, and the faces are ordered by these halfedges. All faces that have not
+ * been accessed before are copied from the input. Linear in the mesh.
+ *
+ * \param triangulation the triangulation
+ * \param out an output iterator that receives `Intrinsic_face`s
+ * \return the past-the-end output iterator
  */
 template <class Triangulation, class OutputIterator>
 OutputIterator intrinsic_faces(const Triangulation& triangulation, OutputIterator out)
