@@ -25,34 +25,37 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// What a move of a `Curve_editor` did.
+/// Reports the effect of a move of a `Curve_editor`.
 struct Move_report
 {
-  std::size_t legs = 0;              ///< the legs that were pulled tight, one or two
-  std::size_t legs_by_flips = 0;     ///< those of them for which edges were flipped, as words did not suffice
-  Verdict verdict = Verdict::PROVEN; ///< what is said of them; the worst
+  std::size_t legs = 0;              ///< the number of geodesic segments that were recomputed, one or two
+  std::size_t legs_by_flips = 0;     ///< the number of those that required edge flips because their edge sequences did
+                                     ///< not suffice
+  Verdict verdict = Verdict::PROVEN; ///< the worst verdict on them
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * A curve through points of the surface that can be moved: its ends, way points, control points. Each leg, from one
- * point to the next, is a geodesic by itself, as with `geodesics_through()`; so legs may cross. When a point moves,
- * each leg at it goes on in its homotopy class: it is the geodesic that the leg, and the way of the move behind it, are
- * pulled tight to. The other legs stay, bit for bit, and `undo()` takes moves back.
+ * Represents an editable curve through points of the surface: its end points, waypoints or control points can be moved.
  *
- * A leg is kept as the sequence of edges that it crosses. So a move takes time for the legs at the point, however many
- * there have been: about as much as reading them off, times the rows of vertices that they sweep. The leg is unfolded
- * and pulled taut like a string, and proven a geodesic in the manner of `certify()`, whatever the traits. Only where that
- * fails, edges are flipped, as by `shorten()`, and flipped back.
+ * Each geodesic segment, from one point to the next, is shortened independently, as by `geodesics_through()`, so
+ * segments may cross. When a point moves, each segment at it stays in its homotopy class: the new segment is obtained
+ * by shortening the concatenation of the old one and the path of the move. The other segments are bitwise unchanged,
+ * and `undo()` undoes moves.
  *
- * A leg depends on its ends and on the edges that it crosses, bit for bit. It does not depend on the moves that led to
- * it. Where a class has one geodesic, as on surfaces whose vertices have \f$2\pi\f$ or more, it does not depend on
- * moves at all but through the class. On others a class can have several geodesics, and a leg stays with the one it is
- * pulled to.
+ * A segment is stored as the sequence of edges that it crosses. The time of a move depends only on the segments at the
+ * point and not on previous moves; it is about the time to extract them, times the number of rows of vertices that they
+ * sweep. The segment is unfolded, shortened with a funnel algorithm, and certified as by `certify()`, whatever the
+ * traits. Only if that fails, edges are flipped, as by `shorten()`, and the flips are undone.
  *
- * The invariant: each leg starts where the one before ends, and is a geodesic if `verdict()` says so; the triangulation
- * is as it was.
+ * Guarantee: a segment is a bitwise reproducible function of its end points and its edge sequence, and does not depend
+ * on the moves that led to it. If a homotopy class has only one geodesic, as on surfaces whose vertices have angles of
+ * \f$2\pi\f$ or more, the moves matter only through the class. On other surfaces a class can contain several geodesics,
+ * and a segment remains at the one that it is shortened to.
+ *
+ * The invariant is that each segment starts at the end of the previous one and is a geodesic if `verdict()` confirms
+ * it, and that the triangulation is unchanged.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulationOfMesh`
  */
@@ -66,15 +69,20 @@ public:
   using Triangulation = Triangulation_; ///< the template parameter
 
   /*!
-   * A curve whose legs are short paths of edges, pulled tight.
+   * Constructs a curve whose segments are obtained by shortening short edge paths.
    *
-   * \param triangulation that of the input, without flips and curves; it has to outlive the editor, and is as it was
-   *        after each call
-   * \param points at least two, no two in a row in one place; a closed curve does not repeat the first
-   * \param is_closed does a leg lead from the last point to the first?
-   * \throws Invalid_curve_error for fewer points, or two in a row in one place
-   * \throws Invalid_location_error, Disconnected_endpoints_error, Occupied_triangulation_error
-   * \throws as `Intrinsic_triangulation::insert()`, `shorten()`
+   * \param triangulation a triangulation of the input without flips and curves. It must outlive the editor, and is
+   *        unchanged after each call
+   * \param points at least two points, of which no two consecutive ones coincide; a closed curve does not repeat the
+   *        first
+   * \param is_closed whether a segment leads from the last point to the first
+   * \throws Invalid_curve_error if fewer points are given, or two consecutive ones coincide
+   * \throws Invalid_location_error if a location is not a point of the surface
+   * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+   * \throws Occupied_triangulation_error if a network has curves in the triangulation
+   * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
+   * \throws Degenerate_face_error as `shorten()` does
+   * \throws Invalid_coordinate_error as `shorten()` does
    */
   Curve_editor(Triangulation& triangulation, const std::vector<Surface_location>& points, bool is_closed = false)
     : m_triangulation(triangulation)
@@ -96,22 +104,22 @@ public:
     }
   }
 
-  /// \name What there is
+  /// \name Access
   /// @{
 
-  /// The number of points.
+  /// Returns the number of points.
   std::size_t number_of_points() const { return m_points.size(); }
-  /// Point `i`, as canonical location: see `Intrinsic_triangulation::location()`.
+  /// Returns point `i` as a canonical location, see `Intrinsic_triangulation::location()`.
   const Surface_location& point(std::size_t i) const { return m_points[i]; }
-  /// Does a leg lead from the last point to the first?
+  /// Returns whether a segment leads from the last point to the first.
   bool is_closed() const { return m_is_closed; }
-  /// The number of legs; leg `i` leads from point `i` to the next one.
+  /// Returns the number of geodesic segments; segment `i` leads from point `i` to the next one.
   std::size_t number_of_legs() const { return m_points.size() - (m_is_closed ? 0 : 1); }
-  /// The points of a leg: its ends, and where it crosses edges and passes vertices. Each two in a row lie in one face.
-  /// Where a leg runs along a face without area, a crossing can be told at another place of its edge, so that points go
-  /// to and fro; length and verdict are those of the leg all the same.
+  /// Returns the points of a segment: its ends, its crossings of edges, and the vertices that it passes. Two
+  /// consecutive points lie in one face. If a segment runs along a degenerate face, the position of a crossing on its
+  /// edge may be ambiguous, so that points go back and forth; length and verdict are still those of the segment.
   const std::vector<Surface_location>& leg(std::size_t i) const { return m_legs[i].points; }
-  /// The points of all legs, one after the other.
+  /// Returns the points of all segments, one segment after the other.
   std::vector<std::vector<Surface_location>> legs() const
   {
     std::vector<std::vector<Surface_location>> result;
@@ -119,9 +127,9 @@ public:
       result.push_back(leg.points);
     return result;
   }
-  /// The length of a leg.
+  /// Returns the length of a segment.
   double length(std::size_t i) const { return m_legs[i].length; }
-  /// The length of the curve.
+  /// Returns the length of the curve.
   double length() const
   {
     double sum = 0;
@@ -129,11 +137,11 @@ public:
       sum += leg.length;
     return sum;
   }
-  /// What is said of a leg, by the exact numbers of the input. A leg that is no geodesic is one that needs flips and
-  /// crosses itself, or one that the traits were not exact enough for.
-  /// Nothing is certified if coordinates or lengths of the mesh are not doubles.
+  /// Returns the verdict on a segment, with exact arithmetic on the input coordinates. A segment that is not a geodesic
+  /// requires flips and crosses itself, or exceeds the precision of the traits. Nothing is certified if coordinates or
+  /// lengths of the mesh are not doubles.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
-  /// The verdict on the curve: the worst one of its legs.
+  /// Returns the verdict on the curve, which is the worst one of its segments.
   Verdict verdict() const
   {
     Verdict worst = Verdict::PROVEN;
@@ -141,7 +149,7 @@ public:
       worst = (std::max)(worst, verdict(leg));
     return worst;
   }
-  /// How the comparisons of all certificates were decided.
+  /// Returns how the comparisons of all certificates were decided.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
   /// @}
@@ -149,17 +157,27 @@ public:
   /// @{
 
   /*!
-   * Moves a point. Where both places lie in one face, the way there is a straight line. Else it is a short path of
-   * edges between vertices of their faces. So the points of a pen give the class of the pen's way, if they lie closer
-   * than what it goes round.
+   * Moves a point.
    *
-   * If anything is thrown, nothing has changed.
+   * If both positions lie in one face, the path of the move is a straight line; otherwise it is a short edge path
+   * between vertices of their faces. The successive positions of a pen thus determine the homotopy class of its path if
+   * they are closer together than the size of the features that it passes. If an exception is thrown, the curve is
+   * unchanged.
    *
-   * \throws Invalid_curve_error if the point comes to lie where the one before or after it does
-   * \throws Invalid_location_error, Disconnected_endpoints_error, Occupied_triangulation_error
-   * \throws Crossing_curves_error, Ambiguous_order_error where a leg needs flips, and its path crosses itself
-   * \throws as `Intrinsic_triangulation::insert()`, `shorten()`
+   * \param i the number of the point
+   * \param to the new position
+   * \return a report on the recomputed segments
    * \pre `i < number_of_points()`
+   * \throws Invalid_curve_error if the new position coincides with the previous or the next point
+   * \throws Invalid_location_error if `to` is not a point of the surface
+   * \throws Disconnected_endpoints_error if no edge path connects the positions
+   * \throws Occupied_triangulation_error if a network has curves in the triangulation
+   * \throws Crossing_curves_error if a segment requires flips, and its path crosses itself
+   * \throws Ambiguous_order_error if a segment requires flips, and the search for an order of its overlapping segments
+   *         is aborted
+   * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
+   * \throws Degenerate_face_error as `shorten()` does
+   * \throws Invalid_coordinate_error as `shorten()` does
    */
   Move_report move(std::size_t i, const Surface_location& to)
   {
@@ -169,12 +187,21 @@ public:
   }
 
   /*!
-   * Moves a point along a way, which says in which class its legs go on.
-   * \param way `point(i)`, and on from there, each two in a row in one face; the last is where it goes
-   * \throws Invalid_curve_error also for a way that starts elsewhere, or has two places in a row in no common face; the
-   *         element is the number of the place on the way
-   * \throws as `move()`
+   * Moves a point along a given path, which determines the homotopy classes of its segments.
+   * \param i the number of the point
+   * \param way the path: it starts at `point(i)` and ends at the new position, and two consecutive locations lie in one
+   *        face
+   * \return a report on the recomputed segments
    * \pre `i < number_of_points()`
+   * \throws Invalid_curve_error if the path starts elsewhere or two consecutive locations have no common face, where
+   *         the element is the position in the path; and as `move()` does
+   * \throws Invalid_location_error as `move()` does
+   * \throws Occupied_triangulation_error as `move()` does
+   * \throws Crossing_curves_error as `move()` does
+   * \throws Ambiguous_order_error as `move()` does
+   * \throws Insertion_error as `move()` does
+   * \throws Degenerate_face_error as `move()` does
+   * \throws Invalid_coordinate_error as `move()` does
    */
   Move_report move_along(std::size_t i, const std::vector<Surface_location>& way)
   {
@@ -187,11 +214,11 @@ public:
     return move(i, places.back(), [&] { return steps(places); });
   }
 
-  /// The number of moves that `undo()` can take back.
+  /// Returns the number of moves that `undo()` can undo.
   std::size_t number_of_moves() const { return m_moves.size(); }
 
-  /// Takes the last move back, bit for bit, in the time that it takes to hand over the legs. Returns false if there is
-  /// none.
+  /// Undoes the last move and restores the previous segments bitwise, in the time needed to swap them. Returns false if
+  /// no move is left.
   bool undo()
   {
     if(m_moves.empty())
@@ -204,7 +231,7 @@ public:
     return true;
   }
 
-  /// Forgets all moves, and so frees the memory of the legs as they were before each.
+  /// Forgets all moves, which frees the memory of the previous segments.
   void forget_moves() { m_moves.clear(); }
 
   /// @}
@@ -225,10 +252,10 @@ private:
     const bool has_next = m_is_closed || i + 1 < n, has_previous = m_is_closed || i > 0;
     const Way way = make_way();
     Move_report report;
-    if(way.empty()) // one place
+    if(way.empty()) // the positions coincide
       return report;
     Move move = {i, m_points[i], {}};
-    for(bool is_start : {false, true}) // the legs that end and start here
+    for(bool is_start : {false, true}) // the segments that end and start here
       if(is_start ? has_next : has_previous) {
         const std::size_t l = is_start ? i : (i + n - 1) % n;
         move.legs.push_back({l, m_mover.moved(m_legs[l], is_start, way, to)});
@@ -237,7 +264,7 @@ private:
         report.legs_by_flips += leg.is_by_flips ? 1 : 0;
         report.verdict = (std::max)(report.verdict, verdict(leg));
       }
-    m_moves.push_back(std::move(move)); // what can fail is done
+    m_moves.push_back(std::move(move)); // nothing can fail any more
     m_points[i] = to;
     for(auto& [l, leg] : m_moves.back().legs)
       std::swap(m_legs[l], leg);
@@ -249,7 +276,7 @@ private:
     return internal::is_input_rounded(m_triangulation) ? Verdict::UNDECIDED : leg.verdict;
   }
 
-  // Canonical, and a vertex by the same halfedge always.
+  // Returns the canonical location, with the same halfedge for a vertex every time.
   Surface_location placed(const Surface_location& location) const
   {
     const auto& input = m_triangulation.input();
@@ -264,7 +291,7 @@ private:
     return p.halfedge == q.halfedge && p.weights == q.weights;
   }
 
-  // Straight, or else along edges between the nearest vertices.
+  // Returns a straight line, or else a path along edges between the nearest vertices.
   Way way(const Surface_location& from, const Surface_location& to)
   {
     const auto& input = m_triangulation.input();

@@ -25,41 +25,41 @@ template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric;
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// Where a point of a curve is on the mesh, in the mesh's own descriptors.
+/// Stores the position of a point of a curve on the mesh, in descriptors of the mesh.
 template <class TriangleMesh>
 struct Curve_place
 {
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;         ///< of the mesh
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
 
-  /// A face that has the point, and barycentric coordinates, a `CGAL::Polygon_mesh_processing::Face_location`: they
-  /// belong to the source, target and third vertex of `halfedge(face, mesh)`.
+  /// A face that contains the point, and barycentric coordinates, as a `CGAL::Polygon_mesh_processing::Face_location`.
+  /// The coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`.
   std::pair<face_descriptor, std::array<double, 3>> location;
 
-  /// The halfedge that the curve crosses here, as a side of the face that it leaves, or that the point lies on; the
+  /// The halfedge that the curve crosses here, as a side of the face that it leaves, or that contains the point; the
   /// null halfedge at a vertex and inside a face.
   halfedge_descriptor halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
 };
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// A point of a curve, with all that is known of it.
+/// Stores a point of a curve with its position on the mesh and in space, and the tangent of the curve.
 template <class TriangleMesh, class Point>
 struct Curve_point : Curve_place<TriangleMesh>
 {
-  using Point_3 = Point;                                              ///< of the mesh's points
+  using Point_3 = Point;                                              ///< the point type
   using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3; ///< of the kernel of `Point_3`
 
   Point_3 point; ///< in space
-  /// The direction in which the curve goes on, in space, of length one; at its end the one in which it arrives. Zero
-  /// where the curve is a point.
+  /// The unit vector in space in the direction in which the curve continues, or at its end in the direction in which it
+  /// arrives. Zero if the curve is a point.
   Vector_3 tangent;
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * A surface point as a `CGAL::Polygon_mesh_processing::Face_location`: a pair of a face and barycentric coordinates.
- * They belong to the source, target and third vertex of `halfedge(face, mesh)`.
+ * Converts a surface point to a `CGAL::Polygon_mesh_processing::Face_location`: a pair of a face and barycentric
+ * coordinates, which belong to the source, target and third vertex of `halfedge(face, mesh)`.
  */
 template <class Triangulation>
 auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
@@ -67,7 +67,7 @@ auto face_location(const Triangulation& triangulation, const typename Triangulat
 {
   const auto& input = triangulation.input();
   Input_halfedge_index h = p.is_vertex() ? input.outgoing(p.a) : p.halfedge;
-  if(input.is_border(h)) // at most one of two consecutive spokes is on the border
+  if(input.is_border(h)) // at most one of two consecutive outgoing halfedges is on the border
     h = p.is_vertex() ? input.next(internal::twin_index(h)) : internal::twin_index(h);
   const auto f = internal::graph_face(input.halfedge(h), mesh);
   Input_halfedge_index corner = input.index(internal::graph_halfedge(f, mesh));
@@ -82,7 +82,7 @@ auto face_location(const Triangulation& triangulation, const typename Triangulat
 
 namespace internal {
 
-/* A location by a face and its weights as they are. */
+/* Returns the location by a face and unchanged weights. */
 template <class Triangulation, class TriangleMesh>
 auto face_location_of(const Triangulation& triangulation, const TriangleMesh& mesh, Surface_location location)
 {
@@ -101,8 +101,8 @@ auto face_location_of(const Triangulation& triangulation, const TriangleMesh& me
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The coordinates are the weights, divided by
- * their sum unless that is one within 1e-6, which `surface_location()` accepts.
+ * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The coordinates are the weights, which are
+ * divided by their sum unless that is one within 1e-6, which `surface_location()` accepts.
  */
 template <class Triangulation>
 auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
@@ -124,7 +124,7 @@ constexpr bool is_iterator = false;
 template <class T>
 constexpr bool is_iterator<T, std::void_t<decltype(*std::declval<T&>())>> = true;
 
-/* Does `*out = T` compile? */
+/* Whether `*out = T` compiles. */
 template <class Output, class T, class = void>
 constexpr bool takes = false;
 template <class Output, class T>
@@ -142,13 +142,13 @@ struct Points_if<Metric, true>
   using Point = typename Metric::Point_3;
 };
 
-/* The points and numbers of a metric. */
+/* The point and number types of a metric. */
 template <class Metric>
 struct Points_of_metric : Points_if<Metric, Has_points<Metric>::value>
 {
   using Number = typename Metric::Kernel::FT;
 };
-/* This metric need not be complete. */
+/* The metric need not be a complete type. */
 template <class Mesh, class VertexPointMap>
 struct Points_of_metric<Embedded_metric<Mesh, VertexPointMap>>
 {
@@ -156,7 +156,7 @@ struct Points_of_metric<Embedded_metric<Mesh, VertexPointMap>>
   using Number = typename Kernel_traits<Point>::Kernel::FT;
 };
 
-/* What the points of a curve are given as: points in space, locations in faces, or everything that is known. */
+/* The forms in which the points of a curve can be written: points in space, locations in faces, or all data. */
 template <class Mesh, class Metric>
 struct Curve_forms_of
 {
@@ -175,7 +175,7 @@ using Itself = T;
 template <class T>
 using Vector_of = std::vector<T>;
 
-/* The first of the forms that an output takes, or a container of it; `void` if it takes none. */
+/* The first of the forms, or container of it, that an output accepts; `void` if it accepts none. */
 template <class Output, template <class> class Container, class... Forms>
 struct First_form
 {
@@ -203,13 +203,14 @@ struct Curve_form_of
                 "no output iterator where it belongs; the order is mesh, ends or curves, output, named parameters");
   static_assert(!is_iterator<Output> || !std::is_void<First>::value,
                 "the output takes neither the metric's points (lengths have none) nor Face_locations nor Curve_points");
-  using type = std::conditional_t<std::is_void<First>::value, typename Forms::All, First>; // no message follows
+  using type = std::conditional_t<std::is_void<First>::value, typename Forms::All, First>; // avoids a second error
+                                                                                           // message
 };
 
 template <class Triangulation, class Output, template <class> class Container = Itself>
 using Curve_form = typename Curve_form_of<Curve_forms<Triangulation>, Output, Container>::type;
 
-/* Gives a point the direction of a vector; what has no direction stays. */
+/* Sets the tangent of a point to the direction of a vector, if the form has a tangent. */
 template <class Mesh, class Point>
 void set_tangent(Curve_point<Mesh, Point>& p, const std::array<double, 3>& direction)
 {
@@ -227,7 +228,7 @@ void set_tangent(Curve_point<Mesh, Point>& p, const Point& from, const Point& to
                                         CGAL::to_double(to.z()) - CGAL::to_double(from.z())}});
 }
 
-/* Surface points in one of these forms. */
+/* Converts surface points to one of these forms. */
 template <class Triangulation, class Form>
 class Form_converter
 {
@@ -241,7 +242,7 @@ public:
   {
   }
 
-  /* Without a tangent. */
+  /* Does not set the tangent. */
   Form operator()(const Surface_point& p) const
   {
     if constexpr(std::is_same<Form, typename Forms::Point>::value) {

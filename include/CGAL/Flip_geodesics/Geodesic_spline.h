@@ -20,27 +20,29 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// What the control points of a spline are the control points of.
+/// Specifies the type of a spline.
 enum class Spline_kind {
-  BEZIER,                ///< one B&eacute;zier curve, of a degree one less than their number
+  BEZIER,                ///< a single B&eacute;zier curve, whose degree is one less than the number of control points
   CUBIC_B_SPLINE,        ///< a uniform cubic B-spline that starts and ends at the first and last point
-  CLOSED_CUBIC_B_SPLINE, ///< a closed uniform cubic B-spline, of at least three points
+  CLOSED_CUBIC_B_SPLINE, ///< a closed uniform cubic B-spline of at least three points
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * A chain of geodesic B&eacute;zier curves on the surface, made by de Casteljau's algorithm with geodesics for straight
- * lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008]. In the
- * plane the points where pieces meet are exactly those of the B&eacute;zier curve, up to rounding errors.
+ * Computes a chain of geodesic B&eacute;zier curves on the surface, by de Casteljau's algorithm with geodesics instead
+ * of straight lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008].
+ * In the plane, the points where pieces meet are exactly those of the B&eacute;zier curve, up to rounding errors.
  *
- * Each leg of a control polygon is a geodesic by itself, in a triangulation that is put back for the next one. Legs may
- * therefore cross, pass over control points and over one another, and the control polygon may cross itself. A leg of
- * the next level is shortened from a path that leads from the middle of one leg over the control point to the middle of
- * the next: the curve stays in the homotopy class of the polygon. `add_curve_along()` makes the pieces of the finished
- * curve a curve of a network, and so edges of a triangulation.
+ * Each geodesic segment of a control polygon is shortened independently, in a triangulation that is restored for the
+ * next one. Segments may therefore cross, pass over control points and over one another, and the control polygon may
+ * cross itself. A segment of the next level is shortened from a path that leads from the midpoint of one segment over
+ * the control point to the midpoint of the next, so the curve stays in the homotopy class of the polygon.
+ * `add_curve_along()` turns the pieces of the finished curve into a curve of a network, and thus into edges of a
+ * triangulation.
  *
- * The invariant: each leg is a geodesic that starts where the one before ends; the triangulation is as it was.
+ * The invariant is that each segment is a geodesic that starts at the end of the previous one, and that the
+ * triangulation is unchanged.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -49,14 +51,20 @@ class Geodesic_spline
 {
 public:
   /*!
-   * The spline with these control points, joined by shortest edge paths that are pulled straight.
+   * Constructs a spline from control points, which are connected by shortest edge paths that are then shortened.
    *
-   * \param triangulation that of the input, without flips and curves; it has to live as long as the spline is refined
-   * \param control_points at least two; a closed spline has at least three, and does not repeat the first. Points in a
-   *        row may be in one place: the leg between them has length zero
-   * \throws Invalid_curve_error for fewer points
-   * \throws Occupied_triangulation_error if there are curves
-   * \throws Invalid_location_error, Insertion_error, Disconnected_endpoints_error, and as `refine()`
+   * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
+   *        spline is refined
+   * \param control_points at least two points; a closed spline has at least three and does not repeat the first.
+   *        Consecutive points may coincide, so that the segment between them has length zero
+   * \param kind the type of the spline
+   * \throws Invalid_curve_error if fewer points are given
+   * \throws Occupied_triangulation_error if a network has curves in the triangulation
+   * \throws Invalid_location_error if a location is not a point of the surface
+   * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
+   * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+   * \throws Crossing_curves_error as `refine()` does
+   * \throws Ambiguous_order_error as `refine()` does
    */
   Geodesic_spline(Triangulation& triangulation, const std::vector<Surface_location>& control_points, Spline_kind kind)
     : m_straightener(triangulation)
@@ -71,15 +79,20 @@ public:
   }
 
   /*!
-   * The spline with a control polygon whose legs are geodesics already, such as those of a `Curve_editor`: so the curve
-   * stays in the polygon's class when control points are dragged.
+   * Constructs a spline from a control polygon whose segments are already geodesics, such as those of a `Curve_editor`.
+   * The curve thus stays in the homotopy class of the polygon while control points are dragged.
    *
-   * \param triangulation as above
-   * \param legs each from where the one before ends, each two places in a row in one face; of a closed spline, the last
-   *        ends where the first starts
-   * \throws Invalid_curve_error for fewer than one leg, of a closed spline three, for legs of one place, and for
-   *         places in a row in no common face
-   * \throws Invalid_location_error, Insertion_error, and as `refine()`
+   * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
+   *        spline is refined
+   * \param legs the segments, each starting at the end of the previous one, with two consecutive locations in one face;
+   *        the last segment of a closed spline ends where the first starts
+   * \param kind the type of the spline
+   * \throws Invalid_curve_error if no segment is given, or fewer than three for a closed spline, if a segment has fewer
+   *         than two locations, or if no face contains two consecutive locations
+   * \throws Invalid_location_error if a location is not a point of the surface
+   * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
+   * \throws Crossing_curves_error as `refine()` does
+   * \throws Ambiguous_order_error as `refine()` does
    */
   Geodesic_spline(Triangulation& triangulation, const std::vector<std::vector<Surface_location>>& legs,
                   Spline_kind kind)
@@ -94,9 +107,11 @@ public:
   }
 
   /*!
-   * Divides every piece at its middle, and so doubles their number.
-   * \throws Insertion_error if the curve is divided more finely than numbers can tell
-   * \throws Crossing_curves_error, Ambiguous_order_error if two legs in a row, taken together, cross themselves
+   * Subdivides every piece at its midpoint, which doubles the number of pieces.
+   * \throws Insertion_error if the curve is subdivided more finely than numbers can represent
+   * \throws Crossing_curves_error if two consecutive segments, taken together, cross themselves
+   * \throws Ambiguous_order_error if the search for an order of the overlapping parts of two consecutive segments is
+   *         aborted
    */
   void refine()
   {
@@ -114,11 +129,13 @@ public:
   }
 
   /*!
-   * Refines until a round changes the length of the control polygon by less than the `tolerance`-th part of it, at most
-   * `most_rounds` times. The polygon becomes shorter by about a quarter as much with each round, so that the rest is a
-   * third of the last change.
+   * Subdivides the pieces until a round changes the length of the control polygon by less than `tolerance` times that
+   * length, at most `most_rounds` times. Each round shortens the polygon by about a quarter of the previous change, so
+   * the remaining change is about a third of the last one.
    * \return the number of rounds
-   * \throws as `refine()`
+   * \throws Insertion_error as `refine()` does
+   * \throws Crossing_curves_error as `refine()` does
+   * \throws Ambiguous_order_error as `refine()` does
    */
   int refine(double tolerance, int most_rounds)
   {
@@ -134,9 +151,11 @@ public:
   }
 
   /*!
-   * Joins the points where pieces meet, which lie on the curve, by geodesics along their control polygons.
-   * \return a polyline per piece, from where it starts to where it ends: where it crosses edges
-   * \throws as `refine()`
+   * Connects the points where pieces meet, which lie on the curve, by geodesics along their control polygons.
+   * \return one polyline per piece, from its start to its end, which consists of the crossings of edges
+   * \throws Insertion_error as `refine()` does
+   * \throws Crossing_curves_error as `refine()` does
+   * \throws Ambiguous_order_error as `refine()` does
    */
   std::vector<std::vector<Surface_location>> finish()
   {
@@ -160,7 +179,7 @@ public:
     return pieces;
   }
 
-  /// The length of the control polygons of all pieces.
+  /// Returns the length of the control polygons of all pieces.
   double polygon_length() const
   {
     double sum = 0;
@@ -169,14 +188,14 @@ public:
     return sum;
   }
 
-  /// What `finish()` has done, with the flips of all before. Its initial length is that of the first control polygon,
-  /// its verdict that of all geodesics together.
+  /// Returns the report on `finish()`, which includes the flips of all previous calls. Its initial length is that of
+  /// the first control polygon, and its verdict is that of all geodesics together.
   const Shortening_report& report() const { return m_report; }
-  /// The length of the finished curve. \pre `finish()` has been called, as for the next two
+  /// Returns the length of the finished curve. \pre `finish()` has been called
   double length() const { return finished().length; }
-  /// Whether the geodesics that the finished curve consists of are such.
+  /// Returns whether the segments of the finished curve are geodesics. \pre `finish()` has been called
   Shortening_status status() const { return finished().status; }
-  /// The verdict on all of them together.
+  /// Returns the verdict on all segments of the finished curve together. \pre `finish()` has been called
   Verdict verdict() const { return finished().verdict; }
 
 private:
@@ -203,7 +222,7 @@ private:
     return {Leg{std::move(first)}, Leg{std::move(second)}};
   }
 
-  // The geodesic from the start of a to the end of b, which starts where a ends.
+  // Returns the geodesic from the start of a to the end of b, which starts at the end of a.
   Leg joined(const Leg& a, const Leg& b)
   {
     internal::Surface_polyline path = a.path;
@@ -211,7 +230,7 @@ private:
     return {m_straightener.straightened(path)};
   }
 
-  // De Casteljau: the outer halves of each level are the legs of the two halves.
+  // De Casteljau: the outer halves of each level are the segments of the two halves.
   void divide_piece(std::vector<Leg> legs, std::vector<Leg>& result)
   {
     std::vector<Leg> rest; // of the second half, the last first
@@ -234,7 +253,7 @@ private:
     result.back().ends_piece = true;
   }
 
-  // From the legs of the control polygon.
+  // Constructs the pieces from the segments of the control polygon.
   void start(Spline_kind kind)
   {
     if(kind == Spline_kind::BEZIER)
@@ -244,7 +263,7 @@ private:
     m_control_length = polygon_length();
   }
 
-  // Legs are divided into thirds, and the lines that cut the corners off at their middles [Farin].
+  // Segments are divided into thirds, and the lines that cut the corners off at their midpoints [Farin].
   void make_cubic(bool is_closed)
   {
     const std::size_t n = m_legs.size();
@@ -254,7 +273,7 @@ private:
       first[i] = std::move(third);
       std::tie(middle[i], last[i]) = divided(rest, 0.5);
     }
-    std::vector<Leg> before(n), after(n); // what leads to and from the middle third of each leg
+    std::vector<Leg> before(n), after(n); // what leads to and from the middle third of each segment
     before[0] = first[0];
     after[n - 1] = last[n - 1];
     for(std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i)

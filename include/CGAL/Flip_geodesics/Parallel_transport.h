@@ -14,50 +14,56 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// A direction in the surface at a location, as `Geodesic_tracer::trace()` takes it.
+/// Stores a direction on the surface at a location, in the form that `Geodesic_tracer::trace()` accepts.
 struct Surface_direction
 {
-  Input_halfedge_index halfedge = null_index; ///< a side of a face that has the location, or one that starts there
-  double angle = 0; ///< from there on, counterclockwise, in radians; at a vertex over all faces about it
+  Input_halfedge_index halfedge = null_index; ///< a side of a face that contains the location, or a halfedge that
+                                              ///< starts there
+  double angle = 0; ///< measured from there, counterclockwise, in radians; at a vertex over all incident faces
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Carries tangent vectors along curves, so that they do not turn in the surface. Within a face a vector stays as it is,
- * and over an edge as it is when both faces are laid into one plane. At a vertex on the curve the vector keeps its
- * angle to the curve. There the angles about the vertex are stretched evenly to \f$2\pi\f$ [PS98], but not on the
- * border. So the tangent of a straightest geodesic is carried to its tangent. Along a loop that meets no vertex a
- * vector turns by the sum of the angle defects of the vertices in the loop.
+ * Transports tangent vectors along curves, parallel in the sense of the Levi-Civita connection.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
+ * Within a face a vector does not change, and across an edge it does not change if both faces are unfolded into a
+ * plane. At a vertex on the curve, the vector keeps its angle to the curve, where the angles around the vertex are
+ * scaled to a sum of \f$2\pi\f$ [PS98], except on the border. The tangent of a straightest geodesic is therefore
+ * transported to its tangent. Along a loop that does not contain a vertex, a vector is rotated by the holonomy of the
+ * loop, the sum of the angle defects of the enclosed vertices.
+ *
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
  */
 template <class Triangulation>
 class Parallel_transport
 {
 public:
-  /// It refers to the triangulation.
+  /// Constructs a transport, which refers to the triangulation.
   explicit Parallel_transport(const Triangulation& triangulation)
     : m_triangulation(triangulation)
   {
   }
 
   /*!
-   * Carries a direction along a curve that runs straight from each location to the next.
+   * Transports a direction along a curve that is straight between consecutive locations.
    *
-   * \param locations a range of `Surface_location`s, of which two in a row lie in one face or on its border; those in
-   *        one place count once
-   * \param direction at the first location; its halfedge is a side of a face that has the location, or starts there
-   * \param halfedge what the result is told from, a halfedge of that kind at the last location; by default the
-   *        location's own, or its twin if that is on the border
-   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, at a vertex up to the sum of its
-   *         angles; on the border, where there are no whole turns, it can be any
-   * \throws Invalid_curve_error if there is no location, or no face has two in a row
-   * \throws Invalid_location_error for a location that is none
-   * \throws Invalid_parameter_error if the angle is no finite number, or a halfedge is another
-   * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error for a face on the way
+   * \param locations a range of `Surface_location`s, of which two consecutive ones lie in one face or on its boundary;
+   *        consecutive equal points count once
+   * \param direction the direction at the first location; its halfedge is a side of a face that contains the location,
+   *        or starts there
+   * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
+   *        location; by default that of the location, or its twin if the former is a border halfedge
+   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, or at a vertex up to the sum of its
+   *         angles; on the border, which has no full turn, the angle can have any value
+   * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+   * \throws Invalid_location_error if a location is not a point of the surface
+   * \throws Invalid_parameter_error if the angle is not finite, or a halfedge does not satisfy the condition
+   * \throws Degenerate_face_error for a face along the curve
+   * \throws Invalid_coordinate_error for a face along the curve
+   * \throws Invalid_mesh_error for a face along the curve
    *
-   * Complexity: linear in the number of locations and the degrees of vertices among them.
+   * Complexity: linear in the number of locations and the degrees of the vertices among them.
    */
   template <class LocationRange>
   Surface_direction operator()(const LocationRange& locations, const Surface_direction& direction,

@@ -26,25 +26,26 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * A point of the input surface: in the face of `halfedge`, or on its border, at the barycentric `weights` of the tail of
- * `halfedge`, its head, and the third vertex. Only the ratio of the weights counts: the point is exactly
- * \f$(w_0 p_0 + w_1 p_1 + w_2 p_2) / (w_0 + w_1 + w_2)\f$. A weight of exactly zero puts it on the opposite edge, two
- * of them at a vertex.
+ * Represents a point of the input surface by a halfedge and barycentric weights. The point lies in the face of
+ * `halfedge` or on its boundary.
  *
- * `halfedge` may be on the border if the third weight is zero.
+ * The `weights` belong to the tail of `halfedge`, its head, and the third vertex of the face. Only their ratio matters:
+ * the point is exactly \f$(w_0 p_0 + w_1 p_1 + w_2 p_2) / (w_0 + w_1 + w_2)\f$. If one weight is exactly zero, the
+ * point lies on the opposite edge; if two are, it is a vertex. `halfedge` may be a border halfedge if the third weight
+ * is zero.
  */
 struct Surface_location
 {
-  Input_halfedge_index halfedge = null_index;  ///< a side of the face, or of the edge, that the point is on
-  std::array<double, 3> weights = {{1, 0, 0}}; ///< of tail, head and third vertex; each 0 or in [1e-100, 1e100]
+  Input_halfedge_index halfedge = null_index;  ///< a side of the face, or of the edge, that contains the point
+  std::array<double, 3> weights = {{1, 0, 0}}; ///< of tail, head and third vertex; each is 0 or in [1e-100, 1e100]
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// What a location is a point of.
+/// States whether a location is a vertex, on an edge or inside a face.
 enum class Location_kind { VERTEX, EDGE, FACE };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// The kind of a location, by its weights of zero.
+/// Returns the kind of a location, which depends on the weights that are zero.
 inline Location_kind kind(const Surface_location& location)
 {
   const auto zeros = std::count(location.weights.begin(), location.weights.end(), 0.0);
@@ -52,32 +53,34 @@ inline Location_kind kind(const Surface_location& location)
 }
 
 /// \ingroup PkgFlipGeodesicsTree
-/// Where a vertex lies as seen from the source of a tree.
+/// Stores the polar coordinates of a vertex with respect to the source of a tree.
 struct Polar_coordinates
 {
-  double radius = std::numeric_limits<double>::infinity(); ///< the length of the path; infinite if there is none
-  double angle = std::numeric_limits<double>::quiet_NaN(); ///< in radians; NaN at the source, and without a path
+  double radius = std::numeric_limits<double>::infinity(); ///< the length of the path; infinite if no path exists
+  double angle = std::numeric_limits<double>::quiet_NaN(); ///< in radians; NaN at the source, and if no path exists
 };
 
 namespace internal {
 
-/* Where a point to be inserted is nearly: in the piece of an input face at a gap of the word of a halfedge, as seen
- * from that halfedge's face. */
+/*
+ * An approximate position for a point to be inserted: the piece of an input face at a gap of the edge sequence of a
+ * halfedge, as seen from the face of that halfedge.
+ */
 struct Known_piece
 {
   Halfedge_index halfedge; // an intrinsic halfedge
-  std::size_t gap;         // counted along its word: the piece before crossing `gap`, or the last one
-  std::size_t letters;     // how long words may be looked at to find the point from elsewhere; the search takes from it
+  std::size_t gap;         // an index in its edge sequence: the piece before crossing `gap`, or the last one
+  std::size_t letters;     // the remaining budget of crossed edges for searches that start elsewhere
 };
 
-/* Is halfedge `h` a side of the face on the left of `f`? */
+/* Returns whether halfedge `h` is a side of the face on the left of `f`. */
 template <class Input>
 bool is_side_of(const Input& input, Input_halfedge_index h, Input_halfedge_index f)
 {
   return f == h || input.next(f) == h || input.next(input.next(f)) == h;
 }
 
-/* Are two weights a point strictly between the ends? Then the sums and products of weights are normal numbers. */
+/* Returns whether a weight is zero or so large that the sums and products of weights are normal numbers. */
 inline bool is_usable_weight(double weight)
 {
   return weight == 0 || (weight >= least_weight && weight <= greatest_weight);
@@ -106,7 +109,7 @@ void check_location(const Input_mesh& input, const Surface_location& location)
                                  {static_cast<std::size_t>(h.idx())});
 }
 
-/* The location with its weights told from halfedge `next(halfedge)` on. */
+/* Returns the location with its weights beginning at halfedge `next(halfedge)`. */
 template <class Input_mesh>
 Surface_location rotated(const Input_mesh& input, const Surface_location& location)
 {
@@ -114,9 +117,9 @@ Surface_location rotated(const Input_mesh& input, const Surface_location& locati
 }
 
 /*
- * The same point, told in one way only: a vertex as (1, 0, 0) of a halfedge that starts there; a point of an edge from
- * the edge's first halfedge that is not on the border, with third weight zero; a point in a face from the face's
- * smallest halfedge. Weights keep their bits.
+ * Returns the same point in a canonical form: a vertex as (1, 0, 0) of a halfedge that starts there, a point of an edge
+ * by the first halfedge of the edge that is not on the border, with third weight zero, and a point in a face by the
+ * smallest halfedge of the face. Weights are not rounded.
  */
 template <class Input_mesh>
 Surface_location canonical_location(const Input_mesh& input, Surface_location location)
@@ -154,31 +157,33 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * A point of the surface, by vertices of the input: \f$(1-t-u)\,a + t\,b + u\,c\f$. At a vertex `a == b`, and `t` is 0.
- * On an edge `a` is the nearer end, so that `t` lies in (0, 1/2] and keeps its relative accuracy close to vertices; `u`
- * is 0 there, and `c` null. Inside a face, where only inserted points are, `a` is the vertex of the largest weight.
+ * Represents a point of the surface by vertices of the input: \f$(1-t-u)\,a + t\,b + u\,c\f$.
  *
- * What it is a point of is exact: `t` inside an edge, and `t` and `u` inside a face, are at least 1e-100, also where
- * rounding says 0.
+ * At a vertex, `a == b`, and `t` is 0. On an edge, `a` is the nearer end, so that `t` lies in (0, 1/2] and has a small
+ * relative error close to vertices; `u` is 0, and `c` is null. Inside a face, which occurs only for inserted points,
+ * `a` is the vertex with the largest weight.
  *
- * Where edges of length zero were contracted, `a`, `b` and `c` are still the ends of an edge of the mesh, or the
- * corners of a face; at a vertex they are one of those in this place.
+ * Whether the point is a vertex, on an edge or inside a face is exact: `t` inside an edge, and `t` and `u` inside a
+ * face, are at least 1e-100, even if they would be rounded to 0. If degenerate edges were contracted, `a`, `b` and `c`
+ * are still the ends of an edge of the mesh or the corners of a face; at a vertex they are one of the coincident
+ * vertices.
  */
 struct Surface_point
 {
   Vertex_index a; ///< the input vertex with the weight \f$1-t-u\f$
   Vertex_index b; ///< the input vertex with the weight \f$t\f$; at a vertex, `a`
-  double t;       ///< the weight of `b`, without unit
+  double t;       ///< the weight of `b`
   Input_halfedge_index
-      halfedge; ///< on an edge: the input halfedge that is crossed, as a side of the face that is left, or that an
-                ///< inserted point lies on; inside a face: one of its halfedges; else null
-  Vertex_index c = null_index;      ///< inside a face: its third vertex; else null
-  double u = 0;                     ///< the weight of `c`, 0 unless inside a face
-  Vertex_index vertex = null_index; ///< the triangulation's vertex in this place; null where an edge is crossed
+      /// on an edge: the input halfedge that is crossed, as a side of the face that is left, or on which an inserted
+      /// point lies; inside a face: one of its halfedges; otherwise null
+      halfedge;
+  Vertex_index c = null_index;      ///< inside a face: its third vertex; otherwise null
+  double u = 0;                     ///< the weight of `c`; 0 unless inside a face
+  Vertex_index vertex = null_index; ///< the vertex of the triangulation at this point; null where an edge is crossed
 
-  /// Is it at a vertex of the input?
+  /// Returns whether it is at a vertex of the input.
   bool is_vertex() const { return a == b; }
-  /// Is it inside an input face, not on an edge?
+  /// Returns whether it is inside an input face and not on an edge.
   bool is_inside_face() const { return c != null_index; }
 };
 
@@ -202,7 +207,8 @@ inline Surface_point surface_point(const std::array<Vertex_index, 3>& corners, c
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// A location by vertices of the input. `Surface_point::vertex` is null unless it is one of them.
+/// Converts a location to a point given by vertices of the input. `Surface_point::vertex` is null unless the location
+/// is a vertex of the input.
 template <class Triangulation>
 Surface_point surface_point(const Triangulation& triangulation, const Surface_location& location)
 {
@@ -219,7 +225,7 @@ Surface_point surface_point(const Triangulation& triangulation, const Surface_lo
 
 namespace internal {
 
-/* The place of a vertex of the triangulation. */
+/* Returns the surface point of a vertex of the triangulation. */
 template <class Triangulation>
 Surface_point surface_point_at_vertex(const Triangulation& triangulation, Vertex_index v)
 {
@@ -230,7 +236,7 @@ Surface_point surface_point_at_vertex(const Triangulation& triangulation, Vertex
   return result;
 }
 
-/* The location of a point of a curve. */
+/* Returns the location of a point of a curve. */
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const Surface_point& p)
 {
@@ -250,8 +256,11 @@ Surface_location surface_location(const Triangulation& triangulation, const Surf
   return {p.halfedge, {{is_forward ? 1 - p.t : p.t, is_forward ? p.t : 1 - p.t, 0}}};
 }
 
-/* The point where a curve crosses an input edge, `from_right` of the edge's length away from its right end. That it is
- * crossed is exact, where is not: an end by rounding, 0, -0 or 1, stands for a point next to it. */
+/*
+ * Returns the point where a curve crosses an input edge, at `from_right` times the length of the edge from its right
+ * end. That the edge is crossed is exact, but the position is not: 0, -0 or 1, which result from rounding, represent a
+ * point next to an end.
+ */
 template <class Triangulation>
 Surface_point surface_point_on_edge(const Triangulation& triangulation, Input_halfedge_index crossed, double from_right)
 {
@@ -262,7 +271,7 @@ Surface_point surface_point_on_edge(const Triangulation& triangulation, Input_ha
   return {left, right, (std::max)(least_weight, 1 - from_right), crossed};
 }
 
-/* Has a metric points in space? */
+/* Whether a metric has points in space. */
 template <class Metric, class = void>
 struct Has_points : std::false_type
 {
@@ -279,7 +288,7 @@ struct Has_points<Metric, std::void_t<typename Metric::Point_3>>
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * The point of a surface point in space, in constant time. Only with a metric that has points.
+ * Returns the position of a surface point in space, in constant time. Only available if the metric has points.
  */
 template <class Triangulation>
 auto point_in_space(const Triangulation& triangulation, const Surface_point& p)
@@ -299,7 +308,7 @@ auto point_in_space(const Triangulation& triangulation, const Surface_point& p)
 
 namespace internal {
 
-/* The input faces that a canonical location lies in, each by its smallest halfedge. */
+/* Returns the input faces that contain a canonical location, each by its smallest halfedge. */
 template <class Input_mesh>
 std::vector<Input_halfedge_index> faces_of_location(const Input_mesh& input, const Surface_location& location)
 {
@@ -326,7 +335,7 @@ std::vector<Input_halfedge_index> faces_of_location(const Input_mesh& input, con
   return result;
 }
 
-/* An input face that two canonical locations lie in; null_index if there is none. */
+/* Returns an input face that contains two canonical locations, or null_index if they have no common face. */
 template <class Input_mesh>
 Input_halfedge_index common_face(const Input_mesh& input, const Surface_location& p, const Surface_location& q)
 {
@@ -337,7 +346,7 @@ Input_halfedge_index common_face(const Input_mesh& input, const Surface_location
   return null_index;
 }
 
-/* The input vertex with the largest weight. */
+/* Returns the input vertex with the largest weight. */
 template <class Input_mesh>
 Vertex_index nearest_vertex(const Input_mesh& input, const Surface_location& p)
 {

@@ -32,10 +32,10 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * A curve that runs straight from location to location, by its length: which places it has at which lengths, and in
- * which direction it goes on there.
+ * Parametrizes a curve, which is straight between consecutive locations, by arc length: it returns the location and the
+ * direction of the curve at a given length.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
  */
 template <class Triangulation>
 class Located_curve
@@ -44,13 +44,16 @@ public:
   /*!
    * Constructs the curve through the locations.
    *
-   * \param triangulation must outlive the curve
-   * \param locations a range of `Surface_location`s, of which two in a row lie in one face or on its border; those in
-   *        one place count once
-   * \throws Invalid_curve_error if there is no location, or no face has two in a row
-   * \throws Invalid_location_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+   * \param triangulation the triangulation, which must outlive the curve
+   * \param locations a range of `Surface_location`s, of which two consecutive ones lie in one face or on its boundary;
+   *        consecutive equal points count once
+   * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+   * \throws Invalid_location_error if a location is not a point of the surface
+   * \throws Degenerate_face_error for a face along the curve
+   * \throws Invalid_coordinate_error for a face along the curve
+   * \throws Invalid_mesh_error for a face along the curve
    *
-   * Complexity: linear in the number of locations and the degrees of vertices among them.
+   * Complexity: linear in the number of locations and the degrees of the vertices among them.
    */
   template <class LocationRange>
   Located_curve(const Triangulation& triangulation, const LocationRange& locations)
@@ -64,15 +67,15 @@ public:
     }
   }
 
-  /// The length of the curve; 0 if all its locations are in one place.
+  /// Returns the length of the curve, which is 0 if all its locations coincide.
   double length() const { return m_lengths.back(); }
 
-  /// The locations that it runs through, of those in one place in a row the first.
+  /// Returns the locations of the curve; of consecutive equal points, only the first is included.
   const std::vector<Surface_location>& locations() const { return m_corridor.places(); }
 
   /*!
-   * The number \f$i\f$ of the piece that has the place at a length from the start: from `locations()[i]` to
-   * `locations()[i + 1]`. Of two pieces that meet there the second.
+   * Returns the number \f$i\f$ of the piece that contains the point at a length from the start. It leads from
+   * `locations()[i]` to `locations()[i + 1]`; at a common point of two pieces the second one is returned.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
    * \throws Invalid_curve_error if the curve is a point
@@ -85,8 +88,8 @@ public:
   }
 
   /*!
-   * The place at a length from the start, in the face that the curve goes on through; at the end, that through which it
-   * arrives. Logarithmic in the number of locations.
+   * Returns the location at a length from the start, in the face in which the curve continues, or at the end in the
+   * face in which it arrives. Logarithmic in the number of locations.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
    */
@@ -106,8 +109,8 @@ public:
   }
 
   /*!
-   * The direction in which the curve goes on at a length from the start, told from the halfedge of `location(length)`.
-   * At the end it is the direction in which it arrives, straight on.
+   * Returns the direction in which the curve continues at a length from the start, measured from the halfedge of
+   * `location(length)`. At the end, the direction in which the curve arrives is extended.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
    * \throws Invalid_curve_error if the curve is a point
@@ -131,7 +134,7 @@ private:
   struct Place_on_leg
   {
     std::size_t leg;
-    double part; // of the leg
+    double part; // of the geodesic segment
   };
 
   Place_on_leg place(double length) const
@@ -158,22 +161,25 @@ private:
 
   const Triangulation& m_triangulation;
   internal::Corridor<Triangulation> m_corridor;
-  std::vector<typename internal::Corridor<Triangulation>::Start> m_starts; // of the legs
-  std::vector<double> m_lengths;                                           // up to each place
+  std::vector<typename internal::Corridor<Triangulation>::Start> m_starts; // of the geodesic segments
+  std::vector<double> m_lengths;                                           // up to each location
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * The angle at a location counterclockwise from one direction to another: from 0 on, less than \f$2\pi\f$, at a vertex
- * less than the sum of its angles. At a vertex of the border, where no angle goes all round, it is the difference of the
- * directions.
+ * Returns the counterclockwise angle at a location from one direction to another. It is at least 0, and less than
+ * \f$2\pi\f$ or, at a vertex, the sum of the angles there. At a border vertex, which has no full turn, it is the
+ * difference of the directions.
  *
- * \throws Invalid_location_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
- * \throws Invalid_parameter_error if an angle is no finite number, or a halfedge is no side of a face of the location
- *         and does not start there
+ * \throws Invalid_location_error if `location` is not a point of the surface
+ * \throws Degenerate_face_error for a face of the location
+ * \throws Invalid_coordinate_error for a face of the location
+ * \throws Invalid_mesh_error for a face of the location
+ * \throws Invalid_parameter_error if an angle is not finite, or a halfedge is neither a side of a face of the location
+ *         nor starts there
  *
- * Complexity: linear in the degree of a vertex, else constant.
+ * Complexity: linear in the degree of a vertex, otherwise constant.
  */
 template <class Triangulation>
 double angle_between(const Triangulation& triangulation, const Surface_location& location,
@@ -187,19 +193,19 @@ double angle_between(const Triangulation& triangulation, const Surface_location&
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// A place on a curve, with the frame of the curve and the surface there.
+/// Stores a point on a curve, with the frame of the curve and the surface there.
 template <class TriangleMesh, class Point>
 struct Curve_sample : Curve_point<TriangleMesh, Point>
 {
   using Vector_3 = typename Curve_point<TriangleMesh, Point>::Vector_3; ///< of the kernel of `Point`
 
-  Vector_3 normal;   ///< of the face of `location`, of length one; zero if the face has no area
+  Vector_3 normal;   ///< the unit normal of the face of `location`; zero if the face is degenerate
   double length = 0; ///< of the curve up to here
 };
 
 namespace internal {
 
-/* Places on a curve as samples. */
+/* Converts points on a curve to samples. */
 template <class Triangulation, class TriangleMesh>
 class Curve_sampler
 {
@@ -248,7 +254,7 @@ private:
     return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
   }
 
-  // The sides are scaled before, so that no product underflows.
+  // The sides are scaled first, so that no product underflows.
   typename Sample::Vector_3 normal(Input_halfedge_index h) const
   {
     const auto& input = m_triangulation.input();
@@ -270,7 +276,7 @@ private:
   const Located_curve<Triangulation>& m_curve;
 };
 
-/* Are two canonical locations in one place, up to rounding of weights? */
+/* Returns whether two canonical locations are the same point, up to rounding errors of the weights. */
 template <class Input_mesh>
 bool is_one_place(const Input_mesh& input, const Surface_location& p, const Surface_location& q)
 {
@@ -285,7 +291,7 @@ bool is_one_place(const Input_mesh& input, const Surface_location& p, const Surf
   return p.halfedge == q.halfedge;
 }
 
-/* A curve given by places of whichever kind. */
+/* Returns a curve that is given by surface points of any kind. */
 template <class Triangulation, class TriangleMesh, class PlaceRange>
 Located_curve<Triangulation> located_curve(const Triangulation& triangulation, const TriangleMesh& mesh,
                                            const PlaceRange& curve)
@@ -301,23 +307,25 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Writes points at equal lengths along a curve, with tangents and normals: the start, the end, and the others so that
- * from each to the next the curve is equally long.
+ * Samples a curve at equal arc lengths, with tangents and normals. The samples include the start and the end.
  *
  * \param mesh a triangle mesh
- * \param curve a range of vertices, or of `CGAL::Polygon_mesh_processing::Face_location`s, each two in a row in one
- *        face, as `geodesic_path()`, `trace_geodesic()` and `isolines()` write them
- * \param number how many points, at least 2; of a closed curve the first and the last are the same
- * \param out receives `Curve_sample`s
- * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`; the metric has points
- * \return the end of the output
+ * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s, of which two consecutive ones
+ *        lie in one face, such as `geodesic_path()`, `trace_geodesic()` and `isolines()` write them
+ * \param number the number of samples, at least 2; the first and the last sample of a closed curve are the same
+ * \param out an output iterator that receives `Curve_sample`s
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`; the metric must have points
+ * \return the past-the-end output iterator
  * \throws Invalid_parameter_error if `number` is less than 2
- * \throws Invalid_curve_error if there is no location, or no face has two in a row
- * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
- * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error for a face on the way
+ * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+ * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
+ * \throws Invalid_location_error if a point does not lie on the mesh
+ * \throws Degenerate_face_error for a face along the curve
+ * \throws Invalid_coordinate_error for a face along the curve
+ * \throws Invalid_mesh_error for a face along the curve
  *
- * Complexity: linear in the curve's locations, and for each point logarithmic in their number; meshes other than
- * `Surface_mesh` are indexed, \f$O(n \log n)\f$.
+ * Complexity: linear in the number of locations of the curve, and for each sample logarithmic in this number. Meshes
+ * other than `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve, std::size_t number,
@@ -343,15 +351,23 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * The angle between two curves that start at the same place, counterclockwise from the first one to the second: from 0
- * on, less than \f$2\pi\f$, at a vertex less than the sum of its angles. At a vertex of the border, where no angle goes
- * all round, it is negative if the second one starts clockwise from the first.
+ * Computes the angle between two curves that start at the same point, counterclockwise from the first one to the
+ * second.
+ *
+ * The angle is at least 0, and less than \f$2\pi\f$ or, at a vertex, the sum of the angles there. At a border vertex,
+ * which has no full turn, it is negative if the second curve starts clockwise from the first.
  *
  * \param mesh a triangle mesh
- * \param first, second as for `sample_curve()`; of curves that meet on their way give the parts from there on
- * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
- * \throws Invalid_curve_error if they do not start at the same place, up to 1e-9 of weights, or one of them is a point
- * \throws as `sample_curve()`
+ * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts from there on
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \return the angle in radians
+ * \throws Invalid_curve_error if the curves do not start at the same point, up to 1e-9 in the weights, or one of them
+ *         is a point, and as `sample_curve()` does
+ * \throws Vertex_out_of_range_error as `sample_curve()` does
+ * \throws Invalid_location_error as `sample_curve()` does
+ * \throws Degenerate_face_error as `sample_curve()` does
+ * \throws Invalid_coordinate_error as `sample_curve()` does
+ * \throws Invalid_mesh_error as `sample_curve()` does
  *
  * Complexity: that of `sample_curve()`.
  */

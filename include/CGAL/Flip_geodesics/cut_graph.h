@@ -17,7 +17,7 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-/* \throws Interrupted, and leaves the network as it is then */
+/* \throws Interrupted, and leaves the network in its current state */
 template <class Network, class VertexRange>
 Index add_cut_graph(Network& network, const VertexRange& base_points, Interruption* interruption)
 {
@@ -26,7 +26,8 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
   const auto& triangulation = network.triangulation();
   const Cut_edges<typename Network::Triangulation> cut(triangulation, base_points, interruption);
   const auto degree = degrees(triangulation, cut.marks());
-  // A curve that touches a border is cut there: pulled off it, it would leave what is cut in one piece with a hole.
+  // A curve that touches a border is split there: if it slid off the border, the cut surface would remain in one piece
+  // with a hole.
   return add_chains(network, cut.marks(), [&](Vertex_index v) { return degree[v] != 2 || cut.is_on_border(v); });
 }
 
@@ -35,23 +36,36 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Adds a network along which each component of a surface is cut open to a topological disk. Where curves meet they have
- * fixed ends, so that the network can be pulled tight, by `shorten_cut_graph()`; `cut_along_curves()` and
- * `Conformal_flattening` take it then.
+ * Adds a network along which each component of a surface can be cut open to a topological disk. The curves have fixed
+ * ends where they meet, so the network can be shortened by `shorten_cut_graph()` and then be passed to
+ * `cut_along_curves()` or `Conformal_flattening`.
  *
- * In each component, the shortest loops that generate [EW05] make the network, as for `Loop_basis`, without ways that
- * all of them go out and back. So it is short, but not the shortest: that is NP-hard to find [EH04]. Borders are cut
- * already. Curves lead from one border to another, and end where they meet it; ways along the border have no length. A
- * disk gets no curve. A sphere gets one, from its base point to the vertex farthest from it along edges.
+ * In each component, the network consists of the shortest homotopy generators [EW05], as for `Loop_basis`, without the
+ * paths that all of them traverse back and forth. It is therefore short, but not the shortest cut graph, whose
+ * computation is NP-hard [EH04]. Since borders are already cut, curves lead from one border to another and end there;
+ * paths along the border count as having length zero. A disk gets no curve. A sphere gets one, from its base point to
+ * the vertex that is farthest from it along edges.
  *
- * \param network an empty network in a triangulation whose edges are the input's
- * \param base_points vertices, at most one in each component; where there is none, the first vertex of the border is
- *        taken, or the first vertex
- * \param np named parameters: `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at
- *        regular intervals. If it returns `false`, then no curve is added
+ * \param network an empty network in a triangulation whose edges are those of the input
+ * \param base_points vertices, at most one in each component. In a component without a base point, the first vertex of
+ *        the border is chosen, or the first vertex if it has no border
+ * \param np an optional sequence of named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals. If it returns `false`, no
+ *       curve is added}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
  * \return the number of curves added
- * \throws as `Loop_basis`
- * \pre the triangulation's edges are still the input's
+ * \pre the edges of the triangulation are still those of the input
+ * \throws Vertex_out_of_range_error as `Loop_basis` does
+ * \throws Invalid_parameter_error as `Loop_basis` does
+ * \throws Invalid_mesh_error as `Loop_basis` does
+ * \throws Invalid_coordinate_error as `Loop_basis` does
  *
  * Complexity: \f$O(n \log n)\f$.
  */
@@ -65,7 +79,8 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, const Name
 }
 
 /// \ingroup PkgFlipGeodesicsLoops
-/// Adds a cut graph with a base point of the function's choice in each component.
+/// Adds a network along which each component of a surface can be cut open to a topological disk, with a base point
+/// chosen by the function in each component.
 template <class Network, class... NamedParameters,
           std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
 Index add_cut_graph(Network& network, const NamedParameters&... np)

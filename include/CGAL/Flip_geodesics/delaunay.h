@@ -20,20 +20,20 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// What `flip_to_delaunay()` did.
+/// Reports the outcome of `flip_to_delaunay()`.
 struct Delaunay_report
 {
-  std::size_t flips = 0;       ///< edge flips
-  std::size_t constrained = 0; ///< edges that are not locally Delaunay, and that a curve holds
-  std::size_t remaining = 0;   ///< others of the edges in question; not zero only if the process was ended early
-  bool is_stopped = false;     ///< did the visitor end it?
-  /// Is each edge in question locally Delaunay, or held by a curve?
+  std::size_t flips = 0;       ///< the number of edge flips
+  std::size_t constrained = 0; ///< the number of edges that are not locally Delaunay but are held by a curve
+  std::size_t remaining = 0;   ///< the number of other such edges; not zero only if the process was ended early
+  bool is_stopped = false;     ///< whether the visitor ended the process
+  /// Returns whether each given edge is locally Delaunay or held by a curve.
   bool is_complete() const { return remaining == 0; }
 };
 
 namespace internal {
 
-/* A guard of the memory that the flip log takes. Ten flips an edge are much, unless faces are extremely thin. */
+/* Limits the memory of the flip log. Ten flips per edge are many, unless faces are extremely thin. */
 inline std::size_t default_maximum_of_flips(Index number_of_edges)
 {
   return 1000000 + 1000 * static_cast<std::size_t>(number_of_edges);
@@ -61,25 +61,42 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * \ingroup PkgFlipGeodesicsDelaunay
  *
  * Flips given edges of a triangulation until each is locally Delaunay, by Lawson's algorithm [Bobenko and Springborn
- * 2007]; other edges stay. So, given all edges, the triangulation becomes an intrinsic Delaunay triangulation.
+ * 2007]. Other edges are not flipped. If all edges are given, the result is an intrinsic Delaunay triangulation.
  *
- * Edges that are tied, since four points lie on one circle, are Delaunay both ways and are not flipped. With exact
- * traits the process ends on every input: each flip lowers a function of the triangulation, of which there are finitely
- * many below a given value. With `Intrinsic_triangulation_traits` ties have the width of its tolerance. Faces whose
- * edges are flipped again and again are laid out afresh from the input; so errors do not add up. How many flips are
- * needed depends on the shapes of faces: about one an edge on ordinary meshes, as many as the aspect ratio where a long
- * thin cylinder is twisted.
+ * An edge whose four points are cocircular is Delaunay and not flipped. With exact traits, the process terminates on
+ * every input: each flip decreases a function of the triangulation, and only finitely many triangulations have a
+ * smaller value. With `Intrinsic_triangulation_traits`, points count as cocircular within its tolerance. Faces whose
+ * edges are flipped repeatedly are recomputed from the input, so errors do not accumulate. The number of flips depends
+ * on the shapes of faces: it is about one per edge on ordinary meshes, and proportional to the aspect ratio for a long
+ * thin twisted cylinder.
  *
- * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of networks are constrained, and stay
+ * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of networks are constrained and are not
+ *        flipped
  * \param edges a range of edge indices
- * \param np named parameters: `number_of_iterations`, after how many flips the process ends early, by default a million
- *        and a thousand for each edge; `Delaunay_report::is_complete()` returns whether they sufficed; and `visitor`, a
- *        model of `FlipOutVisitor`: `go_further()` is called before each edge, and `on_flip()` after each flip; it may
- *        also throw, and leaves a valid triangulation
- * \throws Invalid_parameter_error for a negative number of flips
- * \throws what is thrown when faces are first touched
+ * \param np an optional sequence of named parameters among those listed below
  *
- * Complexity: linear in the flips and the edges given.
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the number of flips after which the process ends early; `Delaunay_report::is_complete()`
+ *       returns whether they sufficed}
+ *     \cgalParamType{an integer}
+ *     \cgalParamDefault{one million, and a thousand for each edge}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called before each edge, and whose `on_flip()` is called
+ *       after each flip. If it throws an exception, the triangulation is valid}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a report on the given edges
+ * \throws Invalid_parameter_error if the number of flips is negative
+ * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
+ * \throws Degenerate_face_error if such a face is degenerate
+ * \throws Invalid_coordinate_error if such a face is not finite
+ *
+ * Complexity: linear in the number of flips and of given edges.
  */
 template <class Triangulation, class EdgeRange, class... NamedParameters,
           std::enable_if_t<!internal::Is_named_parameters<EdgeRange>::value, int> = 0>
@@ -97,10 +114,15 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Flips all edges of a triangulation until each is locally Delaunay: the result is the intrinsic Delaunay
- * triangulation. If networks have curves in the triangulation, it is the intrinsic constrained Delaunay triangulation
- * of all these curves, the iCDT [SC20, section 6.3]. Named parameters and exceptions are those of the first overload.
- * Complexity: linear in the mesh and the flips.
+ * Flips all edges of a triangulation until each is locally Delaunay, so that it becomes the intrinsic Delaunay
+ * triangulation. If networks have curves in the triangulation, it becomes the intrinsic constrained Delaunay
+ * triangulation (iCDT) of all these curves [SC20, section 6.3].
+ *
+ * The named parameters and exceptions are those of the overload with edges.
+ *
+ * \return a report on all edges
+ *
+ * Complexity: linear in the mesh and the number of flips.
  */
 template <class Triangulation, class... NamedParameters,
           std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
@@ -113,9 +135,9 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParame
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * The edges near the curves of a network, in increasing order: of the faces that touch a vertex which a curve passes,
- * and so on for `rings` rings of vertices. For local use of `flip_to_delaunay()`, at a cost that does not depend on the
- * mesh: \f$O(k \log k)\f$ for k edges.
+ * Returns the edges near the curves of a network, in increasing order: the edges of the faces around the vertices that
+ * a curve passes, extended to `rings` rings of vertices. With these edges, `flip_to_delaunay()` is local, at a cost
+ * that does not depend on the size of the mesh: \f$O(k \log k)\f$ for \f$k\f$ edges.
  */
 template <class Network>
 std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
@@ -148,7 +170,8 @@ std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// Are all edges locally Delaunay, those under curves excepted? Exact where the traits are. Linear in the mesh.
+/// Returns whether all edges that are not under curves are locally Delaunay. Exact if the predicates of the traits are.
+/// Linear in the mesh.
 template <class Triangulation>
 bool is_delaunay(const Triangulation& triangulation)
 {

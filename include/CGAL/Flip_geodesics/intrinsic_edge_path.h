@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A search along edges of a triangulation as it is now. */
+/* A search along the current edges of a triangulation. */
 using Triangulation_edge_search = Label_setting_search<Search_labels<Halfedge_index>>;
 
 /*
@@ -41,7 +41,7 @@ public:
 
   bool settle(Vertex_index v) const { return v != m_target; }
 
-  /* Counterclockwise to the border if there is one, then clockwise, and then in the other umbrellas. */
+  /* The order is counterclockwise up to the border, if any, then clockwise, and then in the other umbrellas. */
   template <class Function>
   void for_each_halfedge(const Origin& origin, const Function& function) const
   {
@@ -78,7 +78,7 @@ private:
   Vertex_index m_target;
 };
 
-/* The halfedges of the shortest path by a policy from a vertex to its target; none if there is no path. */
+/* Returns the halfedges of the shortest path by a policy from a vertex to its target, or none if no path exists. */
 template <class Triangulation, class Policy>
 std::vector<Halfedge_index> path_along_edges(const Triangulation& triangulation, Vertex_index source,
                                              Vertex_index target, const Policy& policy,
@@ -91,7 +91,7 @@ std::vector<Halfedge_index> path_along_edges(const Triangulation& triangulation,
   return search.path<Halfedge_index>(target, [&](Halfedge_index h) { return triangulation.tail(h); });
 }
 
-/* A* over the edges of a triangulation as it is now, by distances in space if the metric has points. */
+/* A* over the current edges of a triangulation, guided by distances in space if the metric has points. */
 template <class Triangulation>
 class Intrinsic_edge_policy : public Triangulation_edge_policy<Triangulation>
 {
@@ -132,7 +132,7 @@ private:
   bool m_is_bounded;
 };
 
-/* A shortest path along edges as they are now; none if none joins the vertices, or they are equal. */
+/* Returns a shortest path along current edges; empty if the vertices are equal or not connected. */
 template <class Triangulation>
 std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulation, Vertex_index source,
                                                 Vertex_index target)
@@ -149,15 +149,18 @@ std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulati
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The halfedges of a shortest path along edges of the triangulation as it is now, between any two of its vertices; none
- * if they are equal. It serves where `Shortest_edge_path`, which knows the input's edges only, does not: from and to
- * inserted vertices, and in flipped triangulations.
+ * Returns the halfedges of a shortest path along the current edges of a triangulation, between any two of its vertices.
+ * The result is empty if the vertices are equal.
  *
- * Of equally long paths, the same one is found each time. \f$O(k \log k)\f$ for the \f$k\f$ vertices visited.
+ * The function also handles inserted vertices and flipped triangulations, in contrast to `Shortest_edge_path`, which
+ * searches the edges of the input. Of several paths of equal length, the same one is always returned.
  *
- * \throws Vertex_out_of_range_error
- * \throws Disconnected_endpoints_error
- * \throws Degenerate_face_error, Invalid_coordinate_error for a face that the search meets
+ * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the triangulation
+ * \throws Disconnected_endpoints_error if no edge path connects the vertices
+ * \throws Degenerate_face_error if a face that the search visits is degenerate
+ * \throws Invalid_coordinate_error if a face that the search visits is not finite
+ *
+ * Complexity: \f$O(k \log k)\f$ for the \f$k\f$ vertices visited.
  */
 template <class Triangulation>
 std::vector<Halfedge_index> shortest_intrinsic_edge_path(const Triangulation& triangulation, Vertex_index source,

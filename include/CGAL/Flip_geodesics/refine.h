@@ -24,44 +24,50 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// What `refine()` is to reach, and how far it may go.
+/// Specifies the bounds and limits of `refine()`.
 struct Refinement_options
 {
-  double smallest_angle = 25; ///< in degrees, of every face; 0 is no bound. At most 30, above which few inputs end
-  double longest_edge = std::numeric_limits<double>::infinity(); ///< of every edge, at least 1e-70, in the mesh's units
-  std::size_t maximum_insertions = 1000000;                      ///< of vertices, those that split edges included
+  /// the lower bound for the angles of all faces, in degrees; 0 means no bound. At most 30, above which the process
+  /// rarely terminates
+  double smallest_angle = 25;
+  /// the upper bound for the lengths of all edges, at least 1e-70, in the unit of the mesh
+  double longest_edge = std::numeric_limits<double>::infinity();
+  std::size_t maximum_insertions = 1000000; ///< the maximal number of new vertices, including
+                                            ///< those that split edges
 };
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// How a refinement has ended.
+/// States how a refinement has ended.
 enum class Refinement_status {
   BOUNDS_REACHED,       ///< all faces are within the bounds, or exempt
-  BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or given up, see `Refinement_report`
+  BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or skipped, see `Refinement_report`
   VERTEX_LIMIT,         ///< `Refinement_options::maximum_insertions` vertices were inserted
   STOPPED_BY_VISITOR    ///< the triangulation may not even be Delaunay
 };
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// What `refine()` did, and what it reached.
+/// Reports the steps and the result of `refine()`.
 struct Refinement_report
 {
   Refinement_status status = Refinement_status::BOUNDS_REACHED; ///< how it has ended
-  std::size_t insertions = 0;                                   ///< of vertices inside faces
-  std::size_t splits = 0;                                       ///< of edges under curves or on the border
-  std::size_t flips = 0;                                        ///< flips, those taken back included
-  std::size_t refused = 0;        ///< faces left as they are, since numbers are too coarse for a point to be inserted
+  std::size_t insertions = 0;                                   ///< the number of vertices inserted inside faces
+  std::size_t splits = 0;                                       ///< the number of splits of edges under curves or on
+                                                                ///< the border
+  std::size_t flips = 0;                                        ///< the number of flips, including those that were
+                                                                ///< undone
+  std::size_t refused = 0;        ///< the number of faces left unchanged because no point can be represented there
   double smallest_angle = 0;      ///< of all faces, in degrees
   double smallest_free_angle = 0; ///< of the faces that are not exempt, see `refine()`
-  std::size_t exempt = 0;         ///< faces whose smallest angle is below the bound, but where there is no other way
-  std::size_t missed = 0;         ///< faces that violate a bound and are not exempt
-  std::size_t given_up = 0;       ///< those among them that are too thin to be mended by the vertices allowed
-  /// Are the bounds reached?
+  std::size_t exempt = 0;         ///< the number of faces whose smallest angle is unavoidably below the bound
+  std::size_t missed = 0;         ///< the number of faces that violate a bound and are not exempt
+  std::size_t given_up = 0;       ///< the number of those that are too thin for the allowed number of vertices
+  /// Returns whether the bounds have been reached.
   bool is_complete() const { return status == Refinement_status::BOUNDS_REACHED; }
 };
 
 namespace internal {
 
-/* Puts points into a triangulation without curves. */
+/* Inserts points into a triangulation without curves. */
 template <class Triangulation>
 struct Triangulation_splitter
 {
@@ -108,7 +114,7 @@ Refinement_status refinement_status(End end, std::size_t missed)
   return end == End::LIMIT ? Refinement_status::VERTEX_LIMIT : Refinement_status::BOUNDS_NOT_REACHABLE;
 }
 
-/* Beyond these bounds a refinement goes on to its limit, whatever the mesh. \throws Invalid_parameter_error */
+/* Throws unless the bounds are in the range in which a refinement can terminate. \throws Invalid_parameter_error */
 inline void check_options(const Refinement_options& options)
 {
   if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
@@ -151,40 +157,56 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Refines a triangulation until no angle is too small and no edge too long. It flips the triangulation to Delaunay.
- * Then it inserts vertices at the circumcentres of bad faces, worst first, each followed by flips [SSC19, section 4.3].
- * Curves and the border are constrained: where they are in the way, they are split at vertices on them, and so stay
- * geodesics, with the same length. The surface does not change. The places of vertices on curves are rounded, so that
- * `certify()` finds them bent there, by a rounding: ask it before.
+ * Refines a triangulation until no angle is too small and no edge is too long.
  *
- * Faces that cannot be mended are left. They are *refused* where numbers are too coarse for a point. They are *given
- * up* where `Refinement_options::maximum_insertions` vertices are too few by far, as on a tube a million times as long
- * as thick. The latter is foreseen: a face of area A with shortest side s takes about A/s^2 vertices where all are as
- * thin, and far fewer elsewhere. It can be that the sum over all bad faces is 16 times what is allowed, and twice in a
- * row does not fall by a tenth while as many faces are treated. Then the worst of them are given up, and with them all
- * that have as short a side. The others are mended until these sums do not fall either.
+ * The triangulation is flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, the worst
+ * face first, each followed by flips [SSC19, section 4.3]. Curves and the border are constrained: if they are in the
+ * way, they are split at vertices on them, and thus remain geodesics of the same length. The surface does not change.
+ * Since the positions of vertices on curves are rounded, `certify()` considers the curves bent there by a rounding
+ * error, so call it before.
  *
- * Edges that are too long are not given up. They are divided, longest first, until none is left or the limit is reached:
- * edges of length L take about A/L^2 vertices on a surface of area A. So a bound that no edge meets spreads the vertices
- * that are allowed.
+ * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point
+ * inside them. They are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
+ * length is a million times its thickness. The latter is detected in advance. A face of area \f$A\f$ with shortest side
+ * \f$s\f$ requires about \f$A/s^2\f$ vertices if all faces are as thin, and far fewer elsewhere. If the sum over all
+ * bad faces is 16 times what is allowed, and twice in a row does not decrease by a tenth while as many faces are
+ * processed, the worst faces are given up, together with all that have as short a side. The others are improved until
+ * these sums do not decrease either.
  *
- * Some faces are exempt from the bound on angles. In one kind the smallest angle lies between two constrained edges
- * that meet under less than 60 degrees, or about a vertex whose angles sum to less. No insertion could make that angle
- * larger. In the other the shortest side joins two constrained edges at equal distances from such a vertex. An
- * insertion there would call for another one closer to it, without end [Shewchuk 2002].
+ * Edges that are too long are never given up. They are divided, the longest first, until none is left or the limit is
+ * reached. Since edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$, a bound that
+ * cannot be met distributes the allowed number of vertices evenly.
  *
- * \param network an `Edge_path_network`, whose triangulation is refined, a model of `IntrinsicTriangulationOfMesh`
- * \param options the bounds; up to about 25 degrees the process ends by itself in practice
- * \param np named parameters: `visitor`, a model of `RefinementVisitor`, which is copied unless it is given by
- *        `std::ref()`: `go_further()` is called before each flip to Delaunay and then before each bad face, `on_flip()`
- *        after each flip and `on_insertion()` after each vertex. If it ends the process, or throws an exception, the
- *        triangulation and its curves are valid, and the curves as long as before
- * \return what was reached, measured on the result
- * \throws Invalid_parameter_error for bounds that make no sense; what is thrown when faces are first touched
- * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
+ * Two kinds of faces are exempt from the bound on angles. In one kind, the smallest angle lies between two constrained
+ * edges that meet at less than 60 degrees, or at a vertex whose angles sum to less than that; no insertion could
+ * enlarge it. In the other, the shortest side connects two constrained edges at equal distances from such a vertex; an
+ * insertion there would cause another one closer to the vertex, without end [Shewchuk 2002].
  *
- * Complexity: about linear in the flips and insertions, with a logarithm for the queue, and in the crossings of the
- * faces that are refined: how many points an input face has got does not slow further ones down.
+ * \param network an `Edge_path_network` whose triangulation, a model of `IntrinsicTriangulationOfMesh`, is refined
+ * \param options the bounds; the process terminates by itself in practice for angles up to about 25 degrees
+ * \param np an optional sequence of named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called before each flip to Delaunay and then before each
+ *       bad face, `on_flip()` after each flip, and `on_insertion()` after each vertex}
+ *     \cgalParamType{a model of `RefinementVisitor`, which is copied unless it is passed by `std::ref()`}
+ *     \cgalParamDefault{no visitor}
+ *     \cgalParamExtra{If the visitor ends the process or throws an exception, the triangulation and its curves are
+ *       valid, and the lengths of the curves are unchanged.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a report, measured on the result
+ * \throws Invalid_parameter_error if the options are out of range
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation, which is unchanged then
+ * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
+ * \throws Degenerate_face_error if such a face is degenerate
+ * \throws Invalid_coordinate_error if such a face is not finite
+ *
+ * Complexity: about linear in the number of flips and insertions, with a logarithmic factor for the queue, and in the
+ * number of crossings of the refined faces. The number of points already inserted into an input face does not slow down
+ * further insertions.
  */
 template <class Network, class... NamedParameters,
           std::enable_if_t<internal::Is_curve_network<Network>::value, int> = 0>
@@ -199,7 +221,9 @@ Refinement_report refine(Network& network, const Refinement_options& options = R
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// The same for a triangulation without curves. \throws Occupied_triangulation_error if a network in it has some
+/// Refines a triangulation without curves until no angle is too small and no edge is too long. Options, named
+/// parameters and exceptions are those of the overload for networks. \throws Occupied_triangulation_error if a network
+/// in the triangulation has curves
 template <class Triangulation, class... NamedParameters,
           std::enable_if_t<!internal::Is_curve_network<Triangulation>::value, int> = 0>
 Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),

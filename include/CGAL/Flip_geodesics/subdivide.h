@@ -34,33 +34,34 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsSubdivision
-/// Where a vertex of a `Surface_subdivision` comes from.
+/// Describes the origin of a vertex of a `Surface_subdivision`.
 struct Subdivision_vertex
 {
-  Surface_point on_input;                     ///< its place on the input mesh
-  Vertex_index intrinsic_vertex = null_index; ///< the triangulation's vertex; or else:
+  Surface_point on_input;                     ///< its position on the input mesh
+  Vertex_index intrinsic_vertex = null_index; ///< the vertex of the triangulation, or else:
   Halfedge_index intrinsic_halfedge =
-      null_index;         ///< the first halfedge of the intrinsic edge on which the vertex lies,
-  double intrinsic_t = 0; ///< and where on it, strictly between 0 at its tail and 1 at its head
+      null_index;         ///< the first halfedge of the intrinsic edge that contains the vertex,
+  double intrinsic_t = 0; ///< and its position there, strictly between 0 at the tail and 1 at the head
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * A triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation, with maps back to both.
- * Made by `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
+ * Represents a triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation, with maps back
+ * to both. Such a mesh is constructed by `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
  *
- * Each face lies in one face of the input. Vertices are those of the triangulation, in its order, then crossings of
- * intrinsic with input edges. Then come middles of edges of curves that were split, see `cut_along_curves()`, and after
- * a cut also copies of vertices. Connectivity is exact, whatever the rounding of positions. The mesh is oriented and
- * manifold, with the components, borders and genus of the input unless it is cut open. Positions are rounded, and faces
- * that are thinner than rounding may be degenerate in them.
+ * Each face lies in one face of the input. The vertices are those of the triangulation, in its order, followed by the
+ * crossings of intrinsic with input edges, by the midpoints of curve edges that were split (see `cut_along_curves()`),
+ * and after a cut by copies of vertices. The connectivity is exact, regardless of rounding errors in positions. The
+ * mesh is oriented and manifold, and has the components, borders and genus of the input unless it is cut open. Since
+ * positions are rounded, very thin faces may be geometrically degenerate.
  *
- * No two edges have the same two ends, with one exception: a common subdivision of a mesh on which two faces share all
- * three vertices, or two edges both ends. It can have such edges, and files of points and faces cannot.
+ * No two edges have the same two end points, with one exception: the common subdivision of a mesh in which two faces
+ * share all three vertices, or two edges share both end points, may contain such edges, which cannot be stored in files
+ * of points and faces.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and not be flipped
- *         meanwhile
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision and must not be
+ *         flipped in the meantime
  * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
  *         `CGAL::Surface_mesh<Point_3>`
  */
@@ -76,66 +77,69 @@ public:
   using halfedge_descriptor = typename Graph::halfedge_descriptor; ///< of `OutputMesh`
   using edge_descriptor = typename Graph::edge_descriptor;         ///< of `OutputMesh`
   using face_descriptor = typename Graph::face_descriptor;         ///< of `OutputMesh`
-  /// Of the input mesh.
+  /// The face type of the input mesh.
   using Input_face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
-  /// A model of `ReadablePropertyMap`, for the parameter `edge_is_constrained_map` of \cgal's functions.
+  /// A model of `ReadablePropertyMap`, for the parameter `edge_is_constrained_map` of functions of \cgal.
   using Edge_is_constrained_map = Map<CGAL::dynamic_edge_property_t<bool>>;
 
   /// \name Elements
   /// @{
 
-  /// The mesh.
+  /// Returns the mesh.
   const OutputMesh& mesh() const { return m_mesh; }
-  /// The mesh, to be moved out or refined further; the maps back hold for its elements as long as they exist.
+  /// Returns the mesh, to be moved out or refined further. The maps back remain valid for its elements as long as these
+  /// exist.
   OutputMesh& mesh() { return m_mesh; }
 
-  /// Where a vertex comes from.
+  /// Returns the origin of a vertex.
   Subdivision_vertex vertex_origin(vertex_descriptor v) const { return get(m_vertex_origin, v); }
 
-  /// The smallest halfedge of the input face that a face lies in. In the input mesh, it is the halfedge
-  /// `triangulation.input().halfedge(input_face(f))`, and the input face is the face of that.
+  /// Returns the smallest halfedge of the input face that contains a face. In the input mesh, this halfedge is
+  /// `triangulation.input().halfedge(input_face(f))`, and the input face is the face of that halfedge.
   Input_halfedge_index input_face(face_descriptor f) const { return get(m_faces, f).input; }
 
-  /// The smallest halfedge of the intrinsic face that a face lies in; `null_index` if not all intrinsic edges are in
-  /// the mesh.
+  /// Returns the smallest halfedge of the intrinsic face that contains a face, or `null_index` if not all intrinsic
+  /// edges are in the mesh.
   Halfedge_index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
 
-  /// The area of a face, measured in the input face's plane. It is not negative, and 0 if the rounding errors of the
-  /// corners would turn the face over.
+  /// Returns the area of a face, measured in the plane of the input face. It is not negative, and is 0 if the rounding
+  /// errors of the corners would reverse the face.
   double area(face_descriptor f) const { return get(m_faces, f).area; }
 
-  /// The barycentric coordinates of a face's corners in its input face: of the source, the target and the third vertex
-  /// of `halfedge(f, mesh())`, each by the tails of `input_face(f)` and the two halfedges after it.
+  /// Returns the barycentric coordinates of the corners of a face in its input face. The corners are the source, the
+  /// target and the third vertex of `halfedge(f, mesh())`; the coordinates of each belong to the tails of
+  /// `input_face(f)` and the two halfedges after it.
   const std::array<std::array<double, 3>, 3>& corners(face_descriptor f) const { return get(m_faces, f).corners; }
 
-  /// The input halfedge that a halfedge lies on and has the direction of, `null_index` if there is none.
+  /// Returns the input halfedge on which a halfedge lies, in the same direction, or `null_index`.
   Input_halfedge_index input_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).input; }
 
-  /// The intrinsic halfedge that a halfedge lies on and has the direction of, `null_index` if there is none.
+  /// Returns the intrinsic halfedge on which a halfedge lies, in the same direction, or `null_index`.
   Halfedge_index intrinsic_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).intrinsic; }
 
-  /// The mesh's halfedges along intrinsic halfedge `h`, in its direction; empty if the edge is not in the mesh. Where
-  /// the mesh is cut open along it: the border of the side on the left of `h`, as seen from its faces.
+  /// Returns the halfedges of the mesh along intrinsic halfedge `h`, in its direction; empty if the edge is not in the
+  /// mesh. If the mesh is cut open along the edge, they belong to the side on the left of `h`, as seen from its faces.
   std::vector<halfedge_descriptor> halfedges_along(Halfedge_index h) const
   {
     const std::size_t i = static_cast<std::size_t>(h.idx());
     return {m_along.begin() + m_first_along[i], m_along.begin() + m_first_along[i + 1]};
   }
 
-  /// Marks the edges that lie on curves; none in a common subdivision.
+  /// Returns a map that marks the edges on curves; it marks none in a common subdivision.
   const Edge_is_constrained_map& edge_is_constrained_map() const { return m_is_constrained; }
 
   /// @}
-  /// \name Carrying Data
-  /// The maps `in` are models of `ReadablePropertyMap`, the maps `out` of `WritablePropertyMap`; there are no defaults.
-  /// The keys of `VertexMap` and `FaceMap` are vertices and faces of the mesh, of type `vertex_descriptor` and
-  /// `face_descriptor`. Those of `InputMap` are vertices or faces of the input mesh. Those of `IntrinsicMap` are
-  /// `Vertex_index` for vertices, and `Halfedge_index` for faces, the smallest of a face. Values of `out` are made of
-  /// those of `in`; where they are interpolated or averaged, these need sums and products with `double`. Linear time,
-  /// with a logarithm where values are averaged.
+  /// \name Data Transfer
+  /// The maps `in` are models of `ReadablePropertyMap`, the maps `out` models of `WritablePropertyMap`; none has a
+  /// default. The keys of a `VertexMap` or `FaceMap` are vertices or faces of the mesh, of type `vertex_descriptor` or
+  /// `face_descriptor`. Those of an `InputMap` are vertices or faces of the input mesh. Those of an `IntrinsicMap` are
+  /// of type `Vertex_index` for vertices and `Halfedge_index` for faces, the smallest halfedge of a face. The value
+  /// type of `out` must be constructible from that of `in`; values that are interpolated or averaged must support sums
+  /// and products with `double`. The functions take linear time, with a logarithmic factor if values are averaged.
   /// @{
 
-  /// Vertex values of the input, keys of type `vertex_descriptor` of the input mesh, interpolated linearly in its faces.
+  /// Interpolates vertex values of the input, with keys of the `vertex_descriptor` type of the input mesh, linearly in
+  /// its faces.
   template <class InputMap, class VertexMap>
   void interpolate_from_input(InputMap in, VertexMap out) const
   {
@@ -153,7 +157,7 @@ public:
     }
   }
 
-  /// Values of intrinsic vertices, interpolated linearly in the intrinsic faces, which are flat.
+  /// Interpolates values of intrinsic vertices linearly in the intrinsic faces, which are flat.
   /// \pre all intrinsic edges are in the mesh
   template <class IntrinsicMap, class VertexMap>
   void interpolate_from_intrinsic(IntrinsicMap in, VertexMap out) const
@@ -169,7 +173,7 @@ public:
     }
   }
 
-  /// Vertex values of the mesh at the triangulation's vertices, which are all vertices of the mesh.
+  /// Restricts vertex values of the mesh to the vertices of the triangulation, all of which are vertices of the mesh.
   template <class VertexMap, class IntrinsicMap>
   void restrict_to_intrinsic(VertexMap in, IntrinsicMap out) const
   {
@@ -178,7 +182,7 @@ public:
         put(out, vertex_origin(v).intrinsic_vertex, get(in, v));
   }
 
-  /// Face values of the input mesh, keys of type `Input_face`, to the faces that lie in each.
+  /// Assigns face values of the input mesh, with keys of type `Input_face`, to the faces contained in each.
   template <class InputMap, class FaceMap>
   void spread_from_input(InputMap in, FaceMap out) const
   {
@@ -186,7 +190,7 @@ public:
       put(out, f, get(in, input_face_descriptor(f)));
   }
 
-  /// Values of intrinsic faces, to the faces that lie in each. \pre all intrinsic edges are in the mesh
+  /// Assigns values of intrinsic faces to the faces contained in each. \pre all intrinsic edges are in the mesh
   template <class IntrinsicMap, class FaceMap>
   void spread_from_intrinsic(IntrinsicMap in, FaceMap out) const
   {
@@ -194,7 +198,7 @@ public:
       put(out, f, get(in, intrinsic_face(f)));
   }
 
-  /// For each face of the input mesh, the mean of the values of the faces in it, weighted by area.
+  /// Assigns to each face of the input mesh the area-weighted average of the values of the faces contained in it.
   template <class FaceMap, class InputMap>
   void average_to_input(FaceMap in, InputMap out) const
   {
@@ -205,7 +209,7 @@ public:
         });
   }
 
-  /// For each intrinsic face, the mean of the values of the faces in it, weighted by area.
+  /// Assigns to each intrinsic face the area-weighted average of the values of the faces contained in it.
   /// \pre all intrinsic edges are in the mesh
   template <class FaceMap, class IntrinsicMap>
   void average_to_intrinsic(FaceMap in, IntrinsicMap out) const
@@ -215,7 +219,7 @@ public:
         [&](Halfedge_index h, const auto& value) { put(out, h, value); });
   }
 
-  /// The face of the input mesh that a face lies in.
+  /// Returns the face of the input mesh that contains a face.
   Input_face input_face_descriptor(face_descriptor f) const
   {
     return internal::graph_face(m_triangulation->input().halfedge(input_face(f)), *m_input_mesh);
@@ -226,7 +230,8 @@ public:
 private:
   friend struct internal::Internals<Surface_subdivision>;
 
-  // Takes over a finished overlay; `original[v]` is the overlay vertex that vertex v is a copy of.
+  // Constructs the subdivision from a finished overlay; `original[v]` is the overlay vertex of which vertex v is a
+  // copy.
   template <class IsConstrained>
   Surface_subdivision(const internal::Overlay<Triangulation>& overlay,
                       const internal::Overlay_layout<Triangulation>& layout,
@@ -276,7 +281,7 @@ private:
     m_is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), m_mesh);
   }
 
-  // A place on an edge, told as strictly between its ends.
+  // Returns a position on an edge, moved strictly between its ends.
   static double inside_edge(double t)
   {
     return (std::min)((std::max)(internal::least_weight, t), internal::largest_below_one);
@@ -390,9 +395,9 @@ struct Internals<Surface_subdivision<Triangulation, OutputMesh>>
 namespace internal {
 
 /*
- * Dissolves the pieces of intrinsic edges that no curve runs along, and what crossings and inserted vertices they leave
- * on input edges. The parts of a face are convex then, unless a curve ends or bends at an inserted vertex inside it; in
- * such faces all pieces are kept.
+ * Removes the pieces of intrinsic edges that do not belong to a curve, and the crossings and inserted vertices that
+ * they leave on input edges. The parts of a face are convex then, unless a curve ends or bends at an inserted vertex
+ * inside it; in such faces all pieces are kept.
  */
 template <class Network>
 class Curve_filter
@@ -429,7 +434,7 @@ public:
 private:
   bool is_kept(Overlay_halfedge h) const { return m_overlay.input_halfedge(h) != null_index || is_on_curve(h); }
 
-  // Does nothing but an input edge without a curve go through the target of h?
+  // Returns whether only an input edge without a curve passes the target of h.
   bool is_passed(Overlay_halfedge h) const
   {
     return m_overlay.input_halfedge(h) != null_index && m_overlay.has_two_edges_at_target(h) && !is_on_curve(h) &&
@@ -453,7 +458,8 @@ private:
     }
   }
 
-  // From h counterclockwise about its origin, is the next kept piece, or the next input edge, more than pi away?
+  // Returns whether the next kept piece, or the next input edge, is more than pi away from h, counterclockwise around
+  // its origin.
   bool is_reflex_after(Overlay_halfedge h) const
   {
     const Overlay_halfedge next = [&] {
@@ -495,8 +501,10 @@ void cut(Overlay<Triangulation>& overlay, Overlay_layout<Triangulation>& layout,
   layout.add_cut(overlay.twin(h));
 }
 
-/* Edges that are to be cut, with none of both their ends on the border or on another such edge: their two sides would
- * have both ends in common. By first halfedges. */
+/*
+ * Returns the edges to be cut, by their first halfedges, neither end of which lies on the border or on another such
+ * edge: their two sides would have both ends in common.
+ */
 template <class Triangulation, class Predicate>
 std::vector<Overlay_halfedge> slits_of_one_edge(const Overlay<Triangulation>& overlay, const Predicate& is_on_curve)
 {
@@ -526,13 +534,13 @@ auto same_vertices(const Overlay<Triangulation>& overlay)
   return Per_overlay_vertex<Overlay_vertex>(all.begin(), all.end());
 }
 
-/* A subdivision with an output mesh of a type, or of the input's if that is `void`. */
+/* A subdivision with an output mesh of a given type, or of the type of the input if that is `void`. */
 template <class OutputMesh, class Triangulation>
 using Subdivision_as =
     Surface_subdivision<Triangulation, std::conditional_t<std::is_void<OutputMesh>::value,
                                                           typename Triangulation::Triangle_mesh, OutputMesh>>;
 
-/* The input with the curves as edges, and cut open along them if that is wanted. */
+/* Returns the input with the curves as edges, cut open along them if requested. */
 template <class OutputMesh, class Network>
 auto subdivide_along_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh,
                             bool is_cutting)
@@ -564,17 +572,22 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * The common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which the edges of both
- * are chains of edges, with maps back to both [SSC19, section 3.4.1], [GSC21]. What is linear in the faces of either is
- * linear in the faces of the subdivision. So data can be carried from one to the other without loss.
+ * Computes the common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which the edges
+ * of both are chains of edges, with maps back to both [SSC19, section 3.4.1], [GSC21].
+ *
+ * A function that is linear in the faces of either is linear in the faces of the subdivision. Data can therefore be
+ * transferred from one to the other without loss.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, of `mesh`
  * \param mesh the input mesh
- * \return a `Surface_subdivision<Triangulation, OutputMesh>`; `OutputMesh` is the type of `mesh` if none is given first
- * \throws Invalid_mesh_error if the elements of the result are too many for 32-bit indices; and what is thrown when
- *         faces are first touched
+ * \return a `Surface_subdivision<Triangulation, OutputMesh>`, where `OutputMesh` is the type of `mesh` unless it is
+ *         specified as the first template argument
+ * \throws Invalid_mesh_error if the result has too many elements for 32-bit indices, or a face that has not been
+ *         accessed before is not a triangle
+ * \throws Degenerate_face_error if such a face is degenerate
+ * \throws Invalid_coordinate_error if such a face is not finite
  *
- * Complexity: linear in the faces of the mesh and the crossings of the two triangulations.
+ * Complexity: linear in the number of faces of the mesh and of crossings of the two triangulations.
  */
 template <class OutputMesh = void, class Triangulation>
 auto common_subdivision(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh)
@@ -589,15 +602,19 @@ auto common_subdivision(const Triangulation& triangulation, const typename Trian
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * The input mesh with the curves of a network as chains of edges: faces that curves cross are split, all others stay.
- * `Surface_subdivision::edge_is_constrained_map()` marks the edges of the curves. Curves that run along one another
- * share edges. Two edges with both ends in common, as only meshes have on which two faces share all vertices, get
- * vertices in their middles.
+ * Inserts the curves of a network into the input mesh as chains of edges. Faces that curves cross are split, and all
+ * others are kept.
  *
- * \param network a model of `CurveNetwork`; its curves need not be finished
+ * `Surface_subdivision::edge_is_constrained_map()` marks the edges of the curves. Overlapping parts of curves share
+ * edges. Two edges with the same two end points, which occur only if two faces of the mesh share all vertices, are
+ * split at their midpoints.
+ *
+ * \param network a model of `CurveNetwork`; its curves need not be geodesics
  * \param mesh the input mesh of its triangulation
- * \return as `common_subdivision()`
- * \throws as `common_subdivision()`
+ * \return a `Surface_subdivision`, as for `common_subdivision()`
+ * \throws Invalid_mesh_error as `common_subdivision()` does
+ * \throws Degenerate_face_error as `common_subdivision()` does
+ * \throws Invalid_coordinate_error as `common_subdivision()` does
  */
 template <class OutputMesh = void, class Network>
 auto insert_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
@@ -608,15 +625,18 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * The input mesh cut open along the curves of a network: as `insert_curves()`, but each edge of a curve is doubled, and
- * vertices are where that separates the faces around them. Both copies are marked as constrained. An open curve inside
- * the surface makes a slit, whose ends are single vertices; a closed one, or one from border to border, two borders. A
- * slit of one edge could not open, since both sides would have both ends in common; it gets a vertex in its middle, once
- * a side.
+ * Cuts the input mesh open along the curves of a network. The curves are inserted as by `insert_curves()`. Each of
+ * their edges is then doubled, and a vertex is duplicated if that separates the faces around it.
+ *
+ * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
+ * single vertices; a closed curve, or one from border to border, becomes two borders. Since both sides of a slit of one
+ * edge would have both end points in common, each side gets a vertex at its midpoint.
  *
  * \param network, mesh as for `insert_curves()`
- * \return as `common_subdivision()`
- * \throws as `common_subdivision()`
+ * \return a `Surface_subdivision`, as for `common_subdivision()`
+ * \throws Invalid_mesh_error as `common_subdivision()` does
+ * \throws Degenerate_face_error as `common_subdivision()` does
+ * \throws Invalid_coordinate_error as `common_subdivision()` does
  */
 template <class OutputMesh = void, class Network>
 auto cut_along_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh)
@@ -627,8 +647,8 @@ auto cut_along_curves(const Network& network, const typename Network::Triangulat
 namespace internal {
 
 /*
- * The input location of a point near an intrinsic edge, by its vector from the edge's tail in the frame of the edge's
- * strip: of the input faces along the edge, that in which the smallest weight is largest.
+ * Finds the input location of a point near an intrinsic edge, given by its vector from the tail of the edge in the
+ * frame of the face strip of the edge: in that input face along the edge in which the smallest weight is largest.
  */
 template <class Triangulation>
 class Location_finder
@@ -641,7 +661,7 @@ public:
   {
   }
 
-  /* Looks at the faces along an edge; `along` is the vector with the edge itself as 1. */
+  /* Considers the faces along an edge; `along` is the vector in units of the edge itself. */
   void look_along(const Crossing_word& word, const Vector& along)
   {
     if(word.crossed.empty())
@@ -657,7 +677,7 @@ public:
     }
   }
 
-  /* The best face, and weights there that are not negative. */
+  /* Returns the location in the best face, with weights that are not negative. */
   Surface_location result() const
   {
     Surface_location result = m_best;
@@ -667,8 +687,10 @@ public:
     return canonical_location(m_triangulation.input(), result);
   }
 
-  /* The best face, and weights there that are all positive; those on an edge of the face keep what
-   * is exactly zero. */
+  /*
+   * Returns the location in the best face, with positive weights; for points on an edge of the face, weights that are
+   * exactly zero are kept.
+   */
   Surface_location result_inside(bool is_on_edge = false) const
   {
     constexpr double least = 1.0 / (1LL << 50);
@@ -691,7 +713,7 @@ private:
     m_best = {face, weights};
   }
 
-  // In the face on the left of an edge along an input edge, or in that which holds the edge.
+  // Considers the face on the left of an edge along an input edge, or the face that contains the edge.
   void look_in_one_face(const Crossing_word& word, const Vector& along)
   {
     const Input_halfedge_index h = face_of_gap(word, 0);
@@ -707,7 +729,7 @@ private:
     note(input.is_border(h) ? twin_index(h) : h, weights);
   }
 
-  // Moves weights to the left of the edge by a part of its length.
+  // Moves weights to the left of the edge by a fraction of its length.
   void add_height(const Crossing_word& word, Input_halfedge_index h, double height,
                   std::array<double, 3>& weights) const
   {
@@ -737,8 +759,9 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The input location, rounded, of the point that divides intrinsic edge `edge(h)`: `t` of the way from the tail of `h`
- * to its head. It lies on an input edge exactly if the whole edge does. Linear in the input edges that are crossed.
+ * Returns the rounded input location of the point that divides intrinsic edge `edge(h)` at the fraction `t` of its
+ * length from the tail of `h`. The point lies on an input edge if and only if the whole edge does. Linear in the number
+ * of crossed input edges.
  * \pre 0 < `t` < 1
  */
 template <class Triangulation>
@@ -753,10 +776,12 @@ Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_i
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The input location, rounded, of the point of an intrinsic face with barycentric coordinates at the tail of `h`, its
- * head, and the third vertex: among the input faces along the face's sides, the one that holds it. Every input face
- * that meets the intrinsic face is among them. Linear in the input edges that the sides cross. \pre `h` is not on the
- * border, and the coordinates are not negative and sum to one
+ * Returns the rounded input location of the point of an intrinsic face with given barycentric coordinates, which belong
+ * to the tail of `h`, its head, and the third vertex.
+ *
+ * Every input face that meets the intrinsic face lies along its sides, so the one that contains the point is found
+ * among these. Linear in the number of input edges that the sides cross. \pre `h` is not on the border, and the
+ * coordinates are not negative and sum to one
  */
 template <class Triangulation>
 Surface_location location_in_face(const Triangulation& triangulation, Halfedge_index h,
@@ -764,7 +789,7 @@ Surface_location location_in_face(const Triangulation& triangulation, Halfedge_i
 {
   internal::Location_finder<Triangulation> finder(triangulation);
   for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {
-    // By lengths alone, which all traits have.
+    // Uses lengths only, which all traits provide.
     const double a = triangulation.length(h), b = triangulation.length(triangulation.next(h)),
                  c = triangulation.length(triangulation.previous(h));
     const double x = ((a - b) * (a + b) + c * c) / (2 * a), y = std::sqrt((std::max)((c - x) * (c + x), 0.0));
