@@ -35,15 +35,18 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * The discretely conformal flattening [SSP08] of a surface that is cut open along the curves of a
- * network [SC20, section 6.1, Figure 22]. Each vertex gets a scale factor \f$e^{u}\f$, edges the lengths
- * \f$e^{(u_i+u_j)/2}\,l_{ij}\f$, such that the faces fit together in the plane. At the border of the cut surface
- * \f$u = 0\f$: lengths are kept there, so that both sides of a seam are of one length. Corners of vertices where the
- * cut ends, such as cone points, are free.
+ * Computes the discretely conformal flattening [SSP08] of a surface that is cut open along the curves of a network
+ * [SC20, section 6.1, Figure 22].
  *
- * The factors are the minimum of a convex function, found by Newton's method with the cotangent Laplacian; a few
- * sparse factorisations. Faces that violate the triangle inequality on the way are degenerate ones, as in the paper; if
- * one is left at the end, this is an error: flip the triangulation to Delaunay, or refine it, first.
+ * Each vertex gets a scale factor \f$e^{u}\f$, and edges get the lengths \f$e^{(u_i+u_j)/2}\,l_{ij}\f$, such that the
+ * faces fit together in the plane. At the border of the cut surface \f$u = 0\f$: lengths are preserved there, so that
+ * both sides of a seam have the same length. The scale factors of vertices at which the cut ends, such as cone points,
+ * are free.
+ *
+ * The factors minimize a convex function, whose minimum is found by Newton's method with the cotangent Laplacian and
+ * takes a few sparse factorizations. Faces that violate the triangle inequality in the meantime are treated as
+ * degenerate, as in the paper. If such a face remains at the end, an exception is thrown; flip the triangulation to
+ * Delaunay or refine it in that case.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -53,7 +56,8 @@ class Conformal_flattening
 public:
   using Point = std::array<double, 2>; ///< in the plane, in the unit of the lengths
 
-  /// Cuts and flattens with a tolerance of 1e-10 radians.
+  /// Cuts and flattens the surface with a tolerance of 1e-10 radians. The exceptions are those of the other
+  /// constructor.
   template <class Network>
   explicit Conformal_flattening(const Network& network)
     : Conformal_flattening(network, internal::default_angle_sum_tolerance)
@@ -61,11 +65,11 @@ public:
   }
 
   /*!
-   * Cuts and flattens.
+   * Cuts and flattens the surface.
    * \param network the finished curves, a model of `CurveNetwork`, in a triangulation of a connected surface
    * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians
-   * \throws Flattening_error if the cut surface is no disk; if a face stays degenerate; if the angle sums stay off
-   * \throws Degenerate_face_error if a face has no area to begin with
+   * \throws Flattening_error if the cut surface is not a disk, a face remains degenerate, or the tolerance is exceeded
+   * \throws Degenerate_face_error if a face is degenerate from the beginning
    */
   template <class Network>
   Conformal_flattening(const Network& network, double tolerance)
@@ -80,28 +84,29 @@ public:
     lay_out(network);
   }
 
-  /// The number of vertices of the cut surface; one of the triangulation has several where the cut passes.
+  /// Returns the number of vertices of the cut surface. A vertex of the triangulation on the cut has several copies.
   Index number_of_copies() const { return m_surface.number_of_copies(); }
-  /// The vertex of the triangulation that a vertex of the cut surface is a copy of.
+  /// Returns the vertex of the triangulation of which a vertex of the cut surface is a copy.
   Vertex_index vertex(Vertex_copy_index copy) const { return m_surface.vertex(copy); }
-  /// The copy to which the corner at the tail of halfedge `h` belongs, in the face on the left of `h`.
+  /// Returns the copy to which the corner at the tail of halfedge `h` belongs, in the face on the left of `h`.
   /// \pre `h` is not on the border
   Vertex_copy_index copy_at(Halfedge_index h) const
   {
     CGAL_precondition_msg(!m_triangulation->is_border(h), "on the left of a border halfedge there is no face");
     return m_surface.copy_at(h);
   }
-  /// The position of a copy in the plane.
+  /// Returns the position of a copy in the plane.
   const Point& point(Vertex_copy_index copy) const { return m_points[copy]; }
-  /// The logarithm \f$u\f$ of a copy's scale factor.
+  /// Returns the logarithm \f$u\f$ of the scale factor of a copy.
   double log_scale(Vertex_copy_index copy) const { return m_log_scales[copy]; }
 
   /*!
-   * Carries the flattening to a common subdivision, linearly within the intrinsic faces: texture coordinates of a mesh
-   * that users see.
-   * \param subdivision a `Surface_subdivision` made by `common_subdivision()` of the triangulation, as it was flattened
-   * \param out a writable property map with the halfedges of the subdivision's mesh as keys, those of faces only, and
-   *        values that are made of two `double`: the position of the halfedge's target in its face
+   * Transfers the flattening to a common subdivision, linearly within the intrinsic faces. The result can be used as
+   * texture coordinates of a mesh.
+   * \param subdivision a `Surface_subdivision` made by `common_subdivision()` of the triangulation, in the state in
+   *        which it was flattened
+   * \param out a writable property map whose keys are the halfedges of faces of the mesh of the subdivision, and whose
+   *        values can be constructed from two `double`s: the position of the target of the halfedge in its face
    */
   template <class Subdivision, class HalfedgeMap>
   void carry_to(const Subdivision& subdivision, HalfedgeMap out) const
@@ -115,11 +120,12 @@ public:
       }
   }
 
-  /// The largest deviation of an angle sum inside the surface from \f$2\pi\f$, in radians.
+  /// Returns the largest deviation of an angle sum in the interior from \f$2\pi\f$, in radians.
   double angle_error() const { return m_angle_error; }
-  /// The largest difference between two positions of one copy, from different faces, over the size of the result.
+  /// Returns the largest distance between two positions of one copy, from different faces, divided by the size of the
+  /// result.
   double layout_error() const { return m_layout_error; }
-  /// The number of Newton steps.
+  /// Returns the number of Newton steps.
   int iterations() const { return m_iterations; }
 
 private:
@@ -153,7 +159,8 @@ private:
                                     {static_cast<std::size_t>(face.vertices[0].idx())});
   }
 
-  // Breadth first over faces, not across cuts; calls visit(face, side, next face). Returns how many were reached.
+  // Traverses faces breadth first, not across cuts, and calls visit(face, side, next face). Returns the number of faces
+  // reached.
   template <class Network, class Visit>
   std::size_t spread(const Network& network, std::size_t start, std::vector<char>& is_reached, const Visit& visit) const
   {
@@ -198,14 +205,14 @@ private:
   internal::Plane_triangle scaled(const Intrinsic_face& face, const Values& u) const
   {
     std::array<double, 3> lengths;
-    // A common factor does not change angles, and keeps large scales from overflowing.
+    // A common factor does not change angles, and prevents large scales from overflowing.
     const double largest = (std::max)({u[copy(face, 0)], u[copy(face, 1)], u[copy(face, 2)]});
     for(int i = 0; i < 3; ++i)
       lengths[i] = face.lengths[i] * std::exp((u[copy(face, i)] - largest + u[copy(face, (i + 1) % 3)] - largest) / 2);
     return internal::Plane_triangle(lengths);
   }
 
-  // 2 pi less the angles about each free copy: the gradient of the convex function.
+  // Returns 2 pi minus the angles around each free copy: the gradient of the convex function.
   Vector defects(const Values& u) const
   {
     Vector result = Vector::Constant(m_number_of_free, boost::math::constants::two_pi<double>());
@@ -241,7 +248,7 @@ private:
     }
     Matrix result(m_number_of_free, m_number_of_free);
     result.setFromTriplets(entries.begin(), entries.end());
-    for(Index i = 0; i < m_number_of_free; ++i) // keeps rows of nothing but degenerate faces regular
+    for(Index i = 0; i < m_number_of_free; ++i) // keeps rows of degenerate faces only regular
       result.coeffRef(i, i) += internal::hessian_regularization;
     return result;
   }
@@ -274,8 +281,8 @@ private:
                              " still; the triangulation has faces too thin for double");
   }
 
-  // Halves the step until the convex function falls along all of it: until the slope at its end is not positive, or
-  // much smaller than it was. Returns false if the step has become nothing.
+  // Halves the step until the convex function decreases along all of it, that is, until the slope at its end is not
+  // positive, or much smaller than before. Returns false if the step has become zero.
   bool move_along(const Vector& step, Vector& gradient)
   {
     const double slope = gradient.dot(step);
@@ -296,8 +303,8 @@ private:
     return false;
   }
 
-  // Directions are carried from face to face as angles, whose errors add up; differences of positions would magnify
-  // them wherever a side is short.
+  // Directions are passed from face to face as angles, whose errors add up; differences of positions would magnify
+  // errors at short sides.
   template <class Network>
   void lay_out(const Network& network)
   {

@@ -27,12 +27,14 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * The smoothest field of directions on an intrinsic triangulation [KCPS13]: of crosses with symmetry 4,
- * lines with 2, vectors with 1. The field is stored at vertices, as the `symmetry`-th power of a complex number in the
- * vertex's tangent space (`Tangent_spaces`). It minimises \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$ with the
- * cotangent weights \f$w\f$ and the transport \f$r\f$ along edges: among fields of unit norm, or among those that are
- * aligned to curves where such were given [SC20, section 6.4, Figure 26]. Weights below zero, of edges that are not
- * Delaunay, can make the least energy meaningless: flip to Delaunay first.
+ * Computes the smoothest direction field on an intrinsic triangulation [KCPS13]: a cross field for symmetry 4, a line
+ * field for 2, and a vector field for 1.
+ *
+ * The field is stored at vertices, as the `symmetry`-th power of a complex number in the tangent space of the vertex
+ * (`Tangent_spaces`). It minimizes \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$ with the cotangent weights \f$w\f$ and
+ * the transport \f$r\f$ along edges, among all fields of unit norm or, if curves were given, among the fields aligned
+ * to them [SC20, section 6.4, Figure 26]. Edges that are not Delaunay have negative weights, which can make the minimal
+ * energy meaningless; flip the triangulation to Delaunay first.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -46,7 +48,7 @@ class Direction_field
 public:
   using Vector = Eigen::VectorXcd; ///< a complex number per vertex
 
-  /// A face about which the field turns: `index` is in units of `1/symmetry` turns.
+  /// Describes a face around which the field turns: `index` is in units of `1/symmetry` turns.
   struct Singularity
   {
     std::size_t face; ///< its number in `operators().faces()`
@@ -56,8 +58,10 @@ public:
   /*!
    * Prepares the computation.
    *
+   * \param triangulation the triangulation
    * \param symmetry the number of directions at a point, at least 1
-   * \throws as `Operators` and `Tangent_spaces`
+   * \throws Degenerate_face_error as `Operators` does
+   * \throws Invalid_mesh_error as `Tangent_spaces` does
    */
   explicit Direction_field(const Triangulation& triangulation, int symmetry = 4)
     : m_triangulation(triangulation)
@@ -70,23 +74,24 @@ public:
     CGAL_precondition(symmetry >= 1);
   }
 
-  /// The finite elements used, with the numbers of the faces.
+  /// Returns the finite elements used, which define the numbers of the faces.
   const Operators<Triangulation>& operators() const { return m_operators; }
-  /// The tangent spaces used.
+  /// Returns the tangent spaces used.
   const Tangent_spaces<Triangulation>& tangent_spaces() const { return m_spaces; }
 
   /// \name Alignment
-  /// Directions that are asked for at one vertex are averaged; where they cancel out, the vertex is free.
+  /// Several directions prescribed at one vertex are averaged; if they cancel out, the vertex is free.
   /// @{
 
-  /// Asks for a direction at vertex `v`, an angle in its tangent space. \throws Vertex_out_of_range_error
+  /// Prescribes a direction at vertex `v`, as an angle in its tangent space. \throws Vertex_out_of_range_error if `v`
+  /// is not a vertex of the triangulation
   void align(Vertex_index v, double angle)
   {
     internal::check_vertex(v, static_cast<Index>(m_operators.number_of_vertices()));
     m_aligned[v.idx()] += power(angle);
   }
 
-  /// Asks for the tangents of all curves of a network, at every vertex that they pass or end at.
+  /// Prescribes the tangents of all curves of a network, at every vertex that they pass or end at.
   template <class Network>
   void align(const Network& network)
   {
@@ -102,10 +107,10 @@ public:
   /// @}
 
   /*!
-   * Computes the field: one sparse Cholesky factorisation, and without alignment some ten or hundred solves, until the
-   * energy changes by less than 1e-12 of itself.
-   * \throws Singular_problem_error if curves are given, but none in a component with faces, or the matrix cannot be
-   *         factored
+   * Computes the field. This takes one sparse Cholesky factorization and, without alignment, some ten or hundred
+   * solves, until the relative change of the energy is less than 1e-12.
+   * \throws Singular_problem_error if curves are given but none lies in a component with faces, or the matrix cannot be
+   *         factorized
    */
   void compute()
   {
@@ -113,7 +118,8 @@ public:
     std::vector<char> is_given(n, 0);
     bool is_aligned = false;
     for(std::size_t v = 0; v < n; ++v)
-      if(std::abs(m_aligned[v]) > internal::cancelled_directions) { // opposite directions cancel out but for rounding
+      if(std::abs(m_aligned[v]) > internal::cancelled_directions) { // opposite directions cancel out up to rounding
+                                                                    // errors
         is_given[v] = 1;
         is_aligned = true;
       }
@@ -125,16 +131,16 @@ public:
       find_smoothest(is_given, is_isolated);
   }
 
-  /// The powers of the field, not normalised; 0 at isolated vertices.
+  /// Returns the powers of the field, not normalized; 0 at isolated vertices.
   const Vector& values() const { return m_values; }
 
-  /// One of the directions at vertex `v`, an angle in its tangent space; the others follow in steps of \f$2\pi\f$ over
-  /// the symmetry.
+  /// Returns one of the directions at vertex `v`, as an angle in its tangent space. The others follow in steps of
+  /// \f$2\pi\f$ divided by the symmetry.
   double angle(Vertex_index v) const { return std::arg(m_values[v.idx()]) / m_symmetry; }
 
   /*!
-   * The faces about which the field turns. On a closed surface the indices sum up to `symmetry` times the Euler
-   * characteristic. Linear in the mesh.
+   * Returns the faces around which the field turns. On a closed surface, the sum of the indices is `symmetry` times the
+   * Euler characteristic. Linear in the mesh.
    */
   std::vector<Singularity> singularities() const
   {
@@ -152,7 +158,7 @@ public:
     return result;
   }
 
-  /// The energy of the field: the sum that is minimised.
+  /// Returns the energy of the field, the minimized sum.
   double energy() const { return std::real(m_values.dot(connection_laplacian() * m_values)); }
 
 private:
@@ -160,7 +166,8 @@ private:
 
   Complex carried(Halfedge_index h) const { return power(m_spaces.transport(h)); }
 
-  // How far the field turns along h against parallel transport, between -pi and pi; the other way along the twin.
+  // Returns the rotation of the field along h relative to parallel transport, between -pi and pi; it has the opposite
+  // sign along the twin.
   double rotation(Halfedge_index h) const
   {
     const bool is_first = internal::is_first_side(h);
@@ -215,7 +222,7 @@ private:
     system.insert(solver.solve(system.right_hand_side(load, m_values)), m_values);
   }
 
-  // Inverse iteration; the components of the surface do not know of each other, so each is normalised by itself.
+  // Inverse iteration; the components of the surface are independent, so each is normalized separately.
   void find_smoothest(const std::vector<char>& none, const std::vector<char>& is_isolated)
   {
     constexpr int most_iterations = 1000;
@@ -265,7 +272,7 @@ private:
   int m_symmetry;
   Operators<Triangulation> m_operators;
   Tangent_spaces<Triangulation> m_spaces;
-  Vector m_aligned; // the sum of what was asked for
+  Vector m_aligned; // the sum of the prescribed directions
   Vector m_values;
 };
 

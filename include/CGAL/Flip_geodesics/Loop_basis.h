@@ -28,8 +28,10 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The side of a face from its corner at a vertex on: of an inserted vertex, a corner that it is next to, the same in all
- * faces. `anchor` tells the vertex in the face. */
+/*
+ * Returns the side of a face that starts at its corner at a vertex. For an inserted vertex, it is a corner next to the
+ * vertex, the same in all faces. `anchor` identifies the vertex in the face.
+ */
 template <class Triangulation>
 Input_halfedge_index corner_next_to(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index anchor)
 {
@@ -38,7 +40,7 @@ Input_halfedge_index corner_next_to(const Triangulation& triangulation, Vertex_i
   return is_at_other_end ? triangulation.input().next(anchor) : anchor;
 }
 
-/* Does a vertex on an input halfedge, or at an end of it, count as its start? */
+/* Returns whether a vertex on an input halfedge, or at one of its ends, counts as its start. */
 template <class Triangulation>
 bool is_next_to_start(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index along, bool is_tail)
 {
@@ -46,10 +48,10 @@ bool is_next_to_start(const Triangulation& triangulation, Vertex_index v, Input_
 }
 
 /*
- * Writes input halfedges along which an edge of the triangulation can be moved, by its word, with its ends held.
- * Inserted vertices are moved to the corners that they are next to, so that edges put together remain so.
+ * Writes input halfedges along which an edge of the triangulation can be deformed with its ends fixed, derived from its
+ * edge sequence. Inserted vertices are moved to the corners next to them, so that concatenated edges remain connected.
  *
- *      u ---- r        crossed: c from p to q. From u to p, and on along the tails of what is crossed.
+ *      u ---- r        crossed: c from p to q. From u to p, and on along the tails of the crossed halfedges.
  *       \    /.
  *     c  q--p
  */
@@ -65,7 +67,7 @@ void append_input_edges(const Triangulation& triangulation, const Crossing_word&
       result.push_back(from_start ? word.along : twin_index(word.along));
     return;
   }
-  // Around the left face of `from`, to where `to` starts.
+  // Around the left face of `from`, to the start of `to`.
   const auto turn = [&](Input_halfedge_index from, Input_halfedge_index to) {
     if(input.next(from) == to)
       result.push_back(from);
@@ -85,16 +87,16 @@ void append_input_edges(const Triangulation& triangulation, const Crossing_word&
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * A basis of the closed curves of a surface, along edges of the input mesh, and the class of any closed curve in it.
+ * Computes a basis of the closed curves on a surface, along edges of the input mesh, and the homology class of any
+ * closed curve in this basis.
  *
- * Each component of genus g with b borders has 2g loops if b = 0, and 2g + b - 1 otherwise. All loops of a component
- * pass one vertex, its base point. Of all loops through the base point along edges they are the shortest that generate:
- * a greedy choice is optimal [EW05], for the fundamental group and for homology alike. Another base point has another
- * basis. Lengths are those of the metric.
+ * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
+ * otherwise. All loops of a component pass its base point. They are the shortest edge loops through the base point that
+ * generate the fundamental group, and also the homology, since a greedy choice is optimal for both [EW05]. A different
+ * base point leads to a different basis. Lengths are those of the metric.
  *
- * The class reads the input alone, so that it stays valid whatever is flipped, and touches no triangulation.
- *
- * Construction takes \f$O(n \log n)\f$ time and linear memory.
+ * The class reads only the input, so it remains valid when the triangulation is flipped, and does not change the
+ * triangulation. Construction takes \f$O(n \log n)\f$ time and linear memory.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -105,21 +107,21 @@ public:
   /// The coefficients of a class, one for each loop of the basis.
   using Homology_class = std::vector<std::int64_t>;
 
-  /// A component of the surface.
+  /// Describes a component of the surface.
   struct Component
   {
-    Vertex_index base_point; ///< what its loops pass
+    Vertex_index base_point; ///< the vertex that its loops pass
     Index genus;             ///< the number of handles
     Index number_of_borders; ///< the number of its border loops
     Index first_loop;        ///< the first of its loops
-    Index number_of_loops;   ///< how many loops it has, which are numbered in a row
+    Index number_of_loops;   ///< the number of its loops, which are numbered consecutively
   };
 
   /*!
-   * Makes a basis with the first vertex of each component as base point.
-   * \param triangulation over the surface; must outlive the basis
-   * \throws Invalid_mesh_error if the mesh is no surface of triangles; vertices in which sheets meet are none
-   * \throws Invalid_coordinate_error
+   * Constructs a basis with the first vertex of each component as base point.
+   * \param triangulation a triangulation of the surface, which must outlive the basis
+   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet in a vertex only
+   * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    */
   explicit Loop_basis(const Triangulation& triangulation)
     : Loop_basis(triangulation, std::vector<Vertex_index>())
@@ -127,11 +129,13 @@ public:
   }
 
   /*!
-   * Makes a basis.
-   * \param triangulation as above
-   * \param base_points vertices, at most one in each component; where there is none, the component's first is taken
-   * \throws Vertex_out_of_range_error
-   * \throws Invalid_parameter_error for two base points in one component, and for an isolated one
+   * Constructs a basis with given base points.
+   * \param triangulation a triangulation of the surface, which must outlive the basis
+   * \param base_points vertices, at most one in each component; in a component without one, the first vertex is chosen
+   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet in a vertex only
+   * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
+   * \throws Vertex_out_of_range_error if a base point is not a vertex of the input
+   * \throws Invalid_parameter_error if two base points lie in one component, or a base point is isolated
    */
   template <class VertexRange>
   Loop_basis(const Triangulation& triangulation, const VertexRange& base_points)
@@ -141,11 +145,12 @@ public:
   }
 
   /*!
-   * Makes a basis, and lets a visitor stop that.
-   * \param triangulation, base_points as above
+   * Constructs a basis with given base points, unless a visitor stops the construction. The exceptions are those of the
+   * constructor without a visitor.
+   * \param triangulation a triangulation of the surface, which must outlive the basis
+   * \param base_points vertices, at most one in each component; in a component without one, the first vertex is chosen
    * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
-   *        returns `false`, then `is_complete()` returns `false`, and there are neither loops nor components
-   * \throws as above
+   *        returns `false`, `is_complete()` returns `false`, and the basis has neither loops nor components
    */
   template <class VertexRange, class Visitor>
   Loop_basis(const Triangulation& triangulation, const VertexRange& base_points, Visitor&& visitor)
@@ -156,40 +161,44 @@ public:
       forget_all();
   }
 
-  /// Returns whether this is a basis; it is not if a visitor stopped the construction. Then only the numbers of loops
-  /// and components, zero, can be asked for.
+  /// Returns whether this is a basis, that is, whether no visitor stopped the construction. Otherwise only the numbers
+  /// of loops and components, which are zero, may be queried.
   bool is_complete() const { return m_is_complete; }
 
   /// \name Loops
   /// @{
 
-  /// The number of loops, of all components.
+  /// Returns the number of loops of all components.
   Index number_of_loops() const { return static_cast<Index>(m_cotree.generators().size()); }
 
-  /// The halfedges of a loop, from its base point back to it: for `Edge_path_network::add_curve()`, before any edge is
-  /// flipped. The loops of one component, as open curves with fixed ends, do not cross each other.
+  /// Returns the halfedges of a loop, from its base point back to it. They can be passed to
+  /// `Edge_path_network::add_curve()` before any edge is flipped. The loops of one component, as open curves with fixed
+  /// ends, do not cross each other.
   std::vector<Halfedge_index> loop(Index i) const
   {
     return m_forest.loop(m_triangulation->input(), generator(i).halfedge);
   }
 
-  /// The same loop without what it goes out and back: a closed curve that passes no vertex twice.
+  /// Returns the simple cycle obtained from a loop by removing the part that the loop traverses back and forth; it
+  /// passes no vertex twice.
   std::vector<Halfedge_index> cycle(Index i) const
   {
     return m_forest.cycle(m_triangulation->input(), generator(i).halfedge);
   }
 
-  /// The length of `loop(i)`. The loops of a component are ordered by it.
+  /// Returns the length of `loop(i)`. The loops of a component are sorted by length.
   double length(Index i) const { return generator(i).length; }
 
   /// @}
   /// \name Components
   /// @{
 
-  /// The components that have faces, in the order of the base points given, then of their first vertices.
+  /// Returns the components that have faces: first those of the given base points, in the order of these, then the
+  /// others in the order of their first vertices.
   const std::vector<Component>& components() const { return m_components; }
 
-  /// The position of a vertex's component in `components()`, -1 for an isolated vertex. \pre `v` is an input vertex
+  /// Returns the position of the component of a vertex in `components()`, or -1 for an isolated vertex. \pre `v` is an
+  /// input vertex
   Index component(Vertex_index v) const { return m_forest.component(v); }
 
   /// @}
@@ -197,15 +206,15 @@ public:
   /// @{
 
   /*!
-   * The homology class of a closed chain of halfedges of the input: how often it runs along each loop of the basis, up
-   * to what bounds a part of the surface. Integers, exact. It does not change when a curve is pulled tight.
+   * Returns the homology class of a closed chain of input halfedges: the exact number of times that it traverses each
+   * loop of the basis, up to boundaries of parts of the surface. Shortening a curve does not change its class.
    *
-   * \param halfedges a range of `Input_halfedge_index`, a closed chain; an empty one has class zero. That of a halfedge
-   *        `h` of the mesh is `triangulation.input().index(h)`. A `Halfedge_index` is one of the intrinsic triangulation
-   *        and does not convert; a curve of these is told as one of a network
-   * \throws Invalid_curve_error if it is none
+   * \param halfedges a range of `Input_halfedge_index` that forms a closed chain; an empty one has class zero. A
+   *        halfedge `h` of the mesh corresponds to `triangulation.input().index(h)`. A `Halfedge_index` refers to the
+   *        intrinsic triangulation and cannot be converted; such a curve must be passed as a curve of a network
+   * \throws Invalid_curve_error if the chain is not closed
    *
-   * Complexity: linear in the chain, times the genus and the number of borders at most.
+   * Complexity: linear in the length of the chain, times at most the genus and the number of borders.
    */
   template <class HalfedgeRange>
   Homology_class homology_class(const HalfedgeRange& halfedges) const
@@ -220,9 +229,10 @@ public:
   }
 
   /*!
-   * The same of a curve of a network over this input, whatever was flipped and inserted; zero if it has contracted.
-   * \throws Invalid_curve_error for a curve that does not end where it starts
-   * \pre the network's triangulation has the same input
+   * Returns the homology class of a curve of a network over this input, regardless of flips and insertions; zero if the
+   * curve has contracted.
+   * \throws Invalid_curve_error if the curve does not end where it starts
+   * \pre the triangulation of the network has the same input
    */
   template <class Network>
   Homology_class homology_class(const Network& network, Curve_index curve) const
@@ -231,11 +241,16 @@ public:
   }
 
   /*!
-   * Can the curve be contracted to a point on the surface? Decided in the fundamental group: by cancelling in the free
-   * group where the component has a border, by counting on a torus, and by Dehn's algorithm on other closed surfaces.
-   * Exact. A curve of class zero need not be contractible: one that separates two handles is not.
+   * Returns whether a closed chain of input halfedges can be contracted to a point on the surface.
    *
-   * Complexity: as `homology_class()`. Parameters and errors as there.
+   * The problem is solved exactly in the fundamental group: by reduction in the free group if the component has a
+   * border, by counting on a torus, and by Dehn's algorithm on other closed surfaces. A curve of homology class zero
+   * need not be contractible; a curve that separates two handles is not.
+   *
+   * \param halfedges a range of `Input_halfedge_index` that forms a closed chain, as for `homology_class()`
+   * \throws Invalid_curve_error if the chain is not closed
+   *
+   * Complexity: that of `homology_class()`.
    */
   template <class HalfedgeRange>
   bool is_contractible(const HalfedgeRange& halfedges) const
@@ -250,7 +265,8 @@ public:
     return component < 0 || m_groups[static_cast<std::size_t>(component)].is_neutral(std::move(word));
   }
 
-  /// The same of a curve of a network, as above.
+  /// Returns whether a curve of a network can be contracted to a point on the surface. Preconditions and exceptions are
+  /// those of `homology_class()` of a network.
   template <class Network>
   bool is_contractible(const Network& network, Curve_index curve) const
   {
@@ -372,11 +388,13 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Writes the borders of a surface, each as a closed chain of halfedges with the surface on the left, a
- * `std::vector<Halfedge_index>`: by their smallest edges, the first of which each begins with. Linear in the mesh.
+ * Writes the borders of a surface, each as a closed chain of halfedges with the surface on the left. Each chain begins
+ * with its smallest edge, and the chains are sorted by these edges. Linear in the mesh.
  *
- * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose edges are the input's
- * \throws Invalid_mesh_error as `Loop_basis`
+ * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose edges are those of the input
+ * \param out an output iterator that receives one `std::vector<Halfedge_index>` per border
+ * \return the past-the-end output iterator
+ * \throws Invalid_mesh_error as `Loop_basis` does
  */
 template <class Triangulation, class OutputIterator>
 OutputIterator border_loops(const Triangulation& triangulation, OutputIterator out)
@@ -387,12 +405,12 @@ OutputIterator border_loops(const Triangulation& triangulation, OutputIterator o
 }
 
 /// \ingroup PkgFlipGeodesicsLoops
-/// What `handle_and_tunnel_loops()` finds. Each loop is a closed chain of halfedges, for
-/// `Edge_path_network::add_curve()` as long as no edge is flipped.
+/// Contains the result of `handle_and_tunnel_loops()`. Each loop is a closed chain of halfedges, which can be passed to
+/// `Edge_path_network::add_curve()` as long as no edge has been flipped.
 struct Handle_and_tunnel_loops
 {
-  std::vector<std::vector<Halfedge_index>> handles; ///< loops that bound a surface inside of the solid
-  std::vector<std::vector<Halfedge_index>> tunnels; ///< loops that bound a surface outside of it
+  std::vector<std::vector<Halfedge_index>> handles; ///< loops that bound a surface inside the solid
+  std::vector<std::vector<Halfedge_index>> tunnels; ///< loops that bound a surface outside the solid
 };
 
 namespace internal {
@@ -411,30 +429,40 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * A basis of the closed curves of a surface that bounds a solid, of handle loops and of tunnel loops [DFW13]. A handle
- * loop is the border of a surface inside of the solid, as the meridian of a torus is, and a tunnel loop that of a surface
- * outside of it. Each component of genus g has g loops of either kind, which are treated as if no other component were
- * there. All of them together are a basis of its homology, with integers.
+ * Computes a homology basis of handle loops and tunnel loops of a surface that bounds a solid [DFW13].
  *
- * Which classes bound inside and outside is decided exactly, by linking numbers of loops that are pushed off the surface
- * and counted in a projection. Of the loops that a tree of shortest paths and an edge close, from a base point and from
- * places near each handle, the shortest are taken that bound, and that belong to a basis together with those taken
- * before. Where they are not enough, as on a tube that is knotted, others are put together of several loops of a
- * `Loop_basis`. These may pass edges more than once, and cross themselves.
+ * A handle loop bounds a surface inside the solid, like the meridian of a torus; a tunnel loop bounds a surface
+ * outside. Each component of genus \f$g\f$ has \f$g\f$ loops of either kind, independently of the other components. All
+ * loops together form a basis of the homology with integer coefficients.
  *
- * The places are those that the numbering of the mesh gives. The same mesh, numbered otherwise, can have other loops,
- * some percent shorter or longer.
+ * Which classes bound inside and outside is decided exactly, by linking numbers of loops that are pushed off the
+ * surface and counted in a projection. The candidates are closed by a tree of shortest paths and an edge, from a base
+ * point and from points near each handle. Of these, the shortest loops are chosen that bound, and that belong to a
+ * basis together with the loops chosen before. If the candidates do not suffice, as on a knotted tube, several loops of
+ * a `Loop_basis` are combined, and the result may pass edges more than once and cross itself. Since the points near the
+ * handles depend on the numbering of the mesh, the same mesh with another numbering can have other loops, which differ
+ * in length by some percent.
  *
- * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points. Its input is read
- * \param np named parameters: `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at
- *        regular intervals. If it returns `false`, then the result has no loops
- * \pre the surface does not cross or touch itself. Where that is noticed, it is an error
- * \throws Invalid_mesh_error if the mesh is no closed surface of triangles, or is seen to cross itself
- * \throws Degenerate_face_error if faces without area are in the way
- * \throws Invalid_coordinate_error
+ * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; its input is read
+ * \param np an optional sequence of named parameters among those listed below
  *
- * Complexity: \f$O(n \log n)\f$, and the cube of the genus times the size of the numbers. For loops of \f$m\f$ edges, up
- * to \f$m^2\f$ pairs that are near in the projection.
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals. If it returns `false`, the
+ *       result has no loops}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the loops of both kinds
+ * \pre the surface does not cross or touch itself; a violation is reported as an error if it is detected
+ * \throws Invalid_mesh_error if the mesh is not a closed triangulated surface, or is found to cross itself
+ * \throws Degenerate_face_error if degenerate faces prevent the computation
+ * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
+ *
+ * Complexity: \f$O(n \log n)\f$, plus the cube of the genus times the size of the numbers. For loops of \f$m\f$ edges,
+ * up to \f$m^2\f$ pairs of edges that are close in the projection are added.
  */
 template <class Triangulation, class... NamedParameters>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, const NamedParameters&... np)

@@ -32,32 +32,36 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * The differential operators of linear finite elements on an intrinsic triangulation, as sparse matrices over `double`.
- * They need nothing but edge lengths, hence no flip changes what they mean; a Delaunay triangulation makes them better.
+ * Assembles the differential operators of linear finite elements on an intrinsic triangulation, as sparse matrices over
+ * `double`. The Laplacian of intrinsic triangulations is that of [BS07].
  *
- * Rows and columns: vertex \f$v\f$ of the triangulation has number \f$v\f$; face \f$f\f$ is the \f$f\f$-th that
+ * The operators depend only on edge lengths. Flips change the discretization but not the continuous operators, and a
+ * Delaunay triangulation improves the approximation.
+ *
+ * Rows and columns: vertex \f$v\f$ of the triangulation has number \f$v\f$; face \f$f\f$ is the \f$f\f$-th face that
  * `intrinsic_faces()` writes, which is `faces()[f]`. A vector in face \f$f\f$ has the coordinates \f$2f\f$ and
- * \f$2f+1\f$, in a frame whose first axis runs along the face's first halfedge, and whose second points to its left.
+ * \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of the face and whose second axis
+ * points to its left.
  *
- * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \f$O(m)\f$ time and space. They are snapshots: flips of
- * the triangulation do not reach them.
- *
- * The Laplacian of intrinsic triangulations is that of [BS07].
+ * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \f$O(m)\f$ time and space. They are snapshots, which later
+ * flips of the triangulation do not affect.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
- * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` where TBB is linked; the results are the same
+ * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; the results are the same
  */
 template <class Triangulation, class ConcurrencyTag = CGAL::Sequential_tag>
 class Operators
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>; ///< rows and columns as the class says
+  using Matrix = Eigen::SparseMatrix<double>; ///< with the rows and columns described at the class
   using Vector = Eigen::VectorXd;             ///< a number per vertex or face, or two per face
 
   /*!
-   * Reads the faces of a triangulation, all of them. \f$O(n + m)\f$.
-   * \throws Degenerate_face_error if a face has no area as rounded to double, or so little that the cotangents are not
-   *         finite; and what touching the faces throws
+   * Reads all faces of a triangulation in \f$O(n + m)\f$ time.
+   * \throws Degenerate_face_error if the area of a face, rounded to double, is zero or so small that the cotangents are
+   *         not finite
+   * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
+   * \throws Invalid_coordinate_error if such a face is not finite
    */
   explicit Operators(const Triangulation& triangulation)
     : m_number_of_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
@@ -68,13 +72,13 @@ public:
     m_pattern = internal::Matrix_pattern<ConcurrencyTag>(m_number_of_vertices, m_faces);
   }
 
-  /// The number of vertices, \f$n\f$.
+  /// Returns the number of vertices, \f$n\f$.
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
-  /// The faces by number.
+  /// Returns the faces by number.
   const std::vector<Intrinsic_face>& faces() const { return m_faces; }
 
-  /// The areas of the faces, \f$m\f$ numbers.
+  /// Returns the areas of the \f$m\f$ faces.
   Vector face_areas() const
   {
     Vector result(m_faces.size());
@@ -84,9 +88,9 @@ public:
   }
 
   /*!
-   * The weak (integrated) Laplacian, \f$n \times n\f$, symmetric and positive semi-definite: \f$u^T L u\f$ is the
-   * Dirichlet energy \f$\int |\nabla u|^2\f$. Its entries are the cotangent weights
-   * \f$L_{ij} = -(\cot\alpha_{ij} + \cot\beta_{ij})/2\f$.
+   * Returns the weak (integrated) Laplacian, \f$n \times n\f$, symmetric and positive semi-definite: \f$u^T L u\f$ is
+   * the Dirichlet energy \f$\int |\nabla u|^2\f$. Its entries are the cotangent weights \f$L_{ij} = -(\cot\alpha_{ij} +
+   * \cot\beta_{ij})/2\f$.
    */
   Matrix weak_laplacian() const
   {
@@ -99,8 +103,8 @@ public:
   }
 
   /*!
-   * The Laplacian \f$\Delta = -M^{-1} L\f$ with the lumped mass matrix, \f$n \times n\f$: it takes values to values,
-   * and is negative semi-definite. Rows of isolated vertices are zero.
+   * Returns the Laplacian \f$\Delta = -M^{-1} L\f$ with the lumped mass matrix, \f$n \times n\f$, which maps values to
+   * values and is negative semi-definite. Rows of isolated vertices are zero.
    */
   Matrix laplacian() const
   {
@@ -112,7 +116,7 @@ public:
     return result;
   }
 
-  /// A third of the area of the faces about each vertex, \f$n\f$ numbers: the diagonal of `lumped_mass()`.
+  /// Returns a third of the area of the faces around each vertex, \f$n\f$ numbers: the diagonal of `lumped_mass()`.
   Vector vertex_areas() const
   {
     Vector result = Vector::Zero(static_cast<Eigen::Index>(m_number_of_vertices));
@@ -122,7 +126,7 @@ public:
     return result;
   }
 
-  /// The lumped mass matrix, \f$n \times n\f$, diagonal.
+  /// Returns the lumped mass matrix, \f$n \times n\f$, which is diagonal.
   Matrix lumped_mass() const
   {
     const Vector areas = vertex_areas();
@@ -134,22 +138,23 @@ public:
     return result;
   }
 
-  /// The consistent mass matrix, \f$n \times n\f$: \f$u^T M w\f$ is \f$\int u\,w\f$ of the piecewise linear functions.
+  /// Returns the consistent mass matrix, \f$n \times n\f$: \f$u^T M w\f$ is \f$\int u\,w\f$ of the piecewise linear
+  /// functions.
   Matrix consistent_mass() const
   {
     return m_pattern.vertex_matrix(
         m_faces, [this](std::size_t f, int i, int j) { return m_triangles[f].area / (i == j ? 6 : 12); });
   }
 
-  /// The gradient of a piecewise linear function, \f$2m \times n\f$.
+  /// Returns the gradient of piecewise linear functions, \f$2m \times n\f$.
   Matrix gradient() const
   {
     return m_pattern.face_matrix([this](std::size_t f, int i) { return m_triangles[f].hat_gradient(i); });
   }
 
   /*!
-   * The weak (integrated) divergence of a vector field that is constant on each face, \f$n \times 2m\f$: entry \f$i\f$
-   * of the result is \f$-\int \nabla\varphi_i \cdot X\f$ with the hat function \f$\varphi_i\f$. So
+   * Returns the weak (integrated) divergence of vector fields that are constant on each face, \f$n \times 2m\f$: entry
+   * \f$i\f$ of the result is \f$-\int \nabla\varphi_i \cdot X\f$ with the hat function \f$\varphi_i\f$. Hence
    * \f$-\mathrm{div}\,\nabla = L\f$.
    */
   Matrix divergence() const
@@ -183,10 +188,12 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Directions at the vertices of an intrinsic triangulation: the angle of each halfedge counterclockwise from the
- * reference direction at its tail, in radians. About a vertex inside the surface the angles are scaled to sum up to
- * \f$2\pi\f$ [KCPS13]. At the border they are left as they are, and the reference is the first halfedge
- * counterclockwise from the border. A snapshot: flips of the triangulation do not reach it. Linear in the mesh.
+ * Defines directions at the vertices of an intrinsic triangulation, as the angle of each halfedge counterclockwise from
+ * the reference direction at its tail, in radians.
+ *
+ * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ [KCPS13]. At the border
+ * they are not scaled, and the reference is the first halfedge counterclockwise from the border. The object is a
+ * snapshot, which later flips of the triangulation do not affect. Construction is linear in the mesh.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -194,9 +201,10 @@ template <class Triangulation>
 class Tangent_spaces
 {
 public:
-  /// Lays out the tangent plane of each vertex.
+  /// Computes the angles in the tangent plane of each vertex.
+  /// \param triangulation the triangulation
   /// \param faces all faces, from `intrinsic_faces()`
-  /// \throws Invalid_mesh_error for a non-manifold vertex, at which several umbrellas meet
+  /// \throws Invalid_mesh_error if a vertex is non-manifold, that is, several umbrellas meet there
   Tangent_spaces(const Triangulation& triangulation, const std::vector<Intrinsic_face>& faces)
     : m_angles(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0)
     , m_corners(m_angles.size(), 0)
@@ -213,16 +221,17 @@ public:
     check_umbrellas(triangulation, is_laid_out);
   }
 
-  /// The halfedge in the reference direction of vertex `v`, `null_index` if it is isolated.
+  /// Returns the halfedge in the reference direction of vertex `v`, or `null_index` if `v` is isolated.
   Halfedge_index reference(Vertex_index v) const { return m_references[v]; }
 
-  /// The angle of halfedge `h` at its tail.
+  /// Returns the angle of halfedge `h` at its tail.
   double angle(Halfedge_index h) const { return m_angles[h]; }
 
-  /// The corner at the tail of `h` in the face on its left, scaled as the angles are.
+  /// Returns the angle of the corner at the tail of `h` in the face on its left, with the same scaling.
   double corner(Halfedge_index h) const { return m_corners[h]; }
 
-  /// By how much a direction turns when it is carried along `h`, from the reference of the tail to that of the head.
+  /// Returns the angle by which a direction is rotated when it is transported along `h`, from the reference of the tail
+  /// to that of the head.
   double transport(Halfedge_index h) const
   {
     return m_angles[Triangulation::twin(h)] + boost::math::constants::pi<double>() - m_angles[h];
@@ -267,7 +276,7 @@ private:
     } while(h != first);
   }
 
-  // A vertex is laid out by the umbrella of one of its halfedges.
+  // Only the umbrella of one halfedge of a vertex is considered.
   static void check_umbrellas(const Triangulation& triangulation, const Marks& is_laid_out)
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
@@ -286,9 +295,11 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * The Poisson problem \f$-\Delta u = \rho\f$ with \f$u\f$ given at some vertices, for instance along geodesics
- * [SC20, section 6.4, Figure 26]; no flow across the rest of the border. Linear finite elements with the cotangent
- * Laplacian. The matrix is factored once (sparse Cholesky), for as many right-hand sides as wanted.
+ * Solves the Poisson problem \f$-\Delta u = \rho\f$ with \f$u\f$ given at some vertices, for instance along geodesics
+ * [SC20, section 6.4, Figure 26], and no flow across the rest of the border.
+ *
+ * The problem is discretized by linear finite elements with the cotangent Laplacian. The matrix is factorized once
+ * (sparse Cholesky) for any number of right-hand sides.
  *
  * \tparam Operators_ an instance of `Operators`
  */
@@ -301,10 +312,11 @@ public:
   /*!
    * Factorizes the matrix of the problem.
    *
-   * \param operators of the triangulation; needed only here
-   * \param given the vertices where values are given, in any order, each once or more
-   * \throws Vertex_out_of_range_error
-   * \throws Singular_problem_error if a component with faces has no vertex in `given`; `elements()` is a vertex of it
+   * \param operators the operators of the triangulation, which are used only during construction
+   * \param given the vertices at which values are given, in any order and possibly repeated
+   * \throws Vertex_out_of_range_error if an index is not that of a vertex
+   * \throws Singular_problem_error if a component with faces has no vertex in `given`; `elements()` is a vertex of the
+   *         component
    */
   Dirichlet_problem(const Operators_& operators, const std::vector<Vertex_index>& given)
     : m_is_given(internal::marked_vertices(operators.number_of_vertices(), given))
@@ -322,10 +334,10 @@ public:
   }
 
   /*!
-   * Solves the problem for a density and values.
+   * Solves the problem for a density and given values.
    *
    * \param density \f$\rho\f$, a value per vertex, or empty for 0
-   * \param values a number per vertex, read at the given ones
+   * \param values a number per vertex, of which those at the given vertices are read
    * \return the solution, a value per vertex; NaN at isolated vertices that are not given
    * \throws Invalid_coordinate_error if a number that is read is not finite
    */

@@ -15,23 +15,23 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsRepair
-/// What `polygon_soup_to_triangle_mesh()` may have to do; each is counted in a `Repair_report`.
+/// Lists the repairs made by `polygon_soup_to_triangle_mesh()`, each of which is counted in a `Repair_report`.
 enum class Repair {
-  POINTS_NOT_FINITE,       ///< points with a coordinate that is NaN or infinite, which no vertex comes from
-  POINTS_WELDED,           ///< points moved into the place of another one within the tolerance
-  POLYGONS_WITHOUT_POINTS, ///< polygons dropped since they name such a point, or one that is not there
-  POLYGONS_COLLAPSED,      ///< polygons dropped since they have fewer than three corners in different places
-  CORNERS_REPEATED,        ///< corners left out since the corner before them is in the same place
-  POLYGONS_SPLIT,          ///< polygons that pass one place twice, split there
-  POLYGONS_TRIANGULATED,   ///< polygons of more than three corners, cut into triangles
-  DUPLICATES_DROPPED,      ///< triangles dropped since another one has the same corners
-  POLYGONS_REVERSED,       ///< polygons oriented the other way round, as their neighbors
-  EDGES_CUT,               ///< edges with more than two faces, at which the faces were cut apart
-  VERTICES_SPLIT,          ///< vertices added to take over some of the faces of another one
-  POINTS_MERGED, ///< points merged into another one in the same place, at stitched borders or corners left out
+  POINTS_NOT_FINITE,          ///< points with a NaN or infinite coordinate, which do not become vertices
+  POINTS_WELDED,              ///< points moved to another point within the tolerance
+  POLYGONS_WITHOUT_POINTS,    ///< polygons removed because they contain such a point or an invalid index
+  POLYGONS_COLLAPSED,         ///< polygons removed because they have fewer than three distinct corners
+  CORNERS_REPEATED,           ///< corners removed because they coincide with the previous corner
+  POLYGONS_SPLIT,             ///< polygons split because they pass a point twice
+  POLYGONS_TRIANGULATED,      ///< polygons with more than three corners, which were triangulated
+  DUPLICATES_DROPPED,         ///< triangles removed because another one has the same corners
+  POLYGONS_REVERSED,          ///< polygons reversed to match the orientation of their neighbors
+  EDGES_CUT,                  ///< edges with more than two faces, along which the faces were cut apart
+  VERTICES_SPLIT,             ///< vertices duplicated to take over some of the faces of another one
+  POINTS_MERGED,              ///< points merged with a coincident one, at stitched borders or removed corners
   FACES_WITHOUT_AREA_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
-  FACES_WITHOUT_AREA_DROPPED, ///< triangles with collinear corners, or two in one place, dropped
-  POINTS_LEFT                 ///< points that lost all their polygons by that
+  FACES_WITHOUT_AREA_DROPPED, ///< triangles with collinear corners or two coincident corners, removed
+  POINTS_LEFT                 ///< points that thereby lost all their polygons
 };
 
 /// \ingroup PkgFlipGeodesicsRepair
@@ -39,7 +39,7 @@ enum class Repair {
 constexpr std::size_t number_of_repairs = static_cast<std::size_t>(Repair::POINTS_LEFT) + 1;
 
 /// \ingroup PkgFlipGeodesicsRepair
-/// Says in words how often a repair was done, such as "2 points merged into ...".
+/// Describes in words how often a repair was made, such as "2 points merged into ...".
 inline std::string describe(Repair repair, std::size_t count)
 {
   const auto counted = [count](const char* one, const char* several, const char* what) {
@@ -82,7 +82,7 @@ inline std::string describe(Repair repair, std::size_t count)
 
 namespace internal {
 
-/* What a Repair_report says. Pairs of point and vertex, and of polygon and face, are sorted. */
+/* The data of a Repair_report. Pairs of point and vertex, and of polygon and face, are sorted. */
 struct Repair_record
 {
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -102,11 +102,12 @@ struct Repair_record
 /*!
  * \ingroup PkgFlipGeodesicsRepair
  *
- * What `polygon_soup_to_triangle_mesh()` did, and which element of the mesh comes from which of the soup.
+ * Reports the repairs made by `polygon_soup_to_triangle_mesh()`, and the correspondence between elements of the mesh
+ * and of the soup.
  *
- * Vertices and faces are given as positions in `vertices(mesh)` and `faces(mesh)`, points and polygons as positions in
- * the soup. Where nothing had to be done, each vertex is its point: the vertex at position i comes from point i for
- * every i below the number of points. Vertices added for further parts follow.
+ * Vertices and faces are identified by their positions in `vertices(mesh)` and `faces(mesh)`, points and polygons by
+ * their positions in the soup. If no repair was necessary, the vertex at position i comes from point i, for every i
+ * below the number of points. Duplicated vertices follow.
  */
 class Repair_report
 {
@@ -123,23 +124,25 @@ public:
   }
 #endif
 
-  /// How often a repair was done.
+  /// Returns how often a repair was made.
   std::size_t number_of(Repair repair) const { return m_record.counts[static_cast<std::size_t>(repair)]; }
 
-  /// Was nothing done, so that the mesh is the soup?
+  /// Returns whether no repair was made, so that the mesh is identical with the soup.
   bool is_empty() const
   {
     return std::all_of(m_record.counts.begin(), m_record.counts.end(), [](std::size_t count) { return count == 0; });
   }
 
-  /// The number of border edges that nearly coincide with other ones in a different place and stay open: no coordinate
-  /// of their ends differs by more than 1e-6 of the longest side of the borders' bounding box.
+  /// Returns the number of border edges that nearly coincide with others and remain open: no coordinate of their ends
+  /// differs by more than 1e-6 of the longest side of the bounding box of the borders.
   std::size_t number_of_near_border_edges() const { return m_record.near_border_edges; }
 
-  /// The largest distance between such edges, relative to that side; a weld tolerance above it makes them coincide.
+  /// Returns the largest distance between such edges, relative to that side; a larger weld tolerance makes them
+  /// coincide.
   double distance_of_near_border_edges() const { return m_record.near_border_distance; }
 
-  /// What was done in words: a line for each repair, and one for border edges that nearly coincide; without line ends.
+  /// Returns the repairs in words: one line for each repair, and one for border edges that nearly coincide, without
+  /// line ends.
   std::vector<std::string> lines() const
   {
     std::vector<std::string> result;
@@ -151,23 +154,23 @@ public:
     return result;
   }
 
-  /// The number of points of the soup.
+  /// Returns the number of points of the soup.
   std::size_t number_of_points() const { return m_record.number_of_points; }
 
-  /// The number of polygons of the soup.
+  /// Returns the number of polygons of the soup.
   std::size_t number_of_polygons() const { return m_record.number_of_polygons; }
 
-  /// The point that a vertex of the mesh comes from, and has its place from.
+  /// Returns the point from which a vertex of the mesh has its position.
   std::size_t point_of_vertex(std::size_t vertex) const { return m_record.point_of_vertex[vertex]; }
 
-  /// The polygon that a face of the mesh comes from.
+  /// Returns the polygon from which a face of the mesh comes.
   std::size_t polygon_of_face(std::size_t face) const { return m_record.polygon_of_face[face]; }
 
-  /// The vertices with faces that were made from a point: several if it was split, the vertex of another point if it
-  /// was merged into that, none if it has no faces.
+  /// Returns the vertices with faces that come from a point: several if it was split, the vertex of another point if it
+  /// was merged into that, and none if it has no faces.
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
-  /// The triangles that were made from a polygon; none if it was dropped, or became part of a neighbor by flips.
+  /// Returns the triangles that come from a polygon; none if it was removed, or became part of a neighbor by flips.
   Elements faces_of_polygon(std::size_t polygon) const { return elements(m_record.faces_of_polygons, polygon); }
 
 private:

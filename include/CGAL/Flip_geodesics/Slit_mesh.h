@@ -25,7 +25,7 @@ class Slit_mesh;
 
 namespace internal {
 
-/* What `boost::graph_traits` says of a slit mesh. */
+/* Defines `boost::graph_traits` of a slit mesh. */
 template <class TriangleMesh>
 struct Slit_mesh_graph_traits
 {
@@ -57,7 +57,7 @@ struct Slit_mesh_graph_traits
   static face_descriptor null_face() { return boost::graph_traits<TriangleMesh>::null_face(); }
 };
 
-/* The points of a slit mesh: those of the mesh. */
+/* The points of a slit mesh, which are those of the mesh. */
 template <class TriangleMesh, class Map>
 struct Slit_mesh_point_map
 {
@@ -127,16 +127,17 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
 /*!
  * \ingroup PkgFlipGeodesicsObstacles
  *
- * A mesh that is slit along some of its edges: a view of it, in which these edges are borders on both sides. Paths can
- * run along them, and do not cross them. Nothing of the mesh is copied but a list of its vertices and edges.
+ * Represents a mesh that is slit along some of its edges: a view of the mesh in which these edges are borders on both
+ * sides. Paths can run along slits but not cross them. Only a list of the vertices and edges of the mesh is copied.
  *
- * A vertex where slits meet, or one meets the border, or inside of a slit, is several vertices here, one for each
- * sector of faces. The end of a slit inside the surface is one. An edge of a slit is two edges. Faces are those of the
- * mesh.
+ * A vertex inside a slit, at which slits meet, or at which a slit meets the border has several copies, one for each
+ * sector of faces. The end of a slit inside the surface is a single vertex. An edge of a slit becomes two edges. Faces
+ * are those of the mesh.
  *
- * Descriptors know the mesh's own, and convert to them. A vertex of the mesh converts to its first copy.
+ * Descriptors store those of the mesh and convert to them. A vertex of the mesh converts to its first copy.
  *
- * A model of `FaceListGraph` and `HalfedgeListGraph`, with the mesh's points, for all functions of this package.
+ * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh, and can be passed to
+ * all functions of this package.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */
@@ -149,26 +150,26 @@ class Slit_mesh
   using Mesh_edge = typename Graph::edge_descriptor;
 
 public:
-  /// A vertex, or one of its copies.
+  /// Identifies a vertex, or one of its copies.
   struct Vertex
   {
     Mesh_vertex vertex;   ///< of the mesh
-    std::size_t copy = 0; ///< which one, from 0 on
+    std::size_t copy = 0; ///< its number, from 0 on
 
-    /// None.
+    /// Constructs a null descriptor.
     Vertex()
       : vertex(Graph::null_vertex())
     {
     }
-    /// A copy of a vertex, by default the first.
+    /// Constructs the descriptor of a copy of a vertex, by default the first.
     Vertex(Mesh_vertex vertex, std::size_t copy = 0)
       : vertex(vertex)
       , copy(copy)
     {
     }
-    /// The vertex of the mesh.
+    /// Returns the vertex of the mesh.
     operator Mesh_vertex() const { return vertex; }
-    /// By what vertices are ordered.
+    /// Returns the key by which vertices are ordered.
     auto key() const { return std::make_tuple(vertex, copy); }
     /// \cond
     friend bool operator==(const Vertex& a, const Vertex& b) { return a.key() == b.key(); }
@@ -177,26 +178,27 @@ public:
     /// \endcond
   };
 
-  /// A halfedge.
+  /// Identifies a halfedge.
   struct Halfedge
   {
     Mesh_halfedge halfedge; ///< of the mesh, with the same direction
-    bool is_outer = false;  ///< is it on the border, and the mesh's on the other side of a slit?
+    bool is_outer = false;  ///< whether it is on the border, while the halfedge of the mesh is on the other side of a
+                            ///< slit
 
-    /// None.
+    /// Constructs a null descriptor.
     Halfedge()
       : halfedge(Graph::null_halfedge())
     {
     }
-    /// A halfedge of the mesh, or the border of a slit along it.
+    /// Constructs the descriptor of a halfedge of the mesh, or of the border of a slit along it.
     explicit Halfedge(Mesh_halfedge halfedge, bool is_outer = false)
       : halfedge(halfedge)
       , is_outer(is_outer)
     {
     }
-    /// The halfedge of the mesh.
+    /// Returns the halfedge of the mesh.
     operator Mesh_halfedge() const { return halfedge; }
-    /// By what halfedges are ordered.
+    /// Returns the key by which halfedges are ordered.
     auto key() const { return std::make_tuple(halfedge, is_outer); }
     /// \cond
     friend bool operator==(const Halfedge& a, const Halfedge& b) { return a.key() == b.key(); }
@@ -205,17 +207,18 @@ public:
     /// \endcond
   };
 
-  /// An edge; those on the two sides of a slit are different.
+  /// Identifies an edge; the edges on the two sides of a slit are different.
   struct Edge
   {
     Mesh_edge edge;                                  ///< of the mesh
-    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< of the mesh's edge; at a slit, that on this side
-    bool is_at_slit = false;                         ///< is it one of two?
-    bool is_outer = false;                           ///< was it obtained from its halfedge on the border of a slit?
+    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< of the edge of the mesh; at a slit, the one on this side
+    bool is_at_slit = false;                         ///< whether it is one of two
+    bool is_outer = false;                           ///< whether it was obtained from its halfedge on the border of a
+                                                     ///< slit
 
-    /// The edge of the mesh.
+    /// Returns the edge of the mesh.
     operator Mesh_edge() const { return edge; }
-    /// By what edges are ordered.
+    /// Returns the key by which edges are ordered.
     auto key() const { return std::make_tuple(edge, is_at_slit ? halfedge : Graph::null_halfedge()); }
     /// \cond
     friend bool operator==(const Edge& a, const Edge& b) { return a.key() == b.key(); }
@@ -227,9 +230,9 @@ public:
   /*!
    * Slits a mesh.
    *
-   * \param mesh a triangle mesh, which must outlive this, unchanged
-   * \param slits a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as value, read once; edges
-   *        of the border need not be slit
+   * \param mesh a triangle mesh, which must outlive the slit mesh and must not be changed
+   * \param slits a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value type, which is
+   *        read once; edges of the border need not be marked
    *
    * Complexity: linear in the mesh, and \f$O(n \log n)\f$ for \f$n\f$ edges at slits.
    */
@@ -248,33 +251,34 @@ public:
     number_copies();
   }
 
-  const TriangleMesh& mesh() const { return *m_mesh; } ///< what is slit
+  const TriangleMesh& mesh() const { return *m_mesh; } ///< returns the mesh
 
-  /// Is a halfedge of the mesh in a slit?
+  /// Returns whether a halfedge of the mesh lies on a slit.
   bool is_slit(Mesh_halfedge h) const { return m_slits.count(h) != 0; }
 
-  /// In how many copies is a vertex of the mesh here?
+  /// Returns the number of copies of a vertex of the mesh.
   std::size_t number_of_copies(Mesh_vertex v) const
   {
     const auto found = m_number_of_copies.find(v);
     return found == m_number_of_copies.end() ? 1 : found->second;
   }
 
-  /// The copy of the tail of a halfedge of the mesh in the face on the left of it. \pre it has a face
+  /// Returns the copy of the tail of a halfedge of the mesh in the face on the left of the halfedge. \pre the halfedge
+  /// has a face
   Vertex vertex_in_face(Mesh_halfedge h) const
   {
     const auto found = m_copy.find(h);
     return {source(h, *m_mesh), found == m_copy.end() ? 0 : found->second};
   }
 
-  /// All vertices: the mesh's, then further copies.
+  /// Returns all vertices: those of the mesh, followed by further copies.
   const std::vector<Vertex>& all_vertices() const { return m_vertices; }
-  /// All edges: in the order of the mesh's, the two of a slit one after the other.
+  /// Returns all edges in the order of those of the mesh; the two edges of a slit are consecutive.
   const std::vector<Edge>& all_edges() const { return m_edges; }
-  /// All halfedges, the two of an edge one after the other.
+  /// Returns all halfedges; the two halfedges of an edge are consecutive.
   const std::vector<Halfedge>& all_halfedges() const { return m_halfedges; }
 
-  /// The edge of a halfedge of the mesh, on this side of a slit.
+  /// Returns the edge of a halfedge of the mesh, on this side of a slit.
   Edge edge_of(Mesh_halfedge h) const { return make_edge(internal::graph_edge(h, *m_mesh), h, is_slit(h)); }
 
 private:
@@ -300,7 +304,7 @@ private:
     return result;
   }
 
-  // Sectors about a vertex follow each other clockwise, from the first spoke that begins one.
+  // Numbers the sectors around a vertex clockwise, from the first outgoing halfedge that begins one.
   void number_copies()
   {
     for(const Edge& e : m_edges)
@@ -308,7 +312,7 @@ private:
         number_copies(e.halfedge);
   }
 
-  // Of the tail of a halfedge in a slit. What is on the right of a spoke follows.
+  // Numbers the sectors around the tail of a halfedge on a slit. The sector on the right of a halfedge follows it.
   void number_copies(Mesh_halfedge first)
   {
     const Mesh_vertex v = source(first, *m_mesh);
@@ -409,7 +413,10 @@ typename Slit_mesh<M>::Halfedge halfedge(typename boost::graph_traits<M>::face_d
   return typename Slit_mesh<M>::Halfedge(halfedge(f, mesh.mesh()));
 }
 
-/* The halfedge that the edge was obtained from, as CGAL's validity check requires; otherwise the mesh's. */
+/*
+ * Returns the halfedge from which the edge was obtained, as required by the validity check of CGAL; otherwise that of
+ * the mesh.
+ */
 template <class M>
 typename Slit_mesh<M>::Halfedge halfedge(typename Slit_mesh<M>::Edge e, const Slit_mesh<M>& mesh)
 {
@@ -431,7 +438,7 @@ typename Slit_mesh<M>::Edge edge(typename Slit_mesh<M>::Halfedge h, const Slit_m
   return result;
 }
 
-/* Border halfedges follow each other around the faces of the sector between them. */
+/* Border halfedges are connected around the faces of the sector between them. */
 template <class M>
 typename Slit_mesh<M>::Halfedge next(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
 {
@@ -482,7 +489,7 @@ typename Slit_mesh<M>::Vertex target(typename Slit_mesh<M>::Edge e, const Slit_m
   return target(halfedge(e, mesh), mesh);
 }
 
-/* A halfedge that ends at a vertex; none if it is isolated. */
+/* Returns a halfedge that ends at a vertex, or a null halfedge if the vertex is isolated. */
 template <class M>
 typename Slit_mesh<M>::Halfedge halfedge(typename Slit_mesh<M>::Vertex v, const Slit_mesh<M>& mesh)
 {
@@ -500,7 +507,7 @@ typename Slit_mesh<M>::Halfedge halfedge(typename Slit_mesh<M>::Vertex v, const 
   return Halfedge();
 }
 
-/* The halfedge from one vertex to another, and whether there is one. */
+/* Returns the halfedge from one vertex to another, and whether it exists. */
 template <class M>
 std::pair<typename Slit_mesh<M>::Halfedge, bool> halfedge(typename Slit_mesh<M>::Vertex u,
                                                           typename Slit_mesh<M>::Vertex v, const Slit_mesh<M>& mesh)

@@ -32,7 +32,7 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-/* Adds what shortening one curve of a network did to the report of many. */
+/* Adds the report on one curve of a network to a report on many. */
 inline void append_report(const Shortening_report& report, Shortening_report& sum)
 {
   sum.curves.insert(sum.curves.end(), report.curves.begin(), report.curves.end());
@@ -45,18 +45,25 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes closed geodesics around the handles and holes of a surface: pulls each loop of a `Loop_basis` tight, by
- * itself. Two of them may cross. There are none on a sphere and on a disk.
+ * Computes closed geodesics around the handles and holes of a surface, by shortening each loop of a `Loop_basis`
+ * separately.
+ *
+ * Two of the resulting geodesics may cross. A sphere and a disk have no loops.
  *
  * \param mesh a triangle mesh
- * \param out receives one `std::vector` per loop, in the order of the basis, of what `geodesic_path()` writes
- * \param np as for `geodesic_path()`; the stop predicate is asked about each loop by itself. If a visitor's
- *        `go_further()` returns `false`, then the remaining loops are not shortened. If that happens before the basis
- *        is known, then nothing is written, and the report has one entry with `Shortening_status::STOPPED_BY_VISITOR`
- * \return the end of the output, and the report, with one entry per loop
- * \throws Invalid_mesh_error, Degenerate_face_error, Invalid_coordinate_error
+ * \param out an output iterator that receives one `std::vector` per loop, in the order of the basis, of the points that
+ *        `geodesic_path()` writes
+ * \param np named parameters, as for `geodesic_path()`; the stop predicate is applied to each loop separately. If the
+ *        `go_further()` of a visitor returns `false`, the remaining loops are not shortened. If this happens before the
+ *        basis is known, nothing is written, and the report has one entry with `Shortening_status::STOPPED_BY_VISITOR`
+ * \return the past-the-end output iterator, and a report with one entry per loop
+ * \throws Invalid_mesh_error as `Loop_basis` does
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
  *
- * Complexity: \f$O(n \log n)\f$ and that of `shorten()` for each loop.
+ * Complexity: \f$O(n \log n)\f$, plus the time of `shorten()` for each loop.
+ *
+ * \sa `Loop_basis`
  */
 template <class TriangleMesh, class OutputIterator, class... NamedParameters>
 Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, OutputIterator out,
@@ -92,22 +99,32 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Pulls a network tight along which each component of a surface is cut open to a disk, so that this remains: each
- * component is one disk afterwards, and all curves are locally shortest between their ends.
+ * Shortens a network along which each component of a surface is cut open to a disk, and preserves this property.
+ * Afterwards, each component is a single disk, and all curves are locally shortest between their ends.
  *
- * Curves that were apart can come to run along the same edges, or to touch in a vertex. Cut along all of them, the
- * component falls into several disks then, and some of the curves are needless: two disks with a chain in common are one
- * disk without it. So chains between different disks are dropped, the longest first, and what leads to nowhere without
- * them. A vertex where only two curves are left is no fixed end any more. The network gets shorter each time, and is
- * pulled tight again until no chain is needless. If all curves are needed from the start, this is `shorten()`.
+ * Curves that were disjoint can touch in a vertex or overlap along edges after shortening. Cutting along all of them
+ * would then divide the component into several disks, and some of the curves are superfluous, because two disks with a
+ * common chain form one disk without it. Chains between different disks are therefore removed, the longest first,
+ * together with all dead ends that this leaves. A vertex at which only two curves remain is no longer a fixed end. The
+ * network becomes shorter each time, and is shortened again until no chain is superfluous. If all curves are needed
+ * from the beginning, the function is equivalent to `shorten()`.
  *
- * \param network a network made by `add_cut_graph()`, or any other one that cuts each component into disks; where curves
- *        are dropped, its curves are numbered anew
- * \param np named parameters: `visitor`, as for `shorten()`. If its `go_further()` returns `false`, then this ends
- *        without looking for needless chains once more: the network still cuts each component open, but into several
- *        disks perhaps
- * \return the report of the last run of `shorten()`, for the curves that are left, with flips and steps of all runs
- * \throws as `shorten()`
+ * \param network a network made by `add_cut_graph()`, or any other network that cuts each component into disks; if
+ *        curves are removed, the remaining ones are renumbered
+ * \param np an optional sequence of named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor as for `shorten()`. If its `go_further()` returns `false`, superfluous chains are
+ *       not searched again: the network still cuts each component open, but possibly into several disks}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the report of the last run of `shorten()` on the remaining curves, with the flips and steps of all runs
+ * \throws Degenerate_face_error as `shorten()` does
+ * \throws Invalid_coordinate_error as `shorten()` does
  *
  * Complexity: that of `shorten()`, and linear in the triangulation for each run.
  */
@@ -131,11 +148,11 @@ Shortening_report shorten_cut_graph(Network& network, const NamedParameters&... 
 namespace internal {
 
 /*
- * The shortest loop along edges that passes one of some vertices and is of a certain kind.
+ * The shortest edge loop of a certain kind that passes one of several vertices.
  *
- * Each search leaves out the vertices whose loops were searched before. The class of a path is its word, reduced as far
- * as it cancels: the loop of an edge between two ends whose words differ by that of the edge contracts, and only others
- * are looked at.
+ * Each search excludes the vertices whose loops have been searched before. The class of a path is represented by its
+ * word, with all possible cancellations: the loop closed by an edge is contractible if the words of its end points
+ * differ by the word of the edge, and only other loops are considered.
  */
 template <class Triangulation>
 class Shortest_loop_search
@@ -148,8 +165,10 @@ public:
   {
   }
 
-  /* Looks for a shorter loop through v, and through no vertex asked about before, whose word has a property.
-   * \throws Interrupted */
+  /*
+   * Searches for a shorter loop through v, and through no vertex searched before, whose word has a property.
+   * \throws Interrupted
+   */
   template <class IsWanted>
   void search(Vertex_index v, const IsWanted& is_wanted)
   {
@@ -163,13 +182,13 @@ public:
     m_is_left_out[v] = 1;
   }
 
-  /* What was found: a chain from the vertex back to it; empty if there is none. */
+  /* Returns the result: a chain from the vertex back to it, or empty if no loop was found. */
   const std::vector<Halfedge_index>& loop() const { return m_loop; }
 
 private:
   using Search = Loop_search<Triangulation, Reduced_words::Word>;
 
-  // Keeps the edge that closes the best loop, if it is shorter than those of other vertices.
+  // Keeps the edge that closes the best loop if it is shorter than those of other vertices.
   template <class IsWanted>
   class Policy : public Search::template Policy<Policy<IsWanted>>
   {
@@ -235,10 +254,10 @@ private:
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsLoops
-/// Which loops `shortest_loop()` looks for.
+/// Specifies the loops among which `shortest_loop()` searches.
 enum class Loop_kind {
-  NOT_CONTRACTIBLE, ///< those that cannot be contracted to a point
-  NOT_BOUNDING      ///< those whose homology class is not zero: on a closed surface, those that do not divide it
+  NOT_CONTRACTIBLE, ///< loops that cannot be contracted to a point
+  NOT_BOUNDING      ///< loops whose homology class is not zero: on a closed surface, those that do not separate it
 };
 
 namespace internal {
@@ -300,15 +319,28 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes the shortest loop of edges through a vertex that is of a kind, by [EH04]: its halfedges from the vertex back
- * to it; none if there is no such loop, as on a sphere. A part at the vertex may be passed out and back.
+ * Computes the shortest edge loop of a given kind through a vertex [EH04].
  *
- * \param triangulation a model of `IntrinsicTriangulationOfMesh`; its input is searched, and lengths are the metric's
- * \param v, kind the vertex, and which loops are searched
- * \param np named parameters: `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at
- *        regular intervals. If it returns `false`, then the result is empty
- * \throws Vertex_out_of_range_error
- * \throws Invalid_mesh_error, Invalid_coordinate_error as `Loop_basis`
+ * \param triangulation a model of `IntrinsicTriangulationOfMesh`; its input is searched, and lengths are those of its
+ *        metric
+ * \param v the vertex
+ * \param kind the kind of the loop
+ * \param np an optional sequence of named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals. If it returns `false`, the
+ *       result is empty}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the halfedges of the loop from the vertex back to it, where a part at the vertex may be traversed back and
+ *         forth; empty if no such loop exists, as on a sphere
+ * \throws Vertex_out_of_range_error if `v` is not a vertex of the input
+ * \throws Invalid_mesh_error as `Loop_basis` does
+ * \throws Invalid_coordinate_error as `Loop_basis` does
  *
  * Complexity: \f$O(n \log n)\f$ for a fixed genus and number of borders.
  */
@@ -325,14 +357,16 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes the shortest of all loops of edges that are of a kind; none if there is no such loop. The loop passes a
- * vertex of each network that cuts the surface into disks. So only loops through vertices of a cut graph are searched,
- * each to half of the length of the best one so far.
+ * Computes the shortest edge loop of a given kind on a surface.
  *
- * Parameters and errors as above.
+ * Such a loop passes a vertex of every network that cuts the surface into disks. Therefore only loops through vertices
+ * of a cut graph are searched, each up to half the length of the best loop so far. Parameters and exceptions are those
+ * of the overload with a vertex.
  *
- * Complexity: \f$O(n \log n + c\,m \log m)\f$ for a fixed genus and number of borders, with c vertices of the cut graph,
- * and at most m vertices nearer to one of them than half of the length of the loops found on the way.
+ * \return the halfedges of the loop; empty if no such loop exists
+ *
+ * Complexity: \f$O(n \log n + c\,m \log m)\f$ for a fixed genus and number of borders, with \f$c\f$ vertices of the cut
+ * graph, and at most \f$m\f$ vertices nearer to one of them than half the length of the loops found during the search.
  */
 template <class Triangulation, class... NamedParameters>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation,

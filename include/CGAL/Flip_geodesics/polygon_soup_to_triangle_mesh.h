@@ -6,9 +6,9 @@
 /*!
  * \file polygon_soup_to_triangle_mesh.h
  * \ingroup PkgFlipGeodesicsRepair
- * The repair of polygon soups. `Flip_geodesics.h` does not include this header: it includes CGAL's packages Polygon
- * Mesh Processing, Surface Mesh, 2D Triangulations and 2D Polygons, whose license is the GPL. A program that includes
- * it is bound by that license, which other programs that use this package are not.
+ * Repairs polygon soups. `Flip_geodesics.h` does not include this header, because it includes the \cgal packages
+ * Polygon Mesh Processing, Surface Mesh, 2D Triangulations and 2D Polygons, which are licensed under the GPL. A program
+ * that includes it is bound by that license, in contrast to other programs that use this package.
  */
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
@@ -44,15 +44,15 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-/* The kernel in which a repair decides: predicates have to be exact. */
+/* The kernel of the predicates of a repair, which must be exact. */
 template <class Point_3>
 using Repair_kernel =
     std::conditional_t<std::is_same<typename Kernel_traits<Point_3>::Kernel::FT, double>::value,
                        CGAL::Exact_predicates_inexact_constructions_kernel, typename Kernel_traits<Point_3>::Kernel>;
 
 /*
- * Numbers the vertices of a repaired soup, whose triangles are in the order of their polygons, as they will be in the
- * mesh, and completes the record.
+ * Numbers the vertices of a repaired soup, whose triangles are in the order of their polygons, as in the mesh, and
+ * completes the record.
  */
 template <class Kernel>
 class Repaired_elements
@@ -79,7 +79,7 @@ public:
   }
 
 private:
-  // Points keep their numbers. A copy takes that of its point if it is free, or the next.
+  // Points keep their numbers. A copy takes that of its point if it is free, or else the next.
   void number_vertices()
   {
     std::vector<char> is_used(m_soup.origins.size(), 0);
@@ -113,7 +113,7 @@ private:
   void list_vertices_of_points(const std::vector<char>& had_polygon)
   {
     auto& pairs = m_record.vertices_of_points;
-    std::vector<std::size_t> vertex_at(m_soup.points.size(), Soup::none); // a place
+    std::vector<std::size_t> vertex_at(m_soup.points.size(), Soup::none); // a position
     std::vector<char> has_vertex(m_soup.points.size(), 0), is_kept(m_soup.points.size(), 0);
     for(std::size_t v = 0; v < m_soup.origins.size(); ++v) {
       const std::size_t number = m_numbers[m_soup.resolve(v)];
@@ -142,7 +142,7 @@ private:
   std::vector<std::size_t> m_numbers;
 };
 
-/* Checks what a repair has to give. */
+/* Checks the requirements on the result of a repair. */
 template <class Kernel>
 void check_repaired(const Triangle_soup<Kernel>& soup, const Repair_record& record)
 {
@@ -206,54 +206,62 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
 /*!
  * \ingroup PkgFlipGeodesicsRepair
  *
- * Makes a triangle mesh of a polygon soup, whatever is wrong with it, for which the functions of this package have an
- * answer: an oriented manifold without faces of area zero.
+ * Converts any polygon soup to a triangle mesh that the functions of this package accept: an oriented manifold without
+ * degenerate faces.
  *
- * These are done where they are needed, and counted in the report, see `Repair`:
- * - Points with coordinates that are not finite are left out, and polygons that name them, or points that are not
- *   there. Corners that repeat the place of the corner before are left out, and polygons split that pass a place twice.
- * - Polygons of more than three corners are cut into triangles.
- * - Triangles with the corners of another one are dropped.
- * - Triangles are oriented as their neighbors, with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`. In each
- *   component as many as possible stay as they are. Faces are cut apart at edges with more than two of them, and where
- *   they share a vertex only. They are cut apart, too, at edges between orientations that cannot be made alike.
- * - Points are welded if a tolerance is given: one takes the place of the nearest point before it that stays, if no
- *   coordinate differs by more. Edges shorter than that collapse.
- * - Borders in one place are stitched, with `CGAL::Polygon_mesh_processing::stitch_borders()`; coordinates are equal
- *   there, to the bit. Where more than two border edges lie in one place, two of one component are, and others are not.
- *   Borders stay open where two vertices of the mesh would have two edges in common once they were stitched.
- * - Triangles with collinear corners, which exact predicates tell, are removed by a flip of their longest edge, which
- *   leaves the surface as it is. They are dropped where that cannot be done; inside the surface that leaves a slit.
+ * The following repairs are made if they are necessary, and are counted in the report, see `Repair`:
+ * - Points with coordinates that are not finite are removed, together with the polygons that contain them or an invalid
+ *   index. Corners that coincide with the previous corner are removed, and polygons that pass a point twice are split.
+ * - Polygons with more than three corners are triangulated.
+ * - Triangles with the same corners as another one are removed.
+ * - Triangles are oriented consistently with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, such that in each
+ *   component as many as possible keep their orientation. Faces are cut apart at edges with more than two of them,
+ *   where they share only a vertex, and at edges between orientations that cannot be made consistent.
+ * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself
+ *   if no coordinate differs by more than the tolerance. Shorter edges collapse.
+ * - Coincident borders are stitched with `CGAL::Polygon_mesh_processing::stitch_borders()`; their coordinates are
+ *   bitwise identical. If more than two border edges coincide, two of the same component are stitched and the others
+ *   are not. Borders remain open if stitching would create two edges with the same two vertices.
+ * - Triangles whose corners are collinear according to exact predicates are removed by a flip of their longest edge,
+ *   which does not change the surface. If this is impossible they are deleted, which leaves a slit inside the surface.
  *
- * The report counts border edges that nearly coincide with others, too, which a tolerance would stitch.
+ * The steps are repeated until none of them changes the triangles, so the repair of a result has no effect. The report
+ * also contains the number of border edges that nearly coincide with others and would be stitched with a tolerance.
  *
- * No point is moved unless a tolerance is given, and none is new. The vertex at position `i` of `vertices(mesh)` comes
- * from point `i`, whatever was done; those of points that were merged or lost their faces are isolated, and have no
- * further vertices. Vertices that were split follow. Faces are in the order of the polygons they come from. So a soup
- * with nothing wrong gives the very mesh, and an empty report.
- * `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes those without faces. The result depends on
- * nothing but the input. A repair of the result does nothing: these steps are repeated until none of them changes the
- * triangles.
+ * No point is moved unless a tolerance is given, and no new points are created. The vertex at position `i` of
+ * `vertices(mesh)` comes from point `i`, regardless of the repairs. Vertices of points that were merged or lost their
+ * faces are isolated and have no copies; `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes them.
+ * Copies of split vertices follow. Faces are in the order of the polygons from which they come. A soup without defects
+ * therefore yields the same mesh and an empty report. The result depends on the input only.
  *
- * \tparam PointRange a range of points of a CGAL kernel. Where its number type is `double`, the predicates of
- *         `CGAL::Exact_predicates_inexact_constructions_kernel` decide; where not, its own, which have to be exact.
+ * \tparam PointRange a range of points of a \cgal kernel. If its number type is `double`, the predicates of
+ *         `CGAL::Exact_predicates_inexact_constructions_kernel` are used; otherwise its own, which must be exact
  * \tparam PolygonRange a range of ranges of positions in `points`, of any integer type
- * \tparam TriangleMesh a model of `MutableFaceGraph`, with vertices and faces listed in the order in which they are
- *         added
+ * \tparam TriangleMesh a model of `MutableFaceGraph` that lists vertices and faces in the order in which they are added
  * \param points the points
  * \param polygons the corners of each polygon
- * \param mesh the mesh that is made. An isolated vertex of a point that is not finite gets the place of another.
- * \param np named parameters: `vertex_point_map` of the mesh, a model of `WritablePropertyMap` with its vertices as keys
- *        and points as values; by default `get(CGAL::vertex_point, mesh)`; `snapping_tolerance`, the weld tolerance, a
- *        number relative to the longest side of the bounding box of the points; by default 0, for which only equal
- *        coordinates are in one place
- * \pre `mesh` is empty, and the tolerance is in [0, 1)
- * \return what was done, and which elements come from which
- * \throws Invalid_mesh_error if there are no polygons, or no triangle is left of them, with the reason; `mesh` is then
- *         empty
+ * \param mesh the resulting mesh. An isolated vertex of a point that is not finite gets the position of another point
+ * \param np an optional sequence of named parameters among those listed below
  *
- * The time is about that of sorting the corners a few times. Polygons of many corners take the time of a
- * triangulation in the plane, and CGAL's orientation takes up to the square of a vertex' degree.
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+ *     \cgalParamType{a model of `WritablePropertyMap` with the vertices of the mesh as keys and points as values}
+ *     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{snapping_tolerance}
+ *     \cgalParamDescription{the weld tolerance, relative to the longest side of the bounding box of the points}
+ *     \cgalParamType{a number in [0, 1)}
+ *     \cgalParamDefault{0, for which only points with equal coordinates coincide}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a report on the repairs, and on the correspondence of elements
+ * \pre `mesh` is empty, and the tolerance is in [0, 1)
+ * \throws Invalid_mesh_error if the soup has no polygons, or no triangle remains, with the reason; `mesh` is then empty
+ *
+ * Complexity: about the time of sorting the corners a few times. Polygons with many corners take the time of a
+ * triangulation in the plane, and the orientation by \cgal takes up to the square of the degree of a vertex.
  */
 template <class PointRange, class PolygonRange, class TriangleMesh, class... NamedParameters>
 Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const PolygonRange& polygons, TriangleMesh& mesh,
