@@ -30,40 +30,44 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Lower bounds of the distances on a surface between all pairs of vertices. Landmarks are vertices far from one
- * another, or those that a caller gives. A sweep from each landmark gives all vertices values that are about their
- * distances from it. Two vertices are not closer to each other than their values differ [Goldberg, Harrelson, Computing
- * the shortest path: A* search meets graph theory]. Made once for many shortest paths on one mesh, they keep the
- * searches to where shortest paths can run. `Landmark_distances` do that for paths along edges.
+ * Computes lower bounds of the distances on a surface between all pairs of vertices, with landmarks, which are vertices
+ * far from one another or chosen by the caller.
  *
- * The bounds hold for the mesh as its numbers say, rounding included, as `Shortest_path_report::lower_bound` does.
+ * A lower-bound propagation from each landmark assigns values to all vertices that are close to their distances from
+ * it. The difference of the values of two vertices is a lower bound of the distance between them [Goldberg, Harrelson,
+ * Computing the shortest path: A* search meets graph theory]. Landmarks are computed once for many shortest paths on
+ * one mesh, and confine the searches to the regions that shortest paths can pass. `Landmark_distances` do the same for
+ * paths along edges.
  *
- * Each component has its own landmarks, `number_of_landmarks()` of them at most. They take two bytes a landmark and
- * vertex, and may be read by several threads at once. A sweep takes some 400 bytes a triangle while it runs.
+ * The bounds hold for the mesh with its coordinates taken as given, including rounding errors, like
+ * `Shortest_path_report::lower_bound`. Each component has its own landmarks, at most `number_of_landmarks()`. They take
+ * two bytes per landmark and vertex, and may be read by several threads concurrently. A propagation takes some 400
+ * bytes per triangle while it runs.
  */
 class Geodesic_landmarks
 {
 public:
-  /// How many there are unless one says otherwise.
+  /// The default number of landmarks.
   static constexpr std::size_t default_number = 8;
 
   /*!
-   * Chooses the landmarks, each the vertex of its component that is farthest along edges from those before, and sweeps.
+   * Chooses the landmarks, each the vertex of its component that is farthest along edges from the previous ones, and
+   * computes the bounds.
    *
-   * Complexity: \f$O(n \log n)\f$ for each landmark, on meshes of needles more.
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked, for several concurrent
+   *         propagations; the results are the same
    *
-   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` where TBB is linked, for several sweeps at the
-   *         same time; the results are the same
-   *
-   * \param triangulation a triangulation of the mesh; flips do not matter. It is not kept
-   * \param number of landmarks in each component; one with fewer vertices has no more landmarks than those
-   * \param tag says by its type whether there are threads
+   * \param triangulation a triangulation of the mesh, which is not stored; its flips have no effect
+   * \param number the number of landmarks in each component; a component with fewer vertices has fewer landmarks
+   * \param tag an object whose type selects sequential or parallel execution
    * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals and from
-   *        the calling thread. If it returns `false`, then `is_complete()` returns `false`, there are no landmarks, and
+   *        the calling thread. If it returns `false`, `is_complete()` returns `false`, the object has no landmarks, and
    *        all bounds are zero
-   * \throws Degenerate_face_error for an edge of length zero, wherever it is
-   * \throws Invalid_coordinate_error, Invalid_mesh_error for any face, as `Intrinsic_triangulation` does where it is
-   *         asked
+   * \throws Degenerate_face_error if the mesh has an edge of length zero
+   * \throws Invalid_coordinate_error for any face, as `Intrinsic_triangulation` does when a face is accessed
+   * \throws Invalid_mesh_error for any face, as `Intrinsic_triangulation` does when a face is accessed
+   *
+   * Complexity: \f$O(n \log n)\f$ for each landmark; more on meshes of needles.
    */
   template <class Triangulation, class ConcurrencyTag = Sequential_tag, class Visitor = Default_shortening_visitor>
   explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number,
@@ -74,19 +78,22 @@ public:
   }
 
   /*!
-   * Sweeps from landmarks that are given, for instance some about the part of a mesh where all paths run.
+   * Computes the bounds with given landmarks, for instance around the part of a mesh that contains all paths.
    *
-   * Complexity: as above.
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked, for several concurrent
+   *         propagations; the results are the same
    *
-   * \tparam ConcurrencyTag as above
+   * \param triangulation a triangulation of the mesh, which is not stored; its flips have no effect
+   * \param landmarks a range of `Vertex_index`es in any order, where repeated ones count once. Components without
+   *        landmarks have no bounds
+   * \param tag an object whose type selects sequential or parallel execution
+   * \param visitor a model of `FlipOutVisitor`, as for the constructor with a number of landmarks
+   * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
+   * \throws Degenerate_face_error if the mesh has an edge of length zero
+   * \throws Invalid_coordinate_error for any face, as `Intrinsic_triangulation` does when a face is accessed
+   * \throws Invalid_mesh_error for any face, as `Intrinsic_triangulation` does when a face is accessed
    *
-   * \param triangulation a triangulation of the mesh; flips do not matter. It is not kept
-   * \param landmarks a range of `Vertex_index`es in any order, each of which counts once. Components without any have no
-   *        bounds
-   * \param tag says by its type whether there are threads
-   * \param visitor a model of `FlipOutVisitor`, which can stop the construction as above
-   * \throws Vertex_out_of_range_error
-   * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error as above
+   * Complexity: \f$O(n \log n)\f$ for each landmark; more on meshes of needles.
    */
   template <class Triangulation, class VertexRange = std::vector<Vertex_index>, class ConcurrencyTag = Sequential_tag,
             class Visitor = Default_shortening_visitor,
@@ -101,25 +108,27 @@ public:
     make(triangulation, tag, visitor, [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
   }
 
-  /// Returns whether the bounds are known; they are not if a visitor stopped the construction.
+  /// Returns whether the bounds are known, that is, whether no visitor stopped the construction.
   bool is_complete() const { return m_is_complete; }
 
-  /// The number of landmarks of the component that has the most.
+  /// Returns the number of landmarks of the component that has the most.
   std::size_t number_of_landmarks() const { return m_rows.number_of_functions(); }
 
-  /// No path between two vertices is shorter. Linear in the number of landmarks.
-  /// \pre they are vertices of the mesh
+  /// Returns a lower bound of the length of every path between two vertices. Linear in the number of landmarks.
+  /// \pre `v` and `w` are vertices of the mesh
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
   /*!
-   * Asks whether they can have been made for the input of a triangulation. Compares the numbers of vertices, edges and
-   * faces, whether there are the same borders, and the lengths of an edge of each border and of
-   * `number_of_landmarks()` edges at landmarks. So it finds another mesh, a face more or less, and another metric, but
-   * not each vertex that has moved: bounds hold for the mesh that they were made for.
+   * Checks whether the landmarks can have been computed for the input of a triangulation.
+   *
+   * The function compares the numbers of vertices, edges and faces, the borders, and the lengths of an edge of each
+   * border and of `number_of_landmarks()` edges at landmarks. It thus detects another mesh, an additional or missing
+   * face, and another metric, but not every vertex that has moved. The bounds hold only for the mesh for which they
+   * were computed.
+   *
+   * \throws Input_mismatch_error if the input differs
    *
    * Complexity: linear in the numbers of landmarks and of borders.
-   *
-   * \throws Input_mismatch_error if they cannot
    */
   template <class Triangulation>
   void check_input(const Triangulation& triangulation) const
@@ -146,7 +155,7 @@ private:
     double length;
   };
 
-  static constexpr int free_updates = 400; // many, since needles need them, and the sweeps are made once
+  static constexpr int free_updates = 400; // many, because needles require them and the propagations run only once
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // `choose(choice, search)` returns sets of landmarks.
@@ -177,7 +186,8 @@ private:
     sweep<ConcurrencyTag>(triangulation, choice, sets, interruption);
   }
 
-  // From each set by itself. As all faces are laid out before, sweeps only read them, and their order does not matter.
+  // Propagates from each set separately. Since all faces are laid out before, propagations only read them, and their
+  // order does not matter.
   template <class ConcurrencyTag, class Triangulation>
   void sweep(const Triangulation& triangulation, const Choice& choice, const std::vector<Choice::Set>& sets,
              internal::Interruption& interruption)
@@ -200,7 +210,8 @@ private:
       throw internal::Interrupted();
   }
 
-  // Those about each vertex in turn, for what is near on the mesh to be near in memory; then any that this has missed.
+  // Lays out the faces around each vertex in turn, so that faces that are close on the mesh are close in memory, and
+  // then any faces that this has missed.
   template <class Triangulation, class Faces>
   void lay_out(const Triangulation& triangulation, const std::vector<Vertex_index>& order, Faces& faces) const
   {
@@ -222,7 +233,7 @@ private:
       add(h);
   }
 
-  // All that a sweep says is lower by its error, which does not matter for differences.
+  // All values of a propagation are too small by its error, which does not affect differences.
   template <class Sweep>
   void keep(std::size_t i, const Sweep& sweep)
   {
@@ -232,7 +243,7 @@ private:
         m_rows.set(v, i, value);
   }
 
-  // At a landmark, unless it is an isolated vertex.
+  // Records an edge at a landmark, unless it is an isolated vertex.
   template <class Triangulation>
   void note_edge(const Triangulation& triangulation, Vertex_index landmark)
   {
@@ -240,8 +251,8 @@ private:
       note(triangulation, h);
   }
 
-  // An edge of each. If there are as many faces in all, and each of these is on a border, then borders are the same
-  // unless one is in another place that has this edge, too.
+  // Records an edge of each border. If the total number of faces is equal and each of these edges is on a border, the
+  // borders are the same unless one is in another position that also contains this edge.
   template <class Triangulation>
   void note_borders(const Triangulation& triangulation)
   {
@@ -251,7 +262,7 @@ private:
     for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(m_number_of_halfedges)) {
       if(!input.is_border(h) || is_seen[h] != 0)
         continue;
-      internal::check_has_face(input, h); // what follows an edge without a face may be nothing
+      internal::check_has_face(input, h); // the halfedge after an edge without a face may not exist
       note(triangulation, h);
       for(Input_halfedge_index side = h; is_seen[side] == 0; side = input.next(side))
         is_seen[side] = 1;

@@ -31,15 +31,16 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// Why the search for a mean ended.
+/// States why the search for a mean ended.
 enum class Mean_status {
-  CONVERGED,      ///< the weighted vectors to the points cancel out there, up to the tolerance
-  STUCK,          ///< no step along them makes the sum of squares smaller, as at a vertex at which shortest paths bend,
-                  ///< on the border, or where they arrive from two sides
-  ITERATION_LIMIT ///< it was given up
+  CONVERGED, ///< the weighted vectors to the points cancel out there, up to the tolerance
+  /// no step along the mean vector decreases the sum of squares, as can happen at a vertex at which shortest paths
+  /// bend, on the border, or where shortest paths arrive from two sides
+  STUCK,
+  ITERATION_LIMIT ///< the maximal number of steps has been tried
 };
 
-/// The name of a status, as the enumerator is spelled.
+/// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Mean_status status)
 {
   switch(status) {
@@ -54,38 +55,41 @@ inline const char* to_string(Mean_status status)
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// What became of the search for a mean.
+/// Reports the outcome of the search for a mean.
 struct Mean_report
 {
   Mean_status status = Mean_status::ITERATION_LIMIT; ///< why it ended
-  std::size_t iterations = 0;                        ///< how many steps were tried
-  double variance = 0; ///< the weighted mean of the squared distances from the points, which a mean makes smallest
+  std::size_t iterations = 0;                        ///< the number of steps tried
+  double variance = 0; ///< the weighted mean of the squared distances from the points, which a mean minimizes
   double residual = 0; ///< the length of the weighted mean of the vectors to the points; 0 at a mean
 };
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// When the search for a mean ends.
+/// Limits the search for a mean.
 struct Mean_limits
 {
-  double tolerance = default_tolerance(); ///< the residual, as a part of the root of the variance, that counts as none
-  std::size_t most_iterations = 100;      ///< how many steps may be tried
+  double tolerance = default_tolerance(); ///< the residual at which it converges, relative to the square root of the
+                                          ///< variance
+  std::size_t most_iterations = 100;      ///< the maximal number of steps
 
-  /// The tolerance unless another is given: 1e-11.
+  /// Returns the default tolerance, 1e-11.
   static constexpr double default_tolerance() { return internal::default_mean_tolerance; }
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Finds Karcher means: places with the least weighted sum of squared distances from points. The logarithmic map gives
- * the vectors from a place to the points. From the place it goes on by their weighted mean, along a straightest
- * geodesic. Where the sum gets larger, it goes on by half of it, and half again. In the plane one step is enough.
+ * Finds Karcher (Riemannian) means: points with the least weighted sum of squared distances from given points.
  *
- * What it finds is a local minimum. If the points lie close together, as compared with the curvature, there is one only.
- * On a mesh of needles vectors may be less precise than the tolerance. Then the status can differ between two numberings
- * of one mesh: one search ends as `CONVERGED`, the other as `ITERATION_LIMIT`.
+ * The logarithmic map provides the vectors from the current point to the given points. The search continues from there
+ * along a straightest geodesic in the direction of the weighted mean of the vectors; if the sum increases, the step is
+ * halved repeatedly. In the plane, one step suffices.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
+ * The result is a local minimum. It is unique if the points are close together compared with the curvature. On a mesh
+ * of needles, the vectors may be less precise than the tolerance, and the status may then depend on the numbering of
+ * the mesh: one search ends with `CONVERGED`, another with `ITERATION_LIMIT`.
+ *
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
  */
 template <class Triangulation>
 class Geodesic_mean
@@ -94,14 +98,14 @@ public:
   using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the mesh
 
   /*!
-   * Constructs the problem, and computes nothing yet.
+   * Constructs the problem without computing anything yet.
    *
-   * \param triangulation of the mesh; both must outlive the object
+   * \param triangulation a triangulation of the mesh; both must outlive the object
    * \param mesh the mesh
    * \param points any locations
    * \param weights one for each point
-   * \throws Invalid_parameter_error if there is no point, the numbers of points and weights differ, a weight is negative
-   *         or no finite number, or all are zero
+   * \throws Invalid_parameter_error if no points are given, the numbers of points and weights differ, a weight is
+   *         negative or not finite, or all are zero
    */
   Geodesic_mean(const Triangulation& triangulation, const Triangle_mesh& mesh, std::vector<Surface_location> points,
                 std::vector<double> weights)
@@ -132,7 +136,7 @@ public:
       weight /= sum;
   }
 
-  /// The point with the largest weight, the first of those, from which a mean is sought by default.
+  /// Returns the point with the largest weight, or the first of several, at which the search starts by default.
   const Surface_location& heaviest() const
   {
     const auto i = (std::max_element)(m_weights.begin(), m_weights.end()) - m_weights.begin();
@@ -140,18 +144,21 @@ public:
   }
 
   /*!
-   * Looks for a mean.
+   * Searches for a mean.
    *
-   * \param start where the search begins, and then the place that it has found
-   * \param limits when it ends
-   * \throws Disconnected_endpoints_error if no path joins a point with weight and the start; `elements()` is the point's
-   *         number
-   * \throws Invalid_location_error for the start, or a point, that is none
-   * \throws Invalid_parameter_error if the tolerance is not a number of at least 0
-   * \throws Degenerate_face_error also at a vertex of which all faces have an angle of 0: it has no directions
-   * \throws Invalid_coordinate_error, Invalid_mesh_error
+   * \param start the point at which the search starts; it receives the point that has been found
+   * \param limits when the search ends
+   * \return a report on the search
+   * \throws Disconnected_endpoints_error if no path connects a point with positive weight and the start; `elements()`
+   *         is the number of the point
+   * \throws Invalid_location_error if the start or a given location is not a point of the surface
+   * \throws Invalid_parameter_error if the tolerance is negative or NaN
+   * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, and at a vertex all of whose angles are
+   *         0, which has no directions
+   * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
+   * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
    *
-   * Complexity: a `Geodesic_distance_field` as far as the farthest point for each step that is tried.
+   * Complexity: that of a `Geodesic_distance_field` up to the farthest point for each step that is tried.
    */
   Mean_report operator()(Surface_location& start, const Mean_limits& limits = Mean_limits()) const
   {
@@ -232,7 +239,7 @@ private:
                                 {static_cast<std::size_t>(v.idx())});
   }
 
-  // Along a part of the vector, up to the border; of length 0 if it leads out of the surface.
+  // Traces along a part of the vector, up to the border; the length is 0 if it leads out of the surface.
   Trace_report step_from(const State& here, double part) const
   {
     const Trace_limits<> limits = {part * here.residual};
@@ -249,17 +256,20 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * The midpoint of a shortest path.
+ * Computes the midpoint of a shortest path. If several shortest paths exist, one of them is chosen.
  *
  * \param mesh a triangle mesh
  * \param source, target each a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
- * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \return a `Face_location`: a pair of a face and an array of barycentric coordinates
- * \throws Disconnected_endpoints_error
- * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
- * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ * \throws Disconnected_endpoints_error if no path exists
+ * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
+ * \throws Invalid_location_error if a point does not lie on the mesh
+ * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of a `Geodesic_distance_field` as far as the target.
+ * Complexity: that of a `Geodesic_distance_field` up to the target.
  */
 template <class TriangleMesh, class Source, class Target, class... NamedParameters>
 auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Target& target,
@@ -276,7 +286,7 @@ auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Tar
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// What `geodesic_mean()` returns.
+/// Contains the result of `geodesic_mean()`.
 template <class TriangleMesh>
 struct Geodesic_mean_result
 {
@@ -285,26 +295,40 @@ struct Geodesic_mean_result
   std::pair<face_descriptor, std::array<double, 3>> location; ///< the mean, a `Face_location`
   Mean_report report;                                         ///< whether it is one
 
-  Mean_status status() const { return report.status; } ///< how the search for it ended
+  Mean_status status() const { return report.status; } ///< returns how the search ended
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * A Karcher mean of points with weights: a place with the least weighted sum of squared distances from them. See
- * `Geodesic_mean`. The search starts at the point with the largest weight.
+ * Computes a Karcher (Riemannian) mean of weighted points: a point with the least weighted sum of squared distances
+ * from them. The search starts at the point with the largest weight, see `Geodesic_mean`.
  *
  * \param mesh a triangle mesh
  * \param points a range of vertices, `CGAL::Polygon_mesh_processing::Face_location`s or points in space
  * \param weights a range of numbers, one for each point
- * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`; `number_of_iterations`, how
- *        many steps may be tried, 100 by default
- * \throws Invalid_parameter_error if there is no point, the numbers of points and weights differ, a weight is negative
- *         or no finite number, or all are zero, or the number of iterations is negative
- * \throws Disconnected_endpoints_error, Vertex_out_of_range_error, Invalid_location_error
- * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map` or `metric` as
+ *        for `geodesic_path()`
  *
- * Complexity: a `Geodesic_distance_field` as far as the farthest point for each step that is tried.
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the maximal number of steps}
+ *     \cgalParamType{an integer}
+ *     \cgalParamDefault{100}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the mean, and a report on the search
+ * \throws Invalid_parameter_error if no points are given, the numbers of points and weights differ, a weight is
+ *         negative or not finite, all weights are zero, or the number of iterations is negative
+ * \throws Disconnected_endpoints_error as `Geodesic_mean` does
+ * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
+ * \throws Invalid_location_error if a point does not lie on the mesh
+ * \throws Degenerate_face_error as `Geodesic_mean` does
+ * \throws Invalid_coordinate_error as `Geodesic_mean` does
+ * \throws Invalid_mesh_error as `Geodesic_mean` does
+ *
+ * Complexity: that of a `Geodesic_distance_field` up to the farthest point for each step that is tried.
  */
 template <class TriangleMesh, class PlaceRange, class WeightRange, class... NamedParameters,
           std::enable_if_t<!internal::Is_named_parameters<WeightRange>::value, int> = 0>
@@ -327,7 +351,7 @@ Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// The same where all weights are equal.
+/// Computes a Karcher (Riemannian) mean of points with equal weights; see the overload with weights.
 template <class TriangleMesh, class PlaceRange, class... NamedParameters,
           std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
 Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const PlaceRange& points,

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The halfedges of a triangulation that are the smallest of their faces, as faces. */
+/* Iterates over the smallest halfedges of the faces of a triangulation, as faces. */
 template <class Triangulation>
 class Face_iterator
   : public boost::iterator_facade<Face_iterator<Triangulation>, Face_index, std::forward_iterator_tag, Face_index>
@@ -72,7 +72,7 @@ private:
   Halfedge_index m_halfedge;
 };
 
-/* From descriptors to their numbers. */
+/* Maps descriptors to their numbers. */
 template <class Key>
 struct Descriptor_index_map
 {
@@ -84,7 +84,7 @@ struct Descriptor_index_map
   friend Index get(const Descriptor_index_map&, Key key) { return key.idx(); }
 };
 
-/* From the faces of a triangulation as it is to consecutive numbers. */
+/* Maps the current faces of a triangulation to consecutive numbers. */
 class Face_index_map
 {
 public:
@@ -112,7 +112,7 @@ private:
   std::shared_ptr<Numbers> m_numbers;
 };
 
-/* From edges to their intrinsic lengths. */
+/* Maps edges to their intrinsic lengths. */
 template <class Triangulation>
 struct Edge_length_map
 {
@@ -126,7 +126,7 @@ struct Edge_length_map
   friend double get(const Edge_length_map& map, Edge_index e) { return map.triangulation->length(first_side(e)); }
 };
 
-/* From vertices to their points in space. */
+/* Maps vertices to their points in space. */
 template <class Triangulation>
 struct Intrinsic_point_map
 {
@@ -146,7 +146,7 @@ struct Intrinsic_point_map
   }
 };
 
-/* What boost::graph_traits says of a triangulation. */
+/* Defines boost::graph_traits of a triangulation. */
 template <class Triangulation>
 struct Intrinsic_graph_traits
 {
@@ -193,23 +193,24 @@ struct Intrinsic_graph_traits
  * \file
  * \ingroup PkgFlipGeodesicsGraph
  *
- * An `Intrinsic_triangulation` as a model of `HalfedgeListGraph` and `FaceListGraph`, for the algorithms of BGL and of
- * CGAL: `boost::graph_traits`, the functions of the concepts, and the property maps `vertex_index_t`,
- * `halfedge_index_t`, `edge_index_t`, `face_index_t`, `edge_weight_t` (the intrinsic lengths), `vertex_point_t` if the
- * metric has points, and dynamic ones.
+ * Makes an `Intrinsic_triangulation` a model of `HalfedgeListGraph` and `FaceListGraph`, for the algorithms of BGL and
+ * of \cgal. The header provides `boost::graph_traits`, the functions of the concepts, and the property maps
+ * `vertex_index_t`, `halfedge_index_t`, `edge_index_t`, `face_index_t`, `edge_weight_t` (the intrinsic lengths),
+ * `vertex_point_t` if the metric has points, and dynamic property maps.
  *
- * This is for the class `Intrinsic_triangulation` itself. Other models of `IntrinsicTriangulation`, and classes derived
- * from this one, are no graphs by it: `boost::graph_traits` is specialized for the class alone.
+ * `boost::graph_traits` is specialized for the class `Intrinsic_triangulation` itself, not for other models of
+ * `IntrinsicTriangulation` or for derived classes.
  *
- * All functions take constant time, with three exceptions. Where a walk leads across the border it turns about a
- * vertex, and takes time linear in its degree. `faces()` and `num_faces()` pass over all halfedges. The map of the
- * indices of faces is made when it is asked for, in linear time, and is valid until the next flip.
+ * All functions take constant time, with three exceptions. A step across the border turns around a vertex and takes
+ * time linear in its degree. `faces()` and `num_faces()` traverse all halfedges. The map of face indices is constructed
+ * in linear time when it is requested, and is valid until the next flip.
  *
- * A triangulation can have loops, several edges between two vertices, and faces that are glued to themselves.
- * Algorithms that tell edges by their ends, or take the neighbours of a vertex for different, mind.
+ * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
+ * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be
+ * used then.
  *
- * A flip changes the ends of one edge and takes two faces away for two others; all other descriptors keep their
- * meaning. An insertion adds elements, and changes no descriptor but that of the face or the halves of the edge that it
+ * A flip changes the ends of one edge and replaces two faces by two others; all other descriptors keep their meaning.
+ * An insertion adds elements, and changes only the descriptor of the face, or of the halves of the edge, that it
  * splits.
  */
 
@@ -339,7 +340,7 @@ Halfedge_index prev(Halfedge_index h, const Intrinsic_triangulation<M, T, E>& t)
   if(!t.is_border(h))
     return t.previous(h);
   Halfedge_index last = h;
-  if(!t.is_inserted(t.tail(h))) // from the umbrella before, if there are several
+  if(!t.is_inserted(t.tail(h))) // from the previous umbrella, if there are several
     last = internal::first_spoke(t, internal::previous_umbrella(t.input(), t.crossing_word(h).along));
   for(Halfedge_index g = last; g != null_index; g = t.clockwise(g))
     last = g;
@@ -372,7 +373,7 @@ Halfedge_index halfedge(Face_index f, const Intrinsic_triangulation<M, T, E>&)
   return Halfedge_index(f.idx());
 }
 
-// A halfedge whose target is `v`, the null halfedge if `v` is isolated.
+// Returns a halfedge whose target is `v`, or the null halfedge if `v` is isolated.
 template <class M, class T, class E>
 Halfedge_index halfedge(Vertex_index v, const Intrinsic_triangulation<M, T, E>& t)
 {
@@ -380,7 +381,7 @@ Halfedge_index halfedge(Vertex_index v, const Intrinsic_triangulation<M, T, E>& 
   return h == null_index ? h : internal::twin_index(h);
 }
 
-// A halfedge from `u` to `v`, of several the one with the smallest number, and whether there is one.
+// Returns a halfedge from `u` to `v`, of several the one with the smallest number, and whether it exists.
 template <class M, class T, class E>
 std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v, const Intrinsic_triangulation<M, T, E>& t)
 {
@@ -391,7 +392,7 @@ std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v, const I
   return {result, result != null_index};
 }
 
-// An edge from `u` to `v`, and whether there is one, as above.
+// Returns an edge from `u` to `v`, of several that of the smallest halfedge, and whether it exists.
 template <class M, class T, class E>
 std::pair<Edge_index, bool> edge(Vertex_index u, Vertex_index v, const Intrinsic_triangulation<M, T, E>& t)
 {
@@ -478,7 +479,7 @@ internal::Face_index_map get(boost::face_index_t, const Intrinsic_triangulation<
   return internal::Face_index_map(t);
 }
 
-// The intrinsic lengths of the edges.
+// Returns the map of the intrinsic lengths of the edges.
 template <class M, class T, class E>
 internal::Edge_length_map<Intrinsic_triangulation<M, T, E>> get(boost::edge_weight_t,
                                                                 const Intrinsic_triangulation<M, T, E>& t)
@@ -486,7 +487,7 @@ internal::Edge_length_map<Intrinsic_triangulation<M, T, E>> get(boost::edge_weig
   return {&t};
 }
 
-// The points of the vertices in space, for metrics that have some.
+// Returns the map of the points of the vertices in space, for metrics with points.
 template <class M, class T, class E>
 internal::Intrinsic_point_map<Intrinsic_triangulation<M, T, E>> get(CGAL::vertex_point_t,
                                                                     const Intrinsic_triangulation<M, T, E>& t)
@@ -494,7 +495,7 @@ internal::Intrinsic_point_map<Intrinsic_triangulation<M, T, E>> get(CGAL::vertex
   return {&t};
 }
 
-// The value of a property.
+// Returns the value of a property.
 template <class Property, class M, class T, class E, class Key>
 auto get(Property property, const Intrinsic_triangulation<M, T, E>& t, const Key& key)
     -> decltype(get(get(property, t), key))

@@ -30,36 +30,39 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
-/// How many paths of a tree are globally shortest. Paths are compared with those that the search found, and with nothing
-/// else: unless they are confirmed, it may have missed vertices, or shorter paths, and 0 longer ones then prove
-/// nothing.
+/// Reports how many paths of a tree are globally shortest. Paths are compared only with those that a search has found.
+/// Unless the distances are confirmed, the search may have missed vertices or shorter paths, and the absence of longer
+/// paths proves nothing.
 struct Distances_report
 {
-  std::size_t vertices = 0;         ///< that the search reached within the tree's limit; without the source
-  std::size_t longer_before = 0;    ///< of them, whose path was longer than the one found, or missing
-  std::size_t longer = 0;           ///< for which it still is; rounding, or degenerate faces, can stand in the way
-  double largest_excess_before = 0; ///< the largest part of a shortest length that a path was longer
-  double largest_excess = 0;        ///< the same now
-  std::size_t windows = 0;          ///< what the search for shortest paths cost
-  std::size_t flips = 0;            ///< by which shortest paths were inserted
-  /// `WITHIN_TOLERANCE` if the figures are exact up to rounding, and no shortest path is shorter than the one found by
-  /// more than 1e-10 of it, otherwise `UNDECIDED`: if the search was given up or stopped, or met an edge of length
-  /// zero, or if coordinates or lengths of the mesh are not doubles. Beside faces whose height is at most 1e-10 of
-  /// their base, and where rounding errors can be as large, only if a search with bounds that are rounded outward
-  /// confirms it.
+  std::size_t vertices = 0;         ///< the number of vertices other than the source that the search reached within the
+                                    ///< limit of the tree
+  std::size_t longer_before = 0;    ///< those whose path was missing or longer than the one found
+  std::size_t longer = 0;           ///< those whose path still is; rounding errors or degenerate faces can be the cause
+  double largest_excess_before = 0; ///< the largest excess length of a path before, relative to the shortest length
+  double largest_excess = 0;        ///< the largest excess length of a path now, relative to the shortest length
+  std::size_t windows = 0;          ///< the number of windows of the search
+  std::size_t flips = 0;            ///< the number of flips that inserted shortest paths
+  /// `WITHIN_TOLERANCE` if the figures are exact up to rounding errors, and no shortest path is shorter than the one
+  /// found by more than 1e-10 of it. Otherwise `UNDECIDED`: if the search was aborted or stopped, or encountered a
+  /// degenerate edge, or if coordinates or lengths of the mesh are not doubles. Near faces whose height is at most
+  /// 1e-10 of their base, and if rounding errors may be as large, the figures are confirmed only by a search with
+  /// outward-rounded bounds.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it? Also of paths that were left as they are.
-  /// `STOPPED_BY_VISITOR` if a visitor's `go_further()` returned `false`.
+  /// Whether the paths are locally shortest, including those that were not replaced, as reported by
+  /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if the `go_further()` of a visitor returned `false`.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
 
-  /// Are the distances confirmed?
+  /// Returns whether the distances are confirmed.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }
 };
 
 namespace internal {
 
-/* Counts the paths that are longer than those that a search has found, and by how much they are. False if one is
- * shorter, so that the search has failed. */
+/*
+ * Counts the paths that are longer than those that a search has found, and records their excess lengths. Returns false
+ * if a path is shorter, which means that the search has failed.
+ */
 template <class Tree, class Search>
 bool count_longer(const Tree& tree, const Search& search, Distances_report& report)
 {
@@ -79,7 +82,9 @@ bool count_longer(const Tree& tree, const Search& search, Distances_report& repo
   return is_consistent;
 }
 
-/* No path that is wanted is longer: neither than the tree's limit, nor than its longest path if that has all vertices.
+/*
+ * Returns an upper bound of the lengths of the requested paths: the limit of the tree, or its longest path if it
+ * contains all vertices.
  */
 template <class Tree>
 double longest_wanted(const Tree& tree)
@@ -93,7 +98,7 @@ double longest_wanted(const Tree& tree)
   return longest;
 }
 
-/* The same before any path is replaced. */
+/* Counts the longer paths before any path is replaced. */
 template <class Tree, class Search>
 bool compare(const Tree& tree, const Search& search, Distances_report& report)
 {
@@ -115,7 +120,7 @@ void replace_longer(Tree& tree, const Search& search, Interruption& interruption
   count_longer(tree, search, report);
 }
 
-/* The paths that a search has found that is rounded outward, with lengths that they do not exceed. */
+/* The paths found by a search with outward rounding, with upper bounds of their lengths. */
 template <class Triangulation, class Search>
 class Paths_of_search
 {
@@ -135,9 +140,11 @@ private:
   const Search& m_search;
 };
 
-/* Are the distances of a tree or of the search itself, and those of shortest paths, between the bounds of a search that
- * is rounded outward, and these as close as the tolerance? Up to a greatest distance. Lengths in a tree can be wrong
- * where edges are much longer than paths. */
+/*
+ * Returns whether the distances of a tree or of the search itself, and those of shortest paths, lie between the bounds
+ * of a search with outward rounding, and these bounds agree up to the tolerance, for all distances up to the greatest
+ * one. Lengths in a tree can be wrong if edges are much longer than paths.
+ */
 template <class Distances, class Search>
 bool are_bounds_close(const Distances& distances, const Search& search, Index number_of_vertices, double greatest)
 {
@@ -153,14 +160,16 @@ bool are_bounds_close(const Distances& distances, const Search& search, Index nu
   return true;
 }
 
-/* Was a search that is rounded outward not brought to its end, or are its bounds too far apart, or do they confirm what
- * was to be confirmed? */
+/*
+ * The outcome of a search with outward rounding: it is incomplete, its bounds are too far apart, or they confirm the
+ * distances.
+ */
 enum class Search_outcome { INCOMPLETE, UNCLEAR, CONFIRMED };
 
 /*
- * Calls `confirm(search, most_windows)` with a search that is rounded outward, in doubles. If its bounds are too far
- * apart, as among needles, it is called with another one in double-double numbers, whose errors are negligible; that
- * needs hardly more windows, and is given up beyond twice as many. Returns the last outcome.
+ * Calls `confirm(search, most_windows)` with a search with outward rounding, in doubles. If its bounds are too far
+ * apart, as among needles, `confirm` is called with another search in double-double arithmetic, whose errors are
+ * negligible; it requires hardly more windows, and is aborted beyond twice as many. Returns the last outcome.
  */
 template <class Triangulation, class Confirm>
 Search_outcome confirm_by_search(const Triangulation& triangulation, const std::vector<Vertex_index>& sources,
@@ -202,8 +211,10 @@ Search_outcome replace_by_search(Tree& tree, Search& search, double longest, std
   return are_bounds_close(tree, search, n, tree.max_distance()) ? Search_outcome::CONFIRMED : Search_outcome::UNCLEAR;
 }
 
-/* Replaces the paths of a tree that are not shortest by a search that is rounded outward, where the distances of a field
- * are not accurate. Are they confirmed to be shortest then? */
+/*
+ * Replaces the paths of a tree that are not shortest by a search with outward rounding, if the distances of a field are
+ * inaccurate. Returns whether they are confirmed to be shortest then.
+ */
 template <class Tree>
 bool prove_shortest(Tree& tree, double longest, std::size_t most_windows, Interruption& interruption,
                     Distances_report& report)
@@ -215,8 +226,8 @@ bool prove_shortest(Tree& tree, double longest, std::size_t most_windows, Interr
 }
 
 /*
- * Replaces the paths of a tree that are not shortest, where a field from its source is known, which has been computed as
- * far as its longest path unless it was given up, or met an edge of length zero.
+ * Replaces the paths of a tree that are not shortest, given a field from its source that has been computed up to its
+ * longest path unless it was aborted or encountered a degenerate edge.
  */
 template <class Triangulation>
 Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_propagation<Triangulation>& field,
@@ -247,25 +258,39 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Finds the paths of a tree that are not globally shortest, and replaces them. The distances on the input are computed
- * as by `Geodesic_distance_field`, exact up to rounding; where that cannot be sure of its distances, by a search with
- * bounds that are rounded outward. Then the longer paths are taken out of the tree, and shortest
- * ones inserted by flips, the nearest first. They do not cross what is there, since shortest paths from one vertex
- * never cross. Vertices within the tree's limit that it did not find are added.
+ * Replaces the paths of a tree that are not globally shortest.
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and for each path that is replaced the degree of its end and
- * the edges that its last leg crosses; if any is, linear in the size of the mesh on top.
+ * The distances on the input are computed as by `Geodesic_distance_field`, exact up to rounding errors, or, if it
+ * cannot confirm them, by a search with outward-rounded bounds. The longer paths are then removed from the tree, and
+ * shortest ones are inserted by flips, the nearest first. They do not cross other paths of the tree, since shortest
+ * paths from one vertex never cross. Vertices within the limit of the tree that it did not contain are added.
  *
- * \param tree a tree that has been grown to its end
- * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the search is given up, and the tree stays
- *        as it is; and `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular
- *        intervals. If it returns `false`, then the report has the status `Shortening_status::STOPPED_BY_VISITOR` and
- *        is not confirmed. The tree remains valid: it stays as it is if the search is stopped; afterwards, some paths
- *        may have been replaced
- * \throws Invalid_coordinate_error
+ * \param tree a tree whose growth was not stopped
+ * \param np an optional sequence of named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{search_limit}
+ *     \cgalParamDescription{the number of windows after which the search is aborted and the tree remains unchanged}
+ *     \cgalParamType{`Window_limit`}
+ *     \cgalParamDefault{`Window_limit()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *     \cgalParamExtra{If `go_further()` returns `false`, the report has the status
+ *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. The tree remains valid: it is unchanged if the
+ *       search was stopped; later, some paths may have been replaced.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a report on the paths of the tree. Inserted vertices have geodesics, but are not part of the report
+ * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
- * \throws Vertex_out_of_range_error if the source was inserted. Other inserted vertices have geodesics, which nothing
- * is said about.
+ * \throws Vertex_out_of_range_error if the source of the tree is an inserted vertex
+ *
+ * Complexity: that of `Geodesic_distance_field::compute()`, and for each replaced path the degree of its end and the
+ * number of edges that its last geodesic segment crosses; if any path is replaced, also linear in the size of the mesh.
  */
 template <class Triangulation, class... NamedParameters>
 Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedParameters&... np)

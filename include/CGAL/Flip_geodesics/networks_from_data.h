@@ -25,10 +25,10 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// What becomes of the vertices where more than two regions, or the border, meet.
+/// Specifies the treatment of vertices at which more than two regions, or regions and the border, meet.
 enum class Junctions {
-  FIXED, ///< they stay, and every curve ends there
-  FREE   ///< they move: every region has closed curves of its own about it, beside those of its neighbors
+  FIXED, ///< they are fixed, and every curve ends there
+  FREE   ///< they can move: every region has its own closed curves, next to those of its neighbors
 };
 
 namespace internal {
@@ -71,8 +71,8 @@ Index add_edges_between_faces(Network& network, const TriangleMesh& mesh, const 
 }
 
 /*
- * The boundaries of regions with each region on the left, as chains of halfedges: closed, or from border to border.
- * `region(h)` is the region of the face on the left of halfedge h.
+ * The boundaries of regions with each region on the left, as chains of halfedges that are closed or lead from border to
+ * border. `region(h)` is the region of the face on the left of halfedge h.
  */
 template <class Triangulation, class Region>
 class Region_boundaries
@@ -85,7 +85,9 @@ public:
   {
   }
 
-  /* Calls `use(chain, is_closed)` for each: first those from border to border, then the closed ones. */
+  /*
+   * Calls `use(chain, is_closed)` for each boundary: first for those from border to border, then for the closed ones.
+   */
   template <class Function>
   void for_each(const Function& use)
   {
@@ -104,7 +106,8 @@ private:
     return !m_triangulation.is_border(h) && !m_triangulation.is_border(t) && m_region(h) != m_region(t);
   }
 
-  // The next halfedge of the boundary, about its head through faces of the region; null_index at the border.
+  // Returns the next halfedge of the boundary, around its head through faces of the region, or null_index at the
+  // border.
   Halfedge_index next(Halfedge_index h) const
   {
     Halfedge_index g = m_triangulation.next(h);
@@ -116,7 +119,7 @@ private:
     return g;
   }
 
-  // Does the boundary come from the border here?
+  // Returns whether the boundary starts at the border here.
   bool is_start(Halfedge_index h) const
   {
     Halfedge_index g = Triangulation::twin(m_triangulation.previous(h));
@@ -146,20 +149,24 @@ private:
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Adds the edges between faces of different regions as a network: the boundaries of a segmentation [SC20, section 6.1].
- * The border of the mesh is no boundary of a region, but boundaries can end there.
+ * The border of the mesh is not a boundary of a region, but boundaries can end there.
  *
- * With fixed junctions, there is one curve between each two vertices where other than two such edges meet. Where there
- * is no such vertex, it is closed, as by `add_marked_edges()`. With free junctions, each edge carries two strands, one
- * for each region, that region on the left: closed curves, and paths from border to border. Then junctions move.
- * Between the curves of three regions that have met at one vertex, a gap opens, which belongs to none of them. Regions
- * still do not overlap, and every curve keeps its isotopy class among the others.
+ * With fixed junctions, one curve leads between vertices at which one or more than two such edges meet, or is closed if
+ * it has no such vertex, as with `add_marked_edges()`. With free junctions, each edge carries two segments, one for
+ * each adjacent region, which lies on the left; they form closed curves and paths from border to border. The junctions
+ * can then move, and a gap that belongs to no region opens between the curves of three regions that met at one vertex.
+ * Regions still do not overlap, and every curve keeps its isotopy class among the others.
  *
- * If it throws, or `regions` does, the network is empty again. Linear in the mesh.
+ * If the function or `regions` throws, the network is empty again.
  *
- * \param network an empty network in a triangulation whose edges are the input's
- * \param mesh the triangulation's mesh
- * \param regions a model of `ReadablePropertyMap` with the mesh's faces as keys, and values to be compared by `!=`
+ * \param network an empty network in a triangulation whose edges are those of the input
+ * \param mesh the mesh of the triangulation
+ * \param regions a model of `ReadablePropertyMap` with the faces of the mesh as keys, and values that can be compared
+ *        by `!=`
+ * \param junctions whether junctions are fixed
  * \return the number of curves added
+ *
+ * Complexity: linear in the mesh.
  */
 template <class Network, class TriangleMesh, class FaceRegionMap>
 Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegionMap regions,
@@ -182,7 +189,7 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
     boundaries.for_each(
         [&](const std::vector<Halfedge_index>& chain, bool is_closed) { network.add_curve(chain, is_closed); });
     for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
-    { // each strand on the side of its region
+    { // each segment on the side of its region
       std::vector<Segment_index> stack = network.stack(e);
       if(stack.size() == 2 && network.halfedge(stack.front()) != internal::first_side(e)) {
         std::swap(stack.front(), stack.back());
@@ -195,15 +202,19 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the seams of a texture as a network: the edges at whose ends the two faces have different texture coordinates,
- * at one end or both. Curves end where other than two seams meet, and so do those that end inside the surface or on its
- * border, which is no seam. If it throws, or `texture` does, the network is empty again. Linear in the mesh.
+ * Adds the seams of a texture as a network: the edges at one or both of whose ends the two faces have different texture
+ * coordinates.
  *
- * \param network an empty network in a triangulation whose edges are the input's
- * \param mesh the triangulation's mesh
- * \param texture a model of `ReadablePropertyMap` with the mesh's halfedges as keys, and as values the texture
- *        coordinates of a halfedge's face at its target, to be compared by `!=`
+ * Curves end at vertices at which one or more than two seams meet, in particular at seams that end inside the surface
+ * or on its border; border edges are not seams. If the function or `texture` throws, the network is empty again.
+ *
+ * \param network an empty network in a triangulation whose edges are those of the input
+ * \param mesh the mesh of the triangulation
+ * \param texture a model of `ReadablePropertyMap` with the halfedges of the mesh as keys; the values are the texture
+ *        coordinates of the face of a halfedge at its target, and can be compared by `!=`
  * \return the number of curves added
+ *
+ * Complexity: linear in the mesh.
  */
 template <class Network, class TriangleMesh, class HalfedgeTextureMap>
 Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap texture)
@@ -222,14 +233,22 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Completes a polyline of which points in a row need not lie in a common face, such as positions of a pen: where they
- * do not, a geodesic between them is put in, as the points where it crosses edges.
+ * Completes a polyline whose consecutive points need not lie in a common face, such as positions of a pen. Between
+ * points without a common face, the crossings of a geodesic with the edges are inserted.
  *
+ * \param triangulation a triangulation without flips, which is unchanged afterwards
+ * \param polyline the points
+ * \param is_closed whether the polyline is closed
  * \return the polyline, for `draw_polyline()` and `snap_polyline()`
- * \pre no edge of the triangulation has been flipped; it is the same afterwards
- * \throws Occupied_triangulation_error if there are curves in it, and a geodesic is needed
- * \throws Invalid_curve_error if there are fewer than two points, or three of a closed polyline
- * \throws Disconnected_endpoints_error, and as `draw_polyline()`, `shorten()`
+ * \pre no edge of the triangulation has been flipped
+ * \throws Occupied_triangulation_error if a network has curves in the triangulation, and a geodesic is needed
+ * \throws Invalid_curve_error if the polyline has fewer than two points, or three if it is closed
+ * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+ * \throws Invalid_location_error as `draw_polyline()` does
+ * \throws Insertion_error as `draw_polyline()` does
+ * \throws Crossing_curves_error as `draw_polyline()` does
+ * \throws Degenerate_face_error as `shorten()` does
+ * \throws Invalid_coordinate_error as `shorten()` does
  */
 template <class Triangulation>
 std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
@@ -250,7 +269,7 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
     auto between = internal::Path_straightener<Triangulation>(triangulation).shortest(p, q);
     for(Surface_location& crossing : between)
       for(double& weight : crossing.weights)
-        weight = weight < internal::zero_weight ? 0 : weight; // as close to a vertex as that, it is inserted there
+        weight = weight < internal::zero_weight ? 0 : weight; // a point this close to a vertex is inserted there
     result.insert(result.end(), between.begin() + 1, between.end() - 1);
   }
   return result;
@@ -259,24 +278,32 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Draws a polyline that runs anywhere on the mesh into a network, by making its points vertices [SC20, Figure 9]: a
- * curve whose nodes are fixed at all its points. Its segments become edges of the triangulation, for which edges in
- * their input faces are flipped; a segment that passes a vertex consists of several edges. So the curve is the polyline
- * itself. `Edge_path_network::free_nodes()` allows it to be shortened.
+ * Adds a polyline anywhere on the mesh to a network, as a curve whose nodes are fixed at all its points [SC20, Figure
+ * 9].
  *
- * Which edges a segment crosses is decided exactly, by the weights of the points. Polylines may be drawn one after
+ * The points become vertices, and the segments become edges of the triangulation, for which edges in their input faces
+ * are flipped; a segment that passes a vertex consists of several edges. The curve therefore coincides with the
+ * polyline. `Edge_path_network::free_nodes()` allows it to be shortened.
+ *
+ * Which edges a segment crosses is decided exactly, from the weights of the points. Polylines may be added one after
  * another. They may meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross there.
- * Segments that cross elsewhere cannot be edges of one triangulation, and are refused.
+ * Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
- * \param polyline the points; each two in a row lie in a common face or on a common edge of the input. A closed polyline
- *        does not repeat the first. Points that repeat the one before are skipped.
- * \return the curve's index
+ * \param network the network
+ * \param polyline the points; two consecutive ones lie in a common face or on a common edge of the input. A closed
+ *        polyline does not repeat the first point. Points that equal the previous one are skipped
+ * \param is_closed whether the polyline is closed
+ * \return the index of the curve
  * \pre no edge of the triangulation in these faces crosses an input edge
- * \throws Invalid_curve_error if two points in a row are in no common face, or there are too few
+ * \throws Invalid_curve_error if two consecutive points have no common face, or there are too few points
  * \throws Crossing_curves_error if a segment crosses another one, or a curve of the network, between vertices;
- *         `elements()` are the ends of the edge that is crossed. No curve is added then, but points of the polyline may
- *         have become vertices
- * \throws Invalid_location_error, and as `Edge_path_network::insert()`
+ *         `elements()` are the ends of the crossed edge. No curve is added then, but points of the polyline may have
+ *         become vertices
+ * \throws Invalid_location_error if a location is not a point of the surface
+ * \throws Insertion_error as `Edge_path_network::insert()` does
+ * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
+ * \throws Degenerate_face_error as `Edge_path_network::insert()` does
+ * \throws Invalid_coordinate_error as `Edge_path_network::insert()` does
  */
 template <class Network>
 Curve_index draw_polyline(Network& network, const std::vector<Surface_location>& polyline, bool is_closed = false)
@@ -288,13 +315,17 @@ Curve_index draw_polyline(Network& network, const std::vector<Surface_location>&
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The vertices of a path of input edges in the isotopy class of a polyline: each point on an edge moves to its nearer
- * end, and so do the ends of an open polyline. No vertex is added, and the path ends at vertices of the mesh.
+ * Returns the vertices of a path of input edges in the isotopy class of a polyline. Each point on an edge, including
+ * the ends of an open polyline, is moved to the nearer end of the edge. No vertex is added, and the path ends at
+ * vertices of the mesh.
  *
- * \param polyline as for `draw_polyline()`
+ * \param triangulation the triangulation
+ * \param polyline the points, as for `draw_polyline()`
+ * \param is_closed whether the polyline is closed
  * \return the vertices of the path, for `halfedges_through()`; fewer than two if the polyline shrinks to a vertex. A
- *         closed path does not repeat the first.
- * \throws Invalid_curve_error, Invalid_location_error as `draw_polyline()`
+ *         closed path does not repeat the first vertex
+ * \throws Invalid_curve_error as `draw_polyline()` does
+ * \throws Invalid_location_error as `draw_polyline()` does
  */
 template <class Triangulation>
 std::vector<Vertex_index> snap_polyline(const Triangulation& triangulation,
@@ -312,7 +343,7 @@ std::vector<Vertex_index> snap_polyline(const Triangulation& triangulation,
     if(!path.empty() && path.back() == v)
       continue;
     if(path.size() > 1 && path[path.size() - 2] == v)
-      path.pop_back(); // to and fro
+      path.pop_back(); // back and forth
     else
       path.push_back(v);
   }

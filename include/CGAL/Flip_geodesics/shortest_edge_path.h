@@ -29,28 +29,30 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The distances of all vertices along edges from landmarks, which are vertices far from one another: up to 16 in each
- * component of the mesh. Computed once for many searches on one mesh, they direct the searches around bumps and holes.
- * By the triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound of their
- * own distance [Goldberg, Harrelson, Computing the shortest path: A* search meets graph theory]. This bound is larger
- * than the distance in space on most meshes, and exists for metrics without points, too. `Geodesic_landmarks` provide
- * the same for distances on the surface.
+ * Stores the distances of all vertices along edges from landmarks, which are vertices far from one another: up to 16 in
+ * each component of the mesh.
  *
- * They take 32 bytes per vertex, and can be read by several threads at once.
+ * Landmarks are computed once for many searches on one mesh, and guide these searches around bumps and holes. By the
+ * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound of the distance
+ * between them [Goldberg, Harrelson, Computing the shortest path: A* search meets graph theory]. On most meshes this
+ * bound is larger than the distance in space, and it also exists for metrics without points. `Geodesic_landmarks`
+ * provide bounds of the distances on the surface.
+ *
+ * The distances take 32 bytes per vertex, and can be read by several threads concurrently.
  */
 class Landmark_distances
 {
 public:
   /*!
-   * Chooses the landmarks, each the vertex of its component that is farthest from those before, and measures the
+   * Chooses the landmarks, each the vertex of its component that is farthest from the previous ones, and computes the
    * distances.
    *
-   * Complexity: 17 searches over the whole mesh, \f$O(n \log n)\f$.
+   * \param search a `Shortest_edge_path`, which computes the distances. With `Search_method::DIJKSTRA` or
+   *        `Search_method::A_STAR`, these are the lengths of shortest edge paths. With `Search_method::LOOK_BACK`, they
+   *        are estimates of the distances on the surface, for landmarks that guide such searches
+   * \throws Invalid_coordinate_error as `Shortest_edge_path` does, for any edge
    *
-   * \param search a `Shortest_edge_path`, which measures the distances. By `Search_method::DIJKSTRA` or
-   *        `Search_method::A_STAR`, these are the lengths of shortest edge paths. By `Search_method::LOOK_BACK`, they
-   *        are estimates of the distances on the surface, for landmarks that are to direct such searches
-   * \throws Invalid_coordinate_error as `Shortest_edge_path`, for any edge
+   * Complexity: 17 searches over the whole mesh, \f$O(n \log n)\f$.
    */
   template <class Search>
   explicit Landmark_distances(Search& search)
@@ -59,13 +61,12 @@ public:
   }
 
   /*!
-   * Chooses the landmarks and measures the distances, and lets a visitor stop that.
+   * Chooses the landmarks and computes the distances, unless a visitor stops the construction.
    *
-   * \param search as above
+   * \param search a `Shortest_edge_path`, as for the constructor without a visitor
    * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, before each search and once for
-   *        about a thousand vertices. If it returns `false`, then `is_complete()` returns `false`, and all bounds are
-   *        zero
-   * \throws as above
+   *        about a thousand vertices. If it returns `false`, `is_complete()` returns `false`, and all bounds are zero
+   * \throws Invalid_coordinate_error as `Shortest_edge_path` does, for any edge
    */
   template <class Search, class Visitor>
   Landmark_distances(Search& search, Visitor&& visitor)
@@ -74,18 +75,19 @@ public:
     make(search, &interruption);
   }
 
-  /// Returns whether the distances are known; they are not if a visitor stopped the construction.
+  /// Returns whether the distances are known, that is, whether no visitor stopped the construction.
   bool is_complete() const { return m_is_complete; }
 
-  /// The number of vertices.
+  /// Returns the number of vertices.
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
   /*!
-   * Returns a lower bound of the distance of two vertices. If the distances from landmarks were measured along edges,
-   * then no edge path between the vertices is shorter: values and differences are rounded down, and rounding errors are
-   * subtracted. If they were measured by `Search_method::LOOK_BACK`, then the bound is an estimate, since such
-   * distances do not satisfy the triangle inequality. The result is any number for vertices of two components, between
-   * which there is no path.
+   * Returns a lower bound of the distance between two vertices.
+   *
+   * If the distances from landmarks are lengths of edge paths, every edge path between the vertices is at least as long
+   * as the bound: values and differences are rounded down, and rounding errors are subtracted. If they were computed by
+   * `Search_method::LOOK_BACK`, the bound is an estimate, since such distances do not satisfy the triangle inequality.
+   * The result is meaningless for vertices of different components.
    */
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
@@ -113,29 +115,33 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// How an edge path is searched.
+/// Specifies the search for an edge path.
 enum class Search_method {
-  /// A path that is to be pulled tight: close to a shortest one on the surface, rather than shortest along edges. The
-  /// distance of a vertex is measured along straight lines from up to two vertices back on the path to it. It is not
-  /// taken as less than the path's length over 1.5. So paths that zigzag along a straight line count as nearly
-  /// straight, where shortest edge paths swerve to where the edges happen to point. `shorten()` flips several times
-  /// fewer edges on smooth meshes. The bound for the remaining way counts 1.1 times: the search does not compare ways
-  /// that are all nearly as short. A vertex that is reached again on a way that is hardly shorter keeps its turn. About
-  /// a third of the vertices are visited that `A_STAR` visits. The same as `DIJKSTRA` where the metric has no lower
-  /// bound.
+  /// Searches a path to be shortened, which is close to a shortest path on the surface rather than shortest along edges
+  /// (any-angle search).
+  ///
+  /// The distance of a vertex is measured along straight lines from up to two vertices back on the path to it, but not
+  /// taken as less than the length of the path divided by 1.5. Paths that zigzag along a straight line thus count as
+  /// nearly straight, whereas shortest edge paths deviate in the directions of edges. On smooth meshes, `shorten()`
+  /// then flips several times fewer edges. The bound of the remaining distance is multiplied by 1.1 (weighted A*), so
+  /// that paths of nearly equal length need not be compared. A vertex that is reached again by a path that is hardly
+  /// shorter keeps its position in the queue. About a third of the vertices that `A_STAR` visits are visited. If the
+  /// metric has no lower bound, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
-  A_STAR,  ///< a shortest edge path, towards the target by the metric's lower bound; as `DIJKSTRA` where that is zero
+  /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if that
+  /// is zero
+  A_STAR,
   DIJKSTRA ///< a shortest edge path, in all directions
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Searches paths along the edges of the input mesh, which is where curves usually start from: shortest ones, or such as
- * are soon pulled tight. It reads the input alone and touches no triangulation.
+ * Searches paths along the edges of the input mesh, which are the usual initial curves. The paths are shortest, or
+ * close to geodesics so that few flips are needed. Only the input is read, and the triangulation does not change.
  *
- * The labels are made once and told apart by epoch, so that a search costs what it visits: \f$O(k \log k)\f$ for
- * \f$k\f$ vertices visited. Of equally long paths the same one is found each time.
+ * Labels are allocated once and distinguished by epoch, so a search takes \f$O(k \log k)\f$ time for the \f$k\f$
+ * vertices that it visits. Of several paths of equal length, the same one is always found.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -143,7 +149,7 @@ template <class Triangulation>
 class Shortest_edge_path
 {
 public:
-  /// Searches on the input of a triangulation, which must outlive the search, by a method.
+  /// Constructs a search on the input of a triangulation, which must outlive the search, by a given method.
   explicit Shortest_edge_path(const Triangulation& triangulation, Search_method method = Search_method::A_STAR)
     : m_triangulation(&triangulation)
     , m_method(method)
@@ -153,8 +159,9 @@ public:
   {
   }
 
-  /// Looks back and is directed by landmarks, which have to live as long; the bound counts 1.02 times then, since it is
-  /// nearly met. \pre they were made for this mesh \throws Input_mismatch_error if it has more vertices, or fewer
+  /// Constructs a search by `Search_method::LOOK_BACK` that is guided by landmarks, which must outlive the search. The
+  /// bound is multiplied by 1.02 only, since it is nearly attained. \pre the landmarks were computed for this mesh
+  /// \throws Input_mismatch_error if the number of vertices differs
   Shortest_edge_path(const Triangulation& triangulation, const Landmark_distances& landmarks)
     : Shortest_edge_path(triangulation, Search_method::LOOK_BACK)
   {
@@ -168,20 +175,20 @@ public:
   }
 
   /*!
-   * The halfedges of an edge path from `source` to `target`; none if they are equal.
-   * \throws Vertex_out_of_range_error
-   * \throws Disconnected_endpoints_error
-   * \throws Invalid_coordinate_error for an edge that the search meets and whose length is negative or no number; edges
-   *         of length zero are passed here, and refused where the curve is straightened over them
+   * Returns the halfedges of an edge path from `source` to `target`, or no halfedges if they are equal.
+   * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the input
+   * \throws Disconnected_endpoints_error if no edge path connects the vertices
+   * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN. Edges of
+   *         length zero are accepted here, and rejected when the curve is shortened across them
    */
   std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target) { return path(source, target); }
 
   /*!
-   * Searches the same path, and lets a visitor stop the search.
-   * \param source, target as above
+   * Returns the halfedges of an edge path from `source` to `target`, unless a visitor stops the search. The exceptions
+   * are those of the overload without a visitor.
+   * \param source, target vertices of the input
    * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, once for about a thousand
-   *        vertices. If it returns `false`, then the search ends there and returns no halfedges
-   * \throws as above
+   *        vertices. If it returns `false`, the search ends and returns no halfedges
    */
   template <class Visitor>
   std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target, Visitor&& visitor)
@@ -191,9 +198,10 @@ public:
   }
 
   /*!
-   * Calls `visit(v, distance)` for each vertex to which paths lead from `source`, with its distance as this search
-   * measures it: in the order of distance.
-   * \throws Vertex_out_of_range_error, Invalid_coordinate_error as above
+   * Calls `visit(v, distance)` for each vertex that is reachable from `source`, with its distance as measured by this
+   * search, in the order of distances.
+   * \throws Vertex_out_of_range_error if `source` is not a vertex of the input
+   * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN
    */
   template <class Visit>
   void visit_all(Vertex_index source, const Visit& visit)
@@ -202,12 +210,13 @@ public:
   }
 
   /*!
-   * Does the same, and lets a visitor stop the search.
-   * \param source, visit as above
+   * Calls `visit(v, distance)` for each vertex that is reachable from `source`, unless a visitor stops the search. The
+   * exceptions are those of the overload without a visitor.
+   * \param source a vertex of the input
+   * \param visit a function object, called in the order of distances
    * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, once for about a thousand
-   *        vertices. If it returns `false`, then the remaining vertices are not visited
+   *        vertices. If it returns `false`, the remaining vertices are not visited
    * \return whether all vertices have been visited
-   * \throws as above
    */
   template <class Visit, class Visitor>
   bool visit_all(Vertex_index source, const Visit& visit, Visitor&& visitor)
@@ -252,10 +261,10 @@ public:
   }
 #endif // DOXYGEN_RUNNING
 
-  /// The triangulation whose input is searched.
+  /// Returns the triangulation whose input is searched.
   const Triangulation& triangulation() const { return *m_triangulation; }
 
-  /// The number of vertices that the last search settled.
+  /// Returns the number of vertices that the last search settled.
   std::size_t settled_vertices() const { return m_search.number_of_settled(); }
 
 private:
@@ -263,18 +272,18 @@ private:
   using Search_labels = internal::Search_labels<Input_halfedge_index>;
   using Search_label = Search_labels::Label;
 
-  // A vertex on the path to the one that is being settled, and what is known of the way from there.
+  // A vertex on the path to the vertex being settled, with the distances needed to look back to it.
   struct Ancestor
   {
     Place place;
-    double distance; // of the ancestor; infinite if there is none
-    double length;   // of the path on from it
+    double distance; // of the ancestor; infinite if it does not exist
+    double length;   // of the path from it
   };
 
   static constexpr std::size_t most_ancestors = 2;
   using Ancestors = std::array<Ancestor, most_ancestors>;
 
-  // A vertex whose neighbors are reached through it; a copy, which nothing that is written meanwhile can change.
+  // A vertex whose neighbors are reached through it; a copy, which is not affected by changes during the search.
   struct Origin
   {
     Vertex_index vertex;
@@ -284,7 +293,7 @@ private:
     Ancestors ancestors;
   };
 
-  // To a neighbor.
+  // A step to a neighbor.
   struct Step
   {
     double distance;
@@ -293,11 +302,11 @@ private:
   };
 
   static constexpr bool has_bound = !std::is_empty<Place>::value;
-  // Zigzag along a straight line is longer by 2 / sqrt(3) at most on a regular triangulation, by sqrt(2) on a grid.
+  // A zigzag along a straight line is longer by at most 2 / sqrt(3) on a regular triangulation, and sqrt(2) on a grid.
   static constexpr double most_zigzag = 1.5;
-  // What the bound is multiplied by. Landmarks give bounds that are nearly met.
+  // The factors of the bound (weighted A*). Landmarks provide bounds that are nearly attained.
   static constexpr double haste = 1.1, haste_with_landmarks = 1.02;
-  // A way that is shorter by less than this part of its last edge does not put a vertex forward in the queue.
+  // A path that is shorter by less than this fraction of its last edge does not advance a vertex in the queue.
   static constexpr double least_gain = 0.2;
 
   void start(Vertex_index source)
@@ -322,7 +331,7 @@ private:
         std::isfinite(metric.distance_lower_bound(metric.place(m_triangulation->input(), source), m_target_place));
   }
 
-  // The policy of the search. `visit(v)` is called for each vertex that is settled; the search goes on if it returns
+  // The policy of the search. `visit(v)` is called for each vertex that is settled; the search continues if it returns
   // `true`.
   template <bool LooksBack, class Visit>
   class Policy : public internal::Search_policy
@@ -346,7 +355,7 @@ private:
         return {v, label.distance, incoming, place, {}};
     }
 
-    // But for the one back to where the path came from, which is settled.
+    // Omits the halfedge back to the predecessor, which is settled.
     template <class Function>
     void for_each_halfedge(const Origin& origin, const Function& function) const
     {
@@ -435,7 +444,7 @@ private:
     return internal::unfused(m_haste * bound);
   }
 
-  // The distance of a neighbor, or what it is from an ancestor on if that is less.
+  // Returns the distance of a neighbor, or that measured from an ancestor if it is smaller.
   double distance_looking_back(const Origin& origin, const Place& place, double weight) const
   {
     double distance = origin.distance + weight;
@@ -459,7 +468,7 @@ private:
   double m_haste;
   internal::Label_setting_search<Search_labels> m_search;
   const Landmark_distances* m_landmarks = nullptr;
-  Vertex_index m_target = null_index; // none if the search goes in all directions
+  Vertex_index m_target = null_index; // null if the search proceeds in all directions
   Place m_target_place = Place();
   bool m_is_bounded = false; // by the metric
   double m_least_gain = 0;

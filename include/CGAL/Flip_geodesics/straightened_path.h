@@ -24,11 +24,11 @@ namespace internal {
 
 /*
  * Straightens an edge path on the input mesh by `Iterative_unfolding`, in plain doubles: an initial path for FlipOut,
- * which decides everything afterwards. The result is a chain of straight legs between vertices and not longer than the
- * path.
+ * which makes all decisions afterwards. The result is a chain of geodesic segments between vertices that is not longer
+ * than the path.
  *
- * The path first passes each of its vertices on the side with fewer faces, and then each vertex at which the string
- * bends on a side with an angle below pi, until there is none.
+ * The path first passes each of its vertices on the side with fewer faces, and then each vertex at which the funnel
+ * bends on a side with an angle below pi, until no such vertex remains.
  */
 template <class Triangulation>
 class Strip_straightener
@@ -42,7 +42,7 @@ public:
   {
   }
 
-  /* Is there something straighter than the path, which is an edge path? */
+  /* Straightens an edge path. Returns whether the result differs from the path. */
   bool operator()(const std::vector<Halfedge_index>& path)
   {
     m_unfolding.reserve(path.size());
@@ -51,7 +51,7 @@ public:
     for(Halfedge_index of_path : path) {
       const Input_halfedge_index h = as_input(of_path);
       if(!m_unfolding.faces().has_halfedge(h) || (!legs().empty() && legs().back().head != m_unfolding.faces().tail(h)))
-        return false; // no chain, which whoever adds the path refuses
+        return false; // not a chain, which is rejected when the path is added
       m_unfolding.append_edge(h);
       m_path_length += m_unfolding.faces().length(h);
     }
@@ -63,10 +63,10 @@ public:
 
   const std::vector<Leg>& legs() const { return m_unfolding.pieces(); }
 
-  /* The length of the path that was straightened. */
+  /* Returns the length of the path that was straightened. */
   double path_length() const { return m_path_length; }
 
-  /* The edges that a leg crosses. */
+  /* Returns the edges that a segment crosses. */
   std::vector<Crossed_edge> crossed(const Leg& leg)
   {
     std::vector<Crossed_edge> result;
@@ -122,7 +122,7 @@ private:
   private:
     static constexpr std::size_t blocked = static_cast<std::size_t>(-1);
 
-    // From one outgoing halfedge counterclockwise to another.
+    // Counts the corners from one outgoing halfedge counterclockwise to another.
     std::size_t number_of_corners(Input_halfedge_index from, Input_halfedge_index to) const
     {
       const Input_faces<Triangulation>& faces = this->unfolding.faces();
@@ -147,7 +147,7 @@ private:
     }
 
   private:
-    // Is the angle from one direction counterclockwise to another?
+    // Returns whether the angle from one direction counterclockwise to another is below pi.
     bool is_below_pi(const Corner_direction& from, const Corner_direction& to) const
     {
       const Corner_angle angle = this->unfolding.faces().angle(from, to, unstraightened_angle);
@@ -168,7 +168,7 @@ double length_of(const Triangulation& triangulation, const std::vector<Halfedge_
   return length;
 }
 
-/* Does an open path pass no vertex twice? */
+/* Returns whether an open path passes no vertex twice. */
 template <class Triangulation>
 bool is_simple(const Triangulation& triangulation, const std::vector<Halfedge_index>& path)
 {
@@ -179,8 +179,10 @@ bool is_simple(const Triangulation& triangulation, const std::vector<Halfedge_in
   return std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end();
 }
 
-/* The legs of a straightened path as edges of the triangulation, for which the edges that they cross are flipped; none
- * if two legs are in each other's way, or a face on the way is degenerate. */
+/*
+ * Returns the segments of a straightened path as edges of the triangulation, for which the edges that they cross are
+ * flipped. The result is empty if two segments block each other, or a face along them is degenerate.
+ */
 template <class Triangulation>
 std::vector<Halfedge_index> insert_legs(Triangulation& triangulation, Strip_straightener<Triangulation>& straightener,
                                         std::size_t most_memory, std::size_t& flips)
@@ -192,7 +194,7 @@ std::vector<Halfedge_index> insert_legs(Triangulation& triangulation, Strip_stra
   return path;
 }
 
-/* Empties a network and takes all flips back where it goes out of scope, unless it is dismissed before. */
+/* Empties a network and undoes all flips at the end of its scope, unless it has been dismissed. */
 template <class Network>
 class Taken_back_on_failure
 {
@@ -222,30 +224,33 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds an edge path to an empty network, but straightened beforehand, so that `shorten()` finds little left to do. The
- * path is unfolded with a strip of faces along it, and pulled taut there. The strip is led round the other side of the
- * vertices that the path bends about [XW07]. All this is in double and without any flip. Then the straight legs are
- * inserted by flipping the edges that they cross.
+ * Adds an edge path to an empty network after initial straightening, so that `shorten()` needs few flips.
  *
- * It is never longer than the path. The curve may pass vertices on its way, no other topology changes; it is up to
- * `shorten()` to decide what is straight. Where anything is in doubt (faces without area, legs that are in each other's
- * way, rounding), the path itself is added, and nothing is flipped.
+ * The curve is never longer than the path. It may pass vertices of its way, but its topology does not change otherwise,
+ * and `shorten()` decides what is straight. The function is intended for paths of which only the ends matter, such as
+ * those of `Shortest_edge_path`. If a stop predicate or a visitor has to observe the whole process, use
+ * `Edge_path_network::add_curve()` instead.
  *
- * For paths of which only the ends matter, such as those of `Shortest_edge_path`. With a stop predicate, or a visitor
- * that is to see how the path is pulled tight, `Edge_path_network::add_curve()` does.
+ * The face strip along the path is unfolded, the path is shortened in it with a funnel algorithm, and the strip is
+ * moved to the other side of the vertices at which the path bends [XW07]. All of this is computed in doubles and
+ * without flips. The resulting geodesic segments are then inserted by flipping the edges that they cross. In case of
+ * doubt, because of degenerate faces, segments that block each other, or rounding errors, the path itself is added, and
+ * nothing is flipped.
  *
  * \param network an empty network in a triangulation that has not been flipped
- * \param path the halfedges of an open path; its length becomes the curve's initial length
- * \param most_memory in bytes, as for `Memory_stop_predicate`: where the records of the flips would take more, the path
+ * \param path the halfedges of an open path, whose length becomes the initial length of the curve
+ * \param most_memory in bytes, as for `Memory_stop_predicate`: if the records of the flips would take more, the path
  *        itself is added
  * \return the number of flips
  *
- * \throws Degenerate_face_error, Invalid_coordinate_error as `Edge_path_network::add_curve()` for the path; the network
- *         is empty then, and nothing is flipped
+ * \throws Invalid_curve_error as `Edge_path_network::add_curve()` does
+ * \throws Degenerate_face_error if a face at the path is degenerate; the network is empty then, and nothing is flipped
+ * \throws Invalid_coordinate_error if a face at the path is not finite; the network is empty then, and nothing is
+ *         flipped
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
  *
- * Complexity: that of some rounds over the strip, of which there are about as many as rows of vertices between the path
- * and the geodesic. The flips are linear in the edges that the geodesic crosses.
+ * Complexity: that of several rounds over the strip, about as many as there are rows of vertices between the path and
+ * the geodesic. The number of flips is linear in the number of edges that the geodesic crosses.
  */
 template <class Network>
 std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_index>& path,

@@ -36,16 +36,17 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// What `texture_coordinates()` did.
+/// Reports the result of `texture_coordinates()`.
 struct Texture_report
 {
-  std::size_t faces = 0; ///< how many faces have coordinates
-  std::size_t torn = 0;  ///< how many of these are laid out by themselves, since the map tears there or is a line
+  std::size_t faces = 0; ///< the number of faces with coordinates
+  /// the number of those that are laid out separately, because the map is discontinuous there or degenerates to a line
+  std::size_t torn = 0;
 };
 
 namespace internal {
 
-/* Lays the faces out in the tangent plane of a source, in which a direction there is the first axis. */
+/* Lays the faces out in the tangent plane of a source, in which a direction at the source is the first axis. */
 template <class Triangulation>
 class Tangent_plane_layout
 {
@@ -64,8 +65,10 @@ public:
       m_vertices.push_back(in_plane(m_everywhere(v)));
   }
 
-  /* The corners of the face of h, from its tail on; not finite if one is too far. `is_torn` is set if they are not where
-   * the vertices are. */
+  /*
+   * Returns the corners of the face of h, beginning at its tail; not finite if one is too far away. Sets `is_torn` if
+   * they differ from the images of the vertices.
+   */
   Corners operator()(Input_halfedge_index h, bool& is_torn)
   {
     const auto& input = m_triangulation.input();
@@ -83,7 +86,7 @@ public:
   }
 
 private:
-  static constexpr double most_stretch = 2; // of a side; curvature stretches less over one face
+  static constexpr double most_stretch = 2; // of a side; curvature causes less stretch over one face
 
   Vector in_plane(const Polar_coordinates& p) const
   {
@@ -93,7 +96,7 @@ private:
     return Vector(x, y) / m_axis;
   }
 
-  // Does the map keep a face together, and its side up?
+  // Returns whether the map keeps a face connected, with the same orientation.
   static bool is_whole(const Corners& corners, const Corners& sides)
   {
     for(std::size_t i = 0; i < 3; ++i)
@@ -107,11 +110,11 @@ private:
     const Vector first = corners[1] - corners[0], second = corners[2] - corners[1];
     const double longest = (std::max)({std::abs(first), std::abs(second), std::abs(first + second)});
     return std::imag(std::conj(first) * second) >
-           internal::least_map_height * longest * longest; // of a line it is a rounding
+           internal::least_map_height * longest * longest; // for a line it is a rounding error
   }
 
-  // Laid out from where the shortest path to its center arrives. Corners that are near their vertices are put there,
-  // unless the face would turn over.
+  // Lays out the face from the end of the shortest path to its center. Corners near the images of their vertices are
+  // moved there, unless the face would be reversed.
   Corners about_center(Input_halfedge_index h, const Corners& sides, const Corners& vertices)
   {
     const auto [p, carried] = m_everywhere(h, {{1.0 / 3, 1.0 / 3, 1.0 / 3}});
@@ -146,7 +149,7 @@ double longest_side(const Triangulation& triangulation)
   return longest;
 }
 
-/* A place in a picture as a map has it. */
+/* Converts image coordinates to the value type of a map. */
 template <class Value>
 Value picture_place(double x, double y)
 {
@@ -161,29 +164,36 @@ Value picture_place(double x, double y)
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Lays a picture on the surface like a decal: gives the corners of faces texture coordinates by the logarithmic map of a
- * place, which gets the middle of the picture. The picture is the unit square. Along each ray from its middle it has its
- * true size; curvature stretches or squeezes it across.
+ * Maps an image onto the surface like a decal, by assigning texture coordinates to the corners of faces. The
+ * coordinates are those of the logarithmic map of a point, which is mapped to the center of the image.
  *
- * The map tears where shortest paths arrive from two sides, and is a line behind a vertex at which they bend. A face
- * there is laid out by itself, as the shortest path to its center arrives; its corners can have other coordinates than
- * in the faces beside it. So a face is never drawn across the picture, nor with its back up.
+ * The image is the unit square. Along each ray from its center lengths are preserved; curvature stretches or compresses
+ * the image in the perpendicular direction. The logarithmic map is discontinuous where shortest paths arrive from two
+ * sides, and degenerates to a line behind a vertex at which they bend. A face there is laid out separately, as seen
+ * from the end of the shortest path to its center, and its corners can have coordinates different from those in
+ * adjacent faces. A face is thus never stretched across the image or reversed.
  *
  * \param mesh a triangle mesh
- * \param source the middle: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
- * \param right the direction of the picture's right side there: a halfedge and an angle, as for `trace_geodesic()`
- * \param size the length of the picture's sides on the surface
- * \param corners a model of `WritablePropertyMap` with the mesh's halfedges as keys, which stand for the corners at
- *        their targets, and `std::array<double, 2>` or `Point_2` as values. Corners of faces beyond the picture, or out of
- *        reach, receive NaN. Halfedges on the border receive nothing
- * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
- * \throws Invalid_parameter_error if the size is not positive and finite, the angle is no finite number, or the halfedge
- *         no side of a face of the source
- * \throws Vertex_out_of_range_error, Invalid_location_error for a source that is not on the mesh
- * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ * \param source the center: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
+ * \param right the direction of the right side of the image at the center: a halfedge and an angle, as for
+ *        `trace_geodesic()`
+ * \param size the length of the sides of the image on the surface, in the unit of the coordinates
+ * \param corners a model of `WritablePropertyMap` with the halfedges of the mesh as keys, which represent the corners
+ *        at their targets, and `std::array<double, 2>` or `Point_2` as values. Corners of faces that lie outside the
+ *        image or are unreachable receive NaN. Border halfedges receive nothing
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \return a report on the faces
+ * \throws Invalid_parameter_error if the size is not positive and finite, the angle is not finite, or the halfedge is
+ *         not a side of a face of the source
+ * \throws Vertex_out_of_range_error if the source is not a vertex of the mesh
+ * \throws Invalid_location_error if the source does not lie on the mesh
+ * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: a `Geodesic_distance_field` as far as the corners of the picture and the longest side of the mesh, and at
- * most all its windows once more. Where roundings decide which path is the shortest, the path is walked.
+ * Complexity: that of a `Geodesic_distance_field` up to the distance of the corners of the image plus the longest side
+ * of the mesh, and at most all its windows once more. If rounding errors decide which path is the shortest, the path is
+ * followed.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(
@@ -209,7 +219,7 @@ Texture_report texture_coordinates(
   internal::Tangent_plane_layout<Surface> layout(surface, logarithm, middle, {x, y});
 
   Texture_report report;
-  std::vector<std::pair<Input_halfedge_index, Value>> values; // with the halfedge at whose target each is
+  std::vector<std::pair<Input_halfedge_index, Value>> values; // with the halfedge of each target
   for(const auto& f : faces(mesh)) {
     Input_halfedge_index h = input.index(internal::graph_halfedge(f, mesh));
     bool is_torn = false;
@@ -217,7 +227,7 @@ Texture_report texture_coordinates(
     const bool is_known = std::isfinite(std::abs(places[0] + places[1] + places[2]));
     report.faces += is_known ? 1 : 0;
     report.torn += is_known && is_torn ? 1 : 0;
-    for(const std::complex<double>& place : places) { // of the tail, which the halfedge before arrives at
+    for(const std::complex<double>& place : places) { // of the tail, where the previous halfedge ends
       const double nan = std::numeric_limits<double>::quiet_NaN();
       const Value value = is_known
                               ? internal::picture_place<Value>(0.5 + place.real() / size, 0.5 + place.imag() / size)

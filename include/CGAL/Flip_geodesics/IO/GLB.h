@@ -25,9 +25,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A node for each shape, below one that moves them to their place, since coordinates are floats relative to the center.
- * Shapes that show nothing are left out: glTF has no empty arrays. The bytes of a shape are those of its points, and
- * for triangles those of their corners, each with a view and an accessor of its own.
+ * Writes a node for each shape, below a node that moves the shapes to their position, since coordinates are floats
+ * relative to the center. Empty shapes are omitted, because glTF has no empty arrays. The bytes of a shape are those of
+ * its points, followed by those of the corners of triangles, each with its own view and accessor.
  */
 class Glb_writer
 {
@@ -37,7 +37,7 @@ public:
   {
     for(const Shape& shape : figure.shapes())
       if(shape.for_each_texture) {
-        check_finite(shape); // where vertices have their own numbers
+        check_finite(shape); // with the original numbers of the vertices
         add(m_divided.emplace_back(divided_at_corners(shape)));
       } else
         add(shape);
@@ -85,7 +85,7 @@ private:
     return shape.for_each_texture ? std::uint64_t(8) * shape.number_of_points : 0;
   }
 
-  // With three points of its own for each triangle, since texture coordinates belong to points here.
+  // Returns a shape with three separate points for each triangle, since texture coordinates belong to points in glTF.
   static Shape divided_at_corners(const Shape& shape)
   {
     Shape result = shape;
@@ -116,10 +116,10 @@ private:
     m_size += point_bytes(shape) + corner_bytes(shape) + texture_bytes(shape);
   }
 
-  // Of the file's header, of those of both chunks, and of what is in them.
+  // Includes the headers of the file and of both chunks, and their contents.
   std::uint64_t file_size() const { return 12 + 8 + m_header.size() + 8 + m_size; }
 
-  // So indices of points have 32 bits as well.
+  // The indices of points then have 32 bits as well.
   static void check_size(std::uint64_t size)
   {
     if(size > (std::numeric_limits<std::uint32_t>::max)())
@@ -127,7 +127,7 @@ private:
                              std::to_string(size));
   }
 
-  // That of the box about the surfaces, or about everything if there are none.
+  // Sets the center of the bounding box of the surfaces, or of all shapes if there are no surfaces.
   void set_center()
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -187,14 +187,14 @@ private:
       });
     if(shape.for_each_texture)
       shape.for_each_texture([&](const Texture_corners& corners) {
-        for(const auto& [u, v] : corners) { // the second coordinate goes down in a picture of glTF
+        for(const auto& [u, v] : corners) { // the second texture coordinate of glTF points downwards
           write_bytes(out, is_textured(corners) ? static_cast<float>(u) : -1.0F);
           write_bytes(out, is_textured(corners) ? static_cast<float>(1 - v) : -1.0F);
         }
       });
   }
 
-  // Three numbers of a JSON list.
+  // Returns three numbers as a JSON list.
   template <class Vector>
   static std::string three(const Vector& v)
   {
@@ -205,7 +205,7 @@ private:
     return text.str();
   }
 
-  // A JSON list of what `item(piece)` says of each piece.
+  // Returns a JSON list of `item(piece)` for each piece.
   template <class Item>
   std::string list(const Item& item, const std::string& last = "") const
   {
@@ -295,7 +295,7 @@ private:
            '}' + indices + ",\"mode\":" + mode(*piece.shape) + ",\"material\":" + std::to_string(number(piece)) + "}]}";
   }
 
-  // The picture is a file beside this one; beyond its sides its last pixels go on.
+  // The image is a file in the same directory; its border pixels are repeated outside the image.
   std::string textures() const
   {
     if(m_picture.empty())
@@ -344,16 +344,19 @@ namespace IO {
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Writes surfaces, curves and points in binary glTF 2.0, which browsers and programs for animation show: a node
- * `surface`, a node `curve_N` for each curve, and a node `points`. Coordinates are floats, relative to the center of
- * the surface. With an `IO::Texture` each face has three vertices of its own, with `TEXCOORD_0`.
+ * Writes surfaces, curves and points in binary glTF 2.0, which browsers and animation programs support.
  *
- * \param parts as for `write_VTP()`; of the named parameters, `use_binary_mode` and `stream_precision` are not looked
- *        at. A mesh without faces is left out.
+ * The file has a node `surface`, a node `curve_N` for each curve, and a node `points`. Coordinates are floats relative
+ * to the center of the surface. With an `IO::Texture`, each face has three separate vertices with `TEXCOORD_0`.
  *
- * \throws File_write_error also if the file would have 4294967296 bytes or more, and as `write_VTP()`
- * \throws Invalid_coordinate_error also if a point is farther from the center than floats reach, and as `write_VTP()`
- * \throws Invalid_mesh_error as `write_VTP()`
+ * \param out a binary stream
+ * \param parts the data, as for `write_VTP()`; the named parameters `use_binary_mode` and `stream_precision` are
+ *        ignored. A mesh without faces is omitted
+ *
+ * \throws File_write_error as `write_VTP()` does, and if the file would have 4294967296 bytes or more
+ * \throws Invalid_coordinate_error as `write_VTP()` does, and if a point is farther from the center than floats can
+ *         represent
+ * \throws Invalid_mesh_error as `write_VTP()` does
  */
 template <class... Parts>
 void write_GLB(std::ostream& out, const Parts&... parts)
@@ -362,7 +365,7 @@ void write_GLB(std::ostream& out, const Parts&... parts)
 }
 
 /// \ingroup PkgFlipGeodesicsIO
-/// Writes a file in binary glTF 2.0. Another one of that name is replaced.
+/// Writes surfaces, curves and points to a file in binary glTF 2.0; an existing file is replaced.
 template <class... Parts>
 void write_GLB(const std::string& file, const Parts&... parts)
 {

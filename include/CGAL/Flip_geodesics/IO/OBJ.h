@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  // Three lines for each triangle that has them.
+  // Writes three lines for each triangle with texture coordinates.
   static void write_texture(std::ostream& out, const Shape& shape)
   {
     if(shape.for_each_texture)
@@ -100,14 +100,19 @@ namespace IO {
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Writes surfaces, curves and points in the OBJ format, as text: an object `surface`, an object `curve_N` for each
- * curve, with one element `l`, and an object `points`. All vertices come first, in the order of what is written. A
- * curve of one point is an element `p`. `CGAL::IO::read_OBJ()` does not know the element `l`: it reads surfaces, tubes
- * and points. With an `IO::Texture` the corners of faces have texture coordinates, `vt`, where there are any.
+ * Writes surfaces, curves and points in the OBJ format, as text.
  *
- * \param parts as for `write_VTP()`; of the named parameters, `use_binary_mode` is not looked at
+ * The file has an object `surface`, an object `curve_N` for each curve, with one element `l`, and an object `points`.
+ * All vertices come first, in the order of the data. A curve of one point is an element `p`. `CGAL::IO::read_OBJ()`
+ * does not support the element `l`, but reads surfaces, tubes and points. With an `IO::Texture`, the corners of faces
+ * have texture coordinates, `vt`, if these are finite.
  *
- * \throws File_write_error, Invalid_coordinate_error, Invalid_mesh_error as `write_VTP()`
+ * \param out a stream
+ * \param parts the data, as for `write_VTP()`; the named parameter `use_binary_mode` is ignored
+ *
+ * \throws File_write_error as `write_VTP()` does
+ * \throws Invalid_coordinate_error as `write_VTP()` does
+ * \throws Invalid_mesh_error as `write_VTP()` does
  */
 template <class... Parts>
 void write_OBJ(std::ostream& out, const Parts&... parts)
@@ -116,7 +121,7 @@ void write_OBJ(std::ostream& out, const Parts&... parts)
 }
 
 /// \ingroup PkgFlipGeodesicsIO
-/// Writes a file in the OBJ format. Another one of that name is replaced.
+/// Writes surfaces, curves and points to a file in the OBJ format; an existing file is replaced.
 template <class... Parts>
 void write_OBJ(const std::string& file, const Parts&... parts)
 {

@@ -66,7 +66,7 @@ private:
     return kind.components == 1 ? std::vector<std::string>{kind.name} : result;
   }
 
-  // The values of all kinds are kept while they are written, since a line has those of one vertex.
+  // The values of all kinds are kept while they are written, since a line contains those of one vertex.
   void write_vertices(const Number_writer& number) const
   {
     const std::vector<Value_kind>& kinds = m_figure.value_kinds();
@@ -133,17 +133,20 @@ namespace IO {
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Writes surfaces, curves and points in the PLY format: elements `vertex`, `face` and `edge`, where edges have the
- * number of their curve as property `curve`. If there are tubes, so have faces, and those of a surface have -1.
+ * Writes surfaces, curves and points in the PLY format, with elements `vertex`, `face` and `edge`.
  *
- * Values at vertices are properties of the vertices with their names; a vector has three, whose names end in `_x`, `_y`
- * and `_z`, and an array one for each position. MeshLab colours a surface by the property `quality`.
+ * Edges have the number of their curve as property `curve`. If the data contain tubes, faces have this property as
+ * well, and it is -1 for those of a surface. Values at vertices are properties of the vertices with the given names. A
+ * vector has three properties, whose names end in `_x`, `_y` and `_z`, and an array has one for each position. MeshLab
+ * colors a surface by the property `quality`.
  *
- * \param parts as for `write_VTP()`
+ * \param out a stream
+ * \param parts the data, as for `write_VTP()`
  *
- * \throws File_write_error also if there are more than 2147483647 points, and as `write_VTP()`
- * \throws Invalid_coordinate_error, Invalid_mesh_error, Invalid_parameter_error as `write_VTP()`; the last also for
- *         values with the name of a coordinate
+ * \throws File_write_error as `write_VTP()` does, and if the data have more than 2147483647 points
+ * \throws Invalid_coordinate_error as `write_VTP()` does
+ * \throws Invalid_mesh_error as `write_VTP()` does
+ * \throws Invalid_parameter_error as `write_VTP()` does, and if values have the name of a coordinate
  */
 template <class... Parts>
 void write_PLY(std::ostream& out, const Parts&... parts)
@@ -152,7 +155,7 @@ void write_PLY(std::ostream& out, const Parts&... parts)
 }
 
 /// \ingroup PkgFlipGeodesicsIO
-/// Writes a file in the PLY format. Another one of that name is replaced.
+/// Writes surfaces, curves and points to a file in the PLY format; an existing file is replaced.
 template <class... Parts>
 void write_PLY(const std::string& file, const Parts&... parts)
 {

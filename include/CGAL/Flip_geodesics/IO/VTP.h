@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* In binary files the numbers of all arrays come after the XML, each with the number of its bytes in front. */
+/* In binary files, the numbers of all arrays follow the XML, each array preceded by its number of bytes. */
 class Vtp_writer
 {
 public:
@@ -41,7 +41,7 @@ public:
     add_cells("Lines", Shape::Kind::LINE);
     add_cells("Polys", Shape::Kind::TRIANGLES);
   }
-  Vtp_writer(const Vtp_writer&) = delete; // arrays know their writer
+  Vtp_writer(const Vtp_writer&) = delete; // arrays refer to their writer
   Vtp_writer& operator=(const Vtp_writer&) = delete;
 
   void write(std::ostream& out) const
@@ -114,7 +114,7 @@ private:
                                       }});
   }
 
-  // What is written of points has the first of these as its colour.
+  // The first of these values defines the color.
   void add_values()
   {
     const std::vector<Value_kind>& kinds = m_figure.value_kinds();
@@ -127,7 +127,7 @@ private:
            [this, i](const Number_writer& number) { m_figure.for_each_value(i, [&](double x) { number(x, "\n"); }); }});
   }
 
-  // Cells are counted in this order of their kinds; what is no curve has the number -1.
+  // Cells are counted in this order of their kinds; cells that do not belong to a curve have the number -1.
   void add_curve_numbers()
   {
     m_groups.push_back({"CellData", " Scalars=\"curve\"", {}});
@@ -142,7 +142,7 @@ private:
          }});
   }
 
-  // The corners of all cells of a kind in a row, and where each cell ends.
+  // Adds the corners of all cells of a kind, and the end of each cell.
   void add_cells(const char* name, Shape::Kind kind)
   {
     m_groups.push_back({name, "", {}});
@@ -215,35 +215,50 @@ namespace IO {
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Writes surfaces, curves and points in VTK's format for them, which ParaView reads. Cells have an array `curve`: the
- * number of the curve that they belong to, and -1 for surfaces and points. Points have an array for each
- * `Vertex_values`.
+ * Writes surfaces, curves and points in the PolyData format of VTK (`.vtp`), which ParaView reads.
  *
- * Nothing is written if what is to be written is refused. Linear in it; it is not copied, but tubes are kept until they
- * are written, and a mesh that is no `Surface_mesh` is numbered.
+ * Cells have an array `curve`: the number of the curve to which they belong, and -1 for surfaces and points. Points
+ * have an array for each `Vertex_values`. If an exception is thrown because of the data, nothing is written. The data
+ * are not copied, but tubes are kept until they are written, and a mesh other than a `Surface_mesh` is numbered.
  *
- * \param out a stream that is open for bytes, on systems that tell them from text; its locale and its settings have no
- *        influence
- * \param parts what is to be written, one or several of:
+ * \param out a stream, opened in binary mode on systems that distinguish it from text; its locale and its settings have
+ *        no effect
+ * \param parts the data, one or several of:
  *        - a triangle mesh, a model of `FaceListGraph`;
  *        - a range of points, with `x()`, `y()` and `z()`;
  *        - a range of polylines, which are ranges of points. Curves are counted from 0 over all ranges in the call;
- *          those without points are left out, but counted. A curve of one point is written as a point;
- *        - `Tubes`, if curves are to be tubes;
- *        - `Vertex_values`, values at the mesh's vertices;
- *        - and at the end, named parameters: `vertex_point_map` of the mesh, a model of `ReadablePropertyMap` with its
- *          vertices as keys and points as values (default: the mesh's vertex point property, which it need not have if
- *          a map is given); `use_binary_mode`, a `bool`, whether numbers are written as bytes, the lowest first, or as
- *          text (default: true); and `stream_precision`, the number of digits in text (default: 17, with which a
- *          `double` is read back as it was)
+ *          those without points are omitted, but counted. A curve of one point is written as a point;
+ *        - `Tubes`, to draw curves as tubes;
+ *        - `Vertex_values`, values at the vertices of the mesh;
+ *        - and at the end, an optional sequence of named parameters among those listed below
  *
- * \throws File_write_error if there is nothing to write, or if the stream has failed or fails; its state says so, too
- * \throws Invalid_coordinate_error if a coordinate is no finite number; `elements()` is the vertex or the point, and
- *         before it the curve if it is of one
- * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` keeps elements that have been removed
- * \throws Invalid_parameter_error if values at vertices have the same name as others, or a name that has other
- *         characters than letters, digits and underscores; File_write_error if such values are not finite in text, as
- *         those at points beside the mesh never are
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of the mesh}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the vertices of the mesh as keys and points as values}
+ *     \cgalParamDefault{the vertex point property of the mesh, which is not required if a map is given}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{use_binary_mode}
+ *     \cgalParamDescription{whether numbers are written as bytes, the lowest first, or as text}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{stream_precision}
+ *     \cgalParamDescription{the number of digits in text}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{17, with which every `double` is restored exactly}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throws File_write_error if the data are empty, the stream has failed or fails, which its state indicates as well, or
+ *         values at vertices are not finite in text, as those at points beside the mesh never are
+ * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` is the vertex or the point, preceded by
+ *         the curve if the point belongs to one
+ * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed elements
+ * \throws Invalid_parameter_error if values at vertices have the same name as others, or a name with characters other
+ *         than letters, digits and underscores
+ *
+ * Complexity: linear in the data.
  */
 template <class... Parts>
 void write_VTP(std::ostream& out, const Parts&... parts)
@@ -252,7 +267,7 @@ void write_VTP(std::ostream& out, const Parts&... parts)
 }
 
 /// \ingroup PkgFlipGeodesicsIO
-/// Writes a file in VTK's format. Another one of that name is replaced.
+/// Writes surfaces, curves and points to a file in the PolyData format of VTK; an existing file is replaced.
 template <class... Parts>
 void write_VTP(const std::string& file, const Parts&... parts)
 {

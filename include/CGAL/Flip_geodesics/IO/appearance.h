@@ -16,23 +16,23 @@ namespace IO {
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Makes the writers draw curves as tubes of triangles, which viewers show as thick as they are, where lines are one
- * pixel wide. To be given to `write_VTP()` and the others among what is to be written; it holds for all curves of the
- * call.
+ * Requests that writers draw curves as triangulated tubes, which viewers show with their true thickness, whereas lines
+ * are one pixel wide. The object is passed to `write_VTP()` and other writers among the data, and affects all curves of
+ * the call.
  *
- * A tube is a closed surface, oriented outwards: with a cap at either end, or a ring if the curve's last point is its
- * first. It has a ring of corners about each point of the curve, in the plane that halves the angle there. Where a
- * curve bends by more than its radius allows, the tube passes through itself.
+ * A tube is a closed surface, oriented outwards: it has a cap at either end, or is a ring if the last point of the
+ * curve equals the first. Around each point of the curve, it has a ring of corners in the plane that bisects the angle
+ * there. If a curve bends more than its radius allows, the tube intersects itself.
  */
 class Tubes
 {
 public:
   /*!
-   * Says how thick the tubes are, and how round.
+   * Sets the thickness and the number of sides of tubes.
    *
-   * \param radius the distance of the corners from the curve, in the units of the mesh
-   * \param number_of_sides how many corners a ring has
-   * \pre the radius is positive and finite, and there are three sides or more
+   * \param radius the distance of the corners from the curve, in the unit of the mesh
+   * \param number_of_sides the number of corners of a ring
+   * \pre the radius is positive and finite, and `number_of_sides` is at least 3
    */
   explicit Tubes(double radius, int number_of_sides = 12)
     : m_radius(radius)
@@ -42,10 +42,10 @@ public:
     CGAL_precondition_msg(number_of_sides >= 3, "a tube has three sides or more");
   }
 
-  /// The distance of the corners from the curve.
+  /// Returns the distance of the corners from the curve.
   double radius() const { return m_radius; }
 
-  /// How many corners a ring has.
+  /// Returns the number of corners of a ring.
   int number_of_sides() const { return m_number_of_sides; }
 
 private:
@@ -56,44 +56,47 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Among what `write_OBJ()` and `write_GLB()` write: the corners of the mesh's faces have places in a picture. The picture
- * is the unit square, with its first row at the top. A face that has a corner without a place, with a coordinate that is
- * no finite number, has none. The other writers take no notice.
+ * Passes texture coordinates of the corners of faces to `write_OBJ()` and `write_GLB()`, among the data.
  *
- * \tparam CornerMap a model of `ReadablePropertyMap` with the mesh's halfedges as keys, which stand for the corners at
- *         their targets, and `std::array<double, 2>`, or points with a subscript, as values; see `texture_coordinates()`
+ * The image is the unit square, with its first row at the top. A face has no texture if one of its corners has a
+ * coordinate that is not finite. Other writers ignore textures.
+ *
+ * \tparam CornerMap a model of `ReadablePropertyMap` with the halfedges of the mesh as keys, which represent the
+ *         corners at their targets, and `std::array<double, 2>` or points with a subscript operator as values; see
+ *         `texture_coordinates()`
  */
 template <class CornerMap>
 struct Texture
 {
-  /// Constructs it from the places and the name.
-  /// \param map the places of corners
-  /// \param picture the name of a file beside the one that is written, PNG or JPEG, for `write_GLB()`; none by default
+  /// Constructs a texture from coordinates and an image.
+  /// \param map the coordinates of corners
+  /// \param picture the name of a PNG or JPEG file in the directory of the output, for `write_GLB()`; none by default
   explicit Texture(CornerMap map, std::string picture = {})
     : map(std::move(map))
     , picture(std::move(picture))
   {
   }
 
-  CornerMap map;       ///< the places of corners
-  std::string picture; ///< the name of a file
+  CornerMap map;       ///< the coordinates of corners
+  std::string picture; ///< the name of the image file
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Among what `write_VTP()` and `write_PLY()` write: values at the vertices of the mesh, such as distances, the numbers
- * of nearest sources, or directions, by which viewers colour it. The points of curves, and loose points, have no value,
- * which is not a number. The other writers take no notice.
+ * Passes values at the vertices of the mesh, such as distances, numbers of nearest sources, or directions, to
+ * `write_VTP()` and `write_PLY()`, among the data. Viewers use them to color the mesh.
  *
- * \tparam VertexMap a model of `ReadablePropertyMap` with the mesh's vertices as keys, and numbers, points or vectors
- *         with `x()`, `y()` and `z()`, or a `std::array` of numbers as values
+ * The value at points of curves and at separate points is NaN. Other writers ignore the values.
+ *
+ * \tparam VertexMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys, and numbers, points or
+ *         vectors with `x()`, `y()` and `z()`, or a `std::array` of numbers as values
  */
 template <class VertexMap>
 struct Vertex_values
 {
-  /// Constructs it from the name and the values.
-  /// \param name letters, digits and underscores, as the files have it; each name once
+  /// Constructs the values from a name and a map.
+  /// \param name the name in the file, which consists of letters, digits and underscores and is unique
   /// \param map the values at vertices
   Vertex_values(std::string name, VertexMap map)
     : name(std::move(name))
@@ -101,7 +104,7 @@ struct Vertex_values
   {
   }
 
-  std::string name; ///< as the files have it
+  std::string name; ///< in the file
   VertexMap map;    ///< the values at vertices
 };
 

@@ -29,7 +29,7 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-/* [Fowler, Noll, Vo] FNV-1a, 64 bits. */
+/* The hash function [Fowler, Noll, Vo] FNV-1a, 64 bits. */
 class Fingerprint
 {
 public:
@@ -63,7 +63,7 @@ private:
   std::uint64_t m_value = 14695981039346656037u;
 };
 
-/* Of what a triangulation is made from: the connectivity of the input and the lengths of its edges. */
+/* Returns the fingerprint of the input of a triangulation: its connectivity and edge lengths. */
 template <class Triangulation>
 std::uint64_t input_fingerprint(const Triangulation& triangulation)
 {
@@ -79,15 +79,15 @@ std::uint64_t input_fingerprint(const Triangulation& triangulation)
 }
 
 /*
- * One entry of a flip log: `f` a flip, `r` a face recomputed from the input, `v` a vertex inserted into a face, `e` one
- * inserted on an edge. The gap of an insertion is recorded because the location, which is rounded, does not determine
- * it: a point that divides an edge lies on that edge by definition, and beside it by its weights.
+ * One entry of a flip log: `f` a flip, `r` a face recomputed from the input, `v` a vertex inserted into a face, `e` a
+ * vertex inserted on an edge. The gap of an insertion is recorded because the location, which is rounded, does not
+ * determine it: a point that divides an edge lies on that edge by definition, but beside it by its weights.
  */
 struct Log_entry
 {
   char kind = 'f';
   Halfedge_index halfedge = null_index;
-  Index gap = 0;             // of the crossing word of the halfedge, of an insertion
+  Index gap = 0;             // of the edge sequence of the halfedge, for an insertion
   Surface_location location; // of the inserted vertex
 
   bool is_insertion() const { return kind == 'v' || kind == 'e'; }
@@ -110,8 +110,8 @@ Log_entry log_entry(const Triangulation& triangulation, std::size_t i)
 }
 
 /*
- * Does an input face, given by any of its halfedges, hold a location that is no vertex, and does that lie on the edge
- * of the halfedge if `is_along`?
+ * Returns whether an input face, given by any of its halfedges, contains a location that is not a vertex, and, if
+ * `is_along`, whether the location lies on the edge of the halfedge.
  */
 template <class Input_mesh>
 bool is_location_in_face(const Input_mesh& input, const Surface_location& location, Input_halfedge_index face,
@@ -126,8 +126,8 @@ bool is_location_in_face(const Input_mesh& input, const Surface_location& locati
 }
 
 /*
- * Inserts the vertex of an entry where it was inserted before. Returns false if its halfedge, gap and location do not
- * fit together; a point outside the face or edge is found when the new faces are laid out.
+ * Inserts the vertex of an entry at its previous position. Returns false if its halfedge, gap and location are
+ * inconsistent; a point outside the face or edge is detected when the new faces are laid out.
  */
 template <class Triangulation>
 bool repeat_insertion(Triangulation& triangulation, const Log_entry& entry)
@@ -142,13 +142,13 @@ bool repeat_insertion(Triangulation& triangulation, const Log_entry& entry)
   if(!is_location_in_face(triangulation.input(), entry.location, face, is_along))
     return false;
   if(entry.kind == 'e')
-    triangulation.split_edge(entry.halfedge, entry.location, gap, [](const auto&) {}); // there are no curves yet
+    triangulation.split_edge(entry.halfedge, entry.location, gap, [](const auto&) {}); // the network has no curves yet
   else
     triangulation.split_face(entry.halfedge, entry.location, gap);
   return true;
 }
 
-/* Repeats what an entry records; returns false if that is impossible. */
+/* Repeats the operation of an entry; returns false if that is impossible. */
 template <class Triangulation>
 bool repeat(Triangulation& triangulation, const Log_entry& entry)
 {
@@ -166,7 +166,7 @@ bool repeat(Triangulation& triangulation, const Log_entry& entry)
   return true;
 }
 
-/* The words of a saved network, with the place for error messages. */
+/* Reads the words of a saved network, and keeps their position for error messages. */
 class Network_reader
 {
 public:
@@ -188,7 +188,7 @@ public:
 
   Index index(const char* what) { return get<Index>(what); }
 
-  /* An edge, whose halfedges have numbers twice as large. */
+  /* Reads an edge, whose halfedges have numbers twice as large. */
   Edge_index edge()
   {
     const Index number = index("edge");
@@ -197,7 +197,9 @@ public:
     return Edge_index(number);
   }
 
-  /* A number of things that take at least a word each, so that no memory is asked for that the text cannot fill. */
+  /*
+   * Reads a number of items that take at least one word each, so that no memory is allocated that the text cannot fill.
+   */
   std::size_t count(const char* what, std::size_t size)
   {
     const auto value = get<long long>(what);
@@ -260,7 +262,7 @@ inline void write_state(std::ostream& out, const Network_state& state)
   }
 }
 
-/* Version 1 recorded no gaps, so that only networks without inserted vertices can be restored from it. */
+/* Version 1 did not record gaps, so only networks without inserted vertices can be restored from it. */
 inline void check_insertions_of_version(int version)
 {
   if(version < 2)
@@ -326,7 +328,7 @@ void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
                                 std::to_string(i) + " of its flip log cannot be repeated",
                             {i});
   };
-  const auto is_repeated = [&](const Log_entry& entry) { // no, if an insertion that was logged is refused
+  const auto is_repeated = [&](const Log_entry& entry) { // false if a logged insertion is rejected
     try {
       return repeat(triangulation, entry);
     } catch(const Invalid_location_error&) {
@@ -336,7 +338,7 @@ void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
     }
   };
   for(std::size_t i = 0; i < log.size(); ++i) {
-    // A flip can lay out faces afresh by itself, which are entries of their own.
+    // A flip can also recompute faces from the input, which are separate entries.
     if(triangulation.log_position() <= i && !is_repeated(log[i]))
       fail(i);
     if(triangulation.log_position() <= i || !(log_entry(triangulation, i) == log[i]))
@@ -347,8 +349,8 @@ void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
 }
 
 /*
- * The text before its last line, which has to hold the fingerprint of it. What follows is left in the stream. Lines may
- * end as those of other systems do.
+ * Returns the text before its last line, which must contain the fingerprint of the text. The rest is left in the
+ * stream. Any line ends are accepted.
  */
 inline std::string checked_text(std::istream& in)
 {
@@ -391,26 +393,33 @@ inline std::string checked_text(std::istream& in)
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Saves a network together with its triangulation, as text: what was done to the input's edges, in order; the curves,
- * by segments; and the order of strands on the edges that have several, which cannot be told from the curves. The input
- * mesh is not written, but a fingerprint of its connectivity and edge lengths is.
+ * Saves a network together with its triangulation as text.
  *
- * The format, of version 2, has words between blanks, numbers in decimal with all digits. Indices are those of the
- * library.
+ * The text contains the log of flips and insertions; the curves, by segments; and the order of overlapping segments on
+ * edges, which does not follow from the curves. The input mesh is not written, but a fingerprint of its connectivity
+ * and edge lengths is.
+ *
+ * The format, version 2, consists of words separated by blanks. Numbers are decimal with all digits, and indices are
+ * those of the library.
  *
  *     flip_geodesics_network 2
  *     input VERTICES HALFEDGES FINGERPRINT
- *     log N              then N lines: f H, the edge of H was flipped; r H, the face of H was laid out afresh;
+ *     log N              then N lines: f H, the edge of H was flipped; r H, the face of H was recomputed from the
+ *       input;
  *                        v H GAP LOCATION_HALFEDGE W0 W1 W2, a vertex was inserted into the face of H, in the input
- *                        face at a gap of its crossing word; e and the same, one was inserted on the edge of H
+ *                        face at a gap of its edge sequence; e and the same, one was inserted on the edge of H
  *     curves C END       then for each: open|closed INITIAL_LENGTH S, and S lines: ID HALFEDGE IS_HEAD_FIXED
  *     stacks K           then K lines: EDGE N ID ... ID
  *     end CHECKSUM       FNV-1a of all that comes before this line
  *
- * Version 1 differs in insertions only: it had `v` for both kinds, without the gap. Such files are read if no vertex was
- * inserted.
+ * Version 1 differs only in insertions: it had `v` for both kinds, without the gap. Such files can be read if no vertex
+ * was inserted.
  *
- * Linear in the mesh and the log. Errors of the stream are left to be looked for in it.
+ * \param out the stream, whose state indicates errors
+ * \param network the network
+ * \return `out`
+ *
+ * Complexity: linear in the mesh and the log.
  */
 template <class Network>
 std::ostream& write_network(std::ostream& out, const Network& network)
@@ -432,24 +441,26 @@ std::ostream& write_network(std::ostream& out, const Network& network)
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Loads a network that `write_network()` has saved, into a triangulation of the same input with the same traits: does
- * all flips again, and puts the curves back. The same bits come back, ids of segments included, so that a shortening
- * goes on as it would have. Inserted vertices, those of `refine()` and on curves included, are restored, too. The order
- * of curves that overlap is restored as it was saved, also if `order_overlapping_curves()` was not called before; then
- * `Edge_path_network::is_valid()` can be false, as it was for the saved network.
+ * Loads a network that `write_network()` has saved into a triangulation of the same input with the same traits, by
+ * repeating all flips and restoring the curves.
  *
- * It reads up to the end of the line with the checksum. So several networks can be read from one stream. Lines may end
- * as on any system.
+ * The result is bitwise identical, including the ids of segments, so that shortening continues as it would have.
+ * Inserted vertices, including those of `refine()` and on curves, are restored as well. The order of overlapping curves
+ * is restored as it was saved, even if `order_overlapping_curves()` was not called before;
+ * `Edge_path_network::is_valid()` can then be `false`, as for the saved network.
  *
- * If it throws, the triangulation and the network are as before.
+ * The function reads up to the end of the line with the checksum, so several networks can be read from one stream. The
+ * line ends of all systems are accepted. If the function throws, the triangulation and the network are unchanged.
  *
+ * \param in the stream
  * \param network an empty network in a triangulation that has not been flipped
- * \throws File_format_error if the text is no saved network of a known version, was damaged, or was written with traits
- *         that compute otherwise; if it has version 1 and inserted vertices; or if nothing can be read from the stream
- * \throws Input_mismatch_error if it was saved for another mesh, or another metric
+ * \throws File_format_error if the text is not a saved network of a known version, is damaged, or was written with
+ *         traits that compute differently; if it has version 1 and inserted vertices; or if nothing can be read from
+ *         the stream
+ * \throws Input_mismatch_error if the network was saved for another mesh, or another metric
  * \throws Occupied_triangulation_error if another network has curves in the triangulation
  *
- * Complexity: linear in the mesh, for its fingerprint, in the flips, and in the segments.
+ * Complexity: linear in the mesh, for its fingerprint, and in the number of flips and of segments.
  */
 template <class Triangulation>
 void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
@@ -472,7 +483,7 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
                                " edges, or for the same one with other edge lengths");
   const std::vector<internal::Log_entry> log = internal::read_log(words, version, text.size());
   const internal::Network_state state = internal::read_state(words, text.size());
-  constexpr std::size_t usual = 1u << 24; // ids of segments that are gone take memory, too
+  constexpr std::size_t usual = 1u << 24; // ids of replaced segments take memory, too
   if(state.end_of_segment_ids < 1 || static_cast<std::size_t>(state.end_of_segment_ids) > usual + 64 * text.size())
     words.fail("number of segments");
   try {
