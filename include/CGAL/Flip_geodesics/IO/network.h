@@ -404,8 +404,7 @@ inline std::string checked_text(std::istream& in)
  *
  *     flip_geodesics_network 2
  *     input VERTICES HALFEDGES FINGERPRINT
- *     log N              then N lines: f H, the edge of H was flipped; r H, the face of H was recomputed from the
- *       input;
+ *     log N              then N lines: f H, the edge of H was flipped; r H, the face of H was recomputed;
  *                        v H GAP LOCATION_HALFEDGE W0 W1 W2, a vertex was inserted into the face of H, in the input
  *                        face at a gap of its edge sequence; e and the same, one was inserted on the edge of H
  *     curves C END       then for each: open|closed INITIAL_LENGTH S, and S lines: ID HALFEDGE IS_HEAD_FIXED
