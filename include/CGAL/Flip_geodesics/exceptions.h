@@ -15,16 +15,16 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsErrors
  *
- * The base class of everything that this package throws about its input.
+ * Is the base class of all exceptions that this package throws because of its input.
  *
- * It carries the indices of the offending elements, in the order in which the message names them: positions in
- * `vertices(mesh)` for meshes, positions in the input for curves.
+ * It stores the indices of the offending elements, in the order in which the message names them: positions in
+ * `vertices(mesh)` for meshes, and positions in the input for curves.
  */
 class Error : public std::runtime_error
 {
 public:
-  /// Says what is wrong, and where.
-  /// \param message what is wrong, to be had from `what()`
+  /// Constructs the error from a message and elements.
+  /// \param message the message, returned by `what()`
   /// \param elements the indices of the offending elements, in the order of the message
   explicit Error(const std::string& message, std::vector<std::size_t> elements = {})
     : std::runtime_error(message)
@@ -32,7 +32,7 @@ public:
   {
   }
 
-  /// The indices of the offending elements.
+  /// Returns the indices of the offending elements.
   const std::vector<std::size_t>& elements() const { return m_elements; }
 
 private:
@@ -40,11 +40,11 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// The connectivity is not that of an oriented triangulated surface: a face is not a triangle, an edge is in no face,
-/// vertices or edges of a `Surface_mesh` have been removed but are still there, or there are more elements than indices.
-/// Or sheets meet in a vertex only, where the class of a curve, or the angle of directions there, is asked for. Or the
-/// surface bounds no solid, where handles and tunnels are asked for. `elements()` are the vertices of the face, eight at
-/// most, or of the edge, or that vertex.
+/// Is thrown if the connectivity of the input is not that of an oriented triangulated surface: a face is not a
+/// triangle, an edge is in no face, a `Surface_mesh` contains removed vertices or edges, or there are more elements
+/// than indices. It is also thrown if umbrellas meet in a vertex only and the class of a curve or the angle of
+/// directions there is requested, or if the surface does not bound a solid and handles and tunnels are requested.
+/// `elements()` are at most eight vertices of the face, those of the edge, or that vertex.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -52,7 +52,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// What removes a degeneracy of the input.
+/// Specifies what removes a degeneracy of the input.
 enum class Degeneracy_remedy {
   NONE,     ///< nothing in this package
   CONTRACT, ///< contracting degenerate edges (`Zero_length_edges::CONTRACT`), or lengthening them
@@ -60,15 +60,15 @@ enum class Degeneracy_remedy {
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A face has an edge of length zero, or lengths that violate the triangle inequality; or faces without area hang on
-/// an edge of length zero, and no surface is left when it is contracted. `elements()` are its vertices. Or rounding
-/// errors in faces almost without area lead a path astray; then `elements()` is empty.
+/// Is thrown if a face has a degenerate edge, or lengths that violate the triangle inequality, or if degenerate faces
+/// at a degenerate edge leave no surface when the edge is contracted. `elements()` are its vertices. It is also thrown
+/// if rounding errors in almost degenerate faces lead a path astray; `elements()` is empty then.
 class Degenerate_face_error : public Error
 {
 public:
   using Error::Error; ///< from a message and the elements
 
-  /// Constructs the error from a problem and what removes it; `what()` names both.
+  /// Constructs the error from a problem and its remedy, which are both part of `what()`.
   /// \param problem the first part of the message
   /// \param elements the indices of the offending elements, in the order of the message
   /// \param remedy what removes the problem
@@ -79,10 +79,10 @@ public:
   {
   }
 
-  /// Returns the message without advice, for callers that give their own.
+  /// Returns the message without the advice, for callers that give their own.
   std::string problem() const { return std::string(what()).substr(0, m_problem_size); }
 
-  /// Returns what removes the problem.
+  /// Returns the remedy of the problem.
   Degeneracy_remedy remedy() const { return m_remedy; }
 
 private:
@@ -99,13 +99,14 @@ private:
     return "";
   }
 
-  std::size_t m_problem_size = std::string::npos; // all of the message
+  std::size_t m_problem_size = std::string::npos; // the whole message
   Degeneracy_remedy m_remedy = Degeneracy_remedy::NONE;
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A coordinate or an edge length is NaN or infinite, or so large or small that it cannot be computed with: lengths must
-/// lie between 1e-70 and 1e70. Or the offset of a source is negative, not finite, or far too large for the mesh.
+/// Is thrown if a coordinate or an edge length is NaN, infinite, or too large or small to be computed with; lengths
+/// must lie between 1e-70 and 1e70. It is also thrown if the offset of a source is negative, not finite, or far too
+/// large for the mesh.
 class Invalid_coordinate_error : public Error
 {
 public:
@@ -113,11 +114,11 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A number that says what is wanted is none that can be had: a level that is not finite, a tolerance that is not
-/// positive or lost in roundings, a radius that is negative, bounds of a refinement that none can reach, base points of
-/// loops that are isolated or two in one component. Or a distance field is not a number somewhere, or keeps nothing of
-/// the place that it is asked for. `elements()` is the position of the level, the face or the base point, if there is
-/// one.
+/// Is thrown if the value of a parameter is invalid: for example a level that is not finite, a tolerance that is not
+/// positive or smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached, isolated
+/// base points of loops, or two base points in one component. It is also thrown if a distance field returns NaN, or is
+/// queried at a location for which it stores no data. `elements()` is the position of the level, the face or the base
+/// point, if applicable.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -125,7 +126,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A vertex index is not one of the mesh's.
+/// Is thrown if a vertex does not belong to the mesh.
 class Vertex_out_of_range_error : public Error
 {
 public:
@@ -133,7 +134,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// No edge path joins the two vertices in `elements()`.
+/// Is thrown if no edge path connects the two vertices in `elements()`.
 class Disconnected_endpoints_error : public Error
 {
 public:
@@ -141,9 +142,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A location of a point is no point of the surface: its face or halfedge is none of the mesh's, or its weights are
-/// negative, not numbers, all zero, or do not sum to one where they should; `elements()` is the halfedge if there is
-/// one.
+/// Is thrown if a location is not a point of the surface: its face or halfedge does not belong to the mesh, or its
+/// weights are negative, NaN, all zero, or do not sum to one although they should. `elements()` is the halfedge if it
+/// exists.
 class Invalid_location_error : public Error
 {
 public:
@@ -169,8 +170,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A curve is empty or not a chain of edges of the mesh. Or a curve of a network would be a point, since all its way
-/// points are in one place. Or a curve is open, and a closed one is asked for.
+/// Is thrown if a curve is empty or not a chain of edges of the mesh, if a curve of a network would be a point because
+/// all its waypoints coincide, or if a curve is open where a closed one is required.
 class Invalid_curve_error : public Error
 {
 public:
@@ -178,8 +179,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Strands of the input curves cross at the vertex in `elements()`, whatever their order on shared edges; or a segment
-/// of a polyline crosses the edge of a curve between the two vertices in `elements()`.
+/// Is thrown if input curves cross at the vertex in `elements()` in every order of their overlapping segments, or if a
+/// segment of a polyline crosses the edge of a curve between the two vertices in `elements()`.
 class Crossing_curves_error : public Error
 {
 public:
@@ -187,8 +188,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// An edge would have to be flipped or split that lies under a curve of a network, or of another network than the one
-/// that is changed. Nothing is changed then.
+/// Is thrown if an edge would have to be flipped or split that lies under a curve of a network, or of another network
+/// than the one being changed. Nothing has been changed then.
 class Occupied_triangulation_error : public Error
 {
 public:
@@ -196,7 +197,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// The search for an order of overlapping curves was given up; `elements()` are the vertices of a shared edge.
+/// Is thrown if the search for an order of overlapping curves is aborted; `elements()` are the vertices of a shared
+/// edge.
 class Ambiguous_order_error : public Error
 {
 public:
@@ -204,8 +206,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A number type without square roots meets an area that is not rational in the unit of areas chosen for it;
-/// `elements()` are the vertices of the face, if they are known.
+/// Is thrown if a number type without square roots encounters an area that is not rational in the unit of areas chosen
+/// for it; `elements()` are the vertices of the face, if they are known.
 class Inexact_root_error : public Error
 {
 public:
@@ -213,8 +215,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A linear system has no unique solution: a component of the surface has no given value, or the numbers of its faces
-/// are beyond double.
+/// Is thrown if a linear system has no unique solution, because a component of the surface has no given value, or
+/// because the numbers of its faces exceed the range of double.
 class Singular_problem_error : public Error
 {
 public:
@@ -222,8 +224,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A surface that is to be flattened is no topological disk, or a conformal factor makes a face violate the triangle
-/// inequality.
+/// Is thrown if a surface to be flattened is not a topological disk, or a conformal factor makes a face violate the
+/// triangle inequality.
 class Flattening_error : public Error
 {
 public:
@@ -231,7 +233,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A file is not in the format that is expected, or of another version, or was damaged; `elements()` has the number of
+/// Is thrown if a file is not in the expected format, has another version, or is damaged; `elements()` is the number of
 /// words before the damage, if it is known.
 class File_format_error : public Error
 {
@@ -240,8 +242,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A file cannot be written: there is no place for it or not enough, nothing is to be written, or its format has no
-/// numbers for that many elements.
+/// Is thrown if a file cannot be written, because it cannot be created or the disk is full, the data are empty, or the
+/// format has no numbers for that many elements.
 class File_write_error : public Error
 {
 public:
@@ -249,7 +251,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// What is loaded was saved for another mesh, or another metric; or landmarks were made for one.
+/// Is thrown if loaded data were saved for another mesh or another metric, or landmarks were computed for one.
 class Input_mismatch_error : public Error
 {
 public:

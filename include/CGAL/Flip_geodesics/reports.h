@@ -16,28 +16,30 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * How certain the claim of a function is. A function for geodesics claims that a curve is locally shortest, one for
- * shortest paths that no path between the same ends is shorter, one for homotopy classes that no path of the class is
- * shorter, one for distances that no path is shorter than the distance. The section \ref Flip_geodesicsVerdicts
+ * States how certain the claim of a function is. A function for geodesics claims that a curve is locally shortest; one
+ * for shortest paths that no path between the same ends is shorter; one for homotopy classes that no path of the class
+ * is shorter; and one for distances that no path is shorter than the distance. The section \ref Flip_geodesicsVerdicts
  * states the assumptions.
  */
 enum class Verdict {
-  PROVEN,       ///< the claim holds exactly
-  PROBABLE,     ///< no bend was found, but an angle was taken for \f$\pi\f$ without a proof, since the limit of work
-                ///< was reached, see `Decision_statistics::unproven_zeros`
-  BENT_SEGMENT, ///< the claim is false: a segment does not run straight through its strip of input faces, or its edge
-                ///< sequence is not such a strip; or it touches a vertex with a total angle below \f$2\pi\f$
-  BENT_JOINT,   ///< the claim is false: a side of a joint that is not blocked has an angle below \f$\pi\f$
-  UNDECIDED,    ///< it is not known whether the claim holds: the decisions of the traits are rounded and `certify()`
-                ///< was not called, a search was not completed, or coordinates or lengths of the mesh
-                ///< were rounded, see `Embedded_metric::is_rounded()`
-  WITHIN_ROUNDING,  ///< the claim holds for every path that is shorter by more than
-                    ///< `Shortest_path_report::rounding_tolerance()` of the length, and the path is a `PROVEN` geodesic
+  PROVEN, ///< the claim holds exactly
+  /// no bend was found, but an angle was taken for \f$\pi\f$ without a proof, since the limit of work was reached, see
+  /// `Decision_statistics::unproven_zeros`
+  PROBABLE,
+  /// the claim is false: a segment is not straight in its strip of input faces, its edge sequence is not that of a
+  /// strip, or it touches a vertex with a total angle below \f$2\pi\f$
+  BENT_SEGMENT,
+  BENT_JOINT,      ///< the claim is false: a side of a joint that is not blocked has an angle below \f$\pi\f$
+  UNDECIDED,       ///< it is not known whether the claim holds: the decisions of the traits are rounded and `certify()`
+                   ///< was not called, a search was not completed, or coordinates or lengths of the mesh
+                   ///< were rounded, see `Embedded_metric::is_rounded()`
+  WITHIN_ROUNDING, ///< the claim holds for every path that is shorter by more than
+                   ///< `Shortest_path_report::rounding_tolerance()` of the length, and the path is a `PROVEN` geodesic
   WITHIN_TOLERANCE, ///< the claim holds up to `Shortest_path_report::tolerance()` of the length
 };
 
 /// \ingroup PkgFlipGeodesicsProving
-/// Returns the name of a verdict, as the enumerator is spelled.
+/// Returns the name of a verdict, spelled like the enumerator.
 inline const char* to_string(Verdict verdict)
 {
   switch(verdict) {
@@ -68,7 +70,7 @@ inline bool is_confirmed(Verdict verdict)
 
 namespace internal {
 
-/* The verdict on distances that are right up to the tolerance of shortest paths, or may be wrong. */
+/* Returns the verdict on distances that are correct up to the tolerance of shortest paths, or may be wrong. */
 inline Verdict verdict_of_distances(bool are_right)
 {
   return are_right ? Verdict::WITHIN_TOLERANCE : Verdict::UNDECIDED;
@@ -77,23 +79,24 @@ inline Verdict verdict_of_distances(bool are_right)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsTraits
-/// How the decisions that the filter left open were taken.
+/// Counts how the filter failures of predicates were resolved.
 struct Decision_statistics
 {
-  std::size_t by_memory = 0;      ///< as before: of an angle between the same two edges; counted nowhere else
-  std::size_t by_strip = 0;       ///< by vectors of doubles, or of pairs of doubles, with an error bound
-  std::size_t by_plane = 0;       ///< by points: all faces lie in one plane, or bend along parallel edges only
-  std::size_t by_precision = 0;   ///< by numbers of 50 digits with an error bound
-  std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the faces' areas
-  std::size_t zeros_by_plane = 0; ///< of `by_plane`: exactly straight
-  std::size_t zeros_by_roots = 0; ///< of `by_roots`: exactly straight
-  /// Taken for exactly straight without a proof: 50 digits do not tell, and the limit of work was met, see
-  /// `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
+  std::size_t by_memory = 0;      ///< by the cached result for an angle between the same two edges; such results are
+                                  ///< not counted elsewhere
+  std::size_t by_strip = 0;       ///< by vectors of doubles, or in double-double arithmetic, with an error bound
+  std::size_t by_plane = 0;       ///< by points: all faces lie in one plane, or bend only along parallel edges
+  std::size_t by_precision = 0;   ///< in multiprecision arithmetic with 50 digits and an error bound
+  std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the areas of the faces
+  std::size_t zeros_by_plane = 0; ///< the number of these in `by_plane` that were exactly straight
+  std::size_t zeros_by_roots = 0; ///< the number of these in `by_roots` that were exactly straight
+  /// The number of angles assumed to be exactly straight without a proof, because 50 digits do not suffice and the
+  /// limit of work was reached, see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
   /// The largest number of roots in one sign of which no two are rational multiples of each other.
   std::size_t most_roots = 0;
 
-  /// Adds further decisions.
+  /// Adds further statistics.
   Decision_statistics& operator+=(const Decision_statistics& other)
   {
     by_memory += other.by_memory;
@@ -110,22 +113,23 @@ struct Decision_statistics
 };
 
 /// \ingroup PkgFlipGeodesicsShortening
-/// How a curve came out of a shortening.
+/// States how the shortening of a curve ended.
 enum class Shortening_status {
   LOCALLY_SHORTEST,   ///< no side of a joint that is not blocked has an angle below \f$\pi\f$
-  CONTRACTED,         ///< the curve has shrunk to a point
+  CONTRACTED,         ///< the curve has contracted to a point
   LENGTH_LIMIT,       ///< a further step would have made the curve, or the network, shorter than allowed
-  ANGLE_LIMIT,        ///< all angles that could be widened had reached the limit
-  ITERATION_LIMIT,    ///< the allowed number of steps, or the time, was used up
+  ANGLE_LIMIT,        ///< all angles that can be widened have reached the limit
+  ITERATION_LIMIT,    ///< the allowed number of steps, or the time, has been used up
   MEMORY_LIMIT,       ///< a further step would have made the records of flips larger than allowed
-  STOPPED_BY_VISITOR, ///< the visitor's `go_further()` said no
-  PRECISION_LIMIT,    ///< the traits' arithmetic, or coordinates rounded to double, could not tell whether the curve is
-                      ///< locally shortest
-  DEGENERATE_FACES    ///< each angle is \f$\pi\f$ at least, but faces without area lie along the curve, and seen from
-                      ///< beyond them it is bent
+  STOPPED_BY_VISITOR, ///< the `go_further()` of the visitor returned `false`
+  /// the arithmetic of the traits, or rounded coordinates, did not suffice to decide whether the curve is locally
+  /// shortest
+  PRECISION_LIMIT,
+  /// each angle is at least \f$\pi\f$, but degenerate faces lie along the curve, and seen from beyond them it is bent
+  DEGENERATE_FACES
 };
 
-/// The name of a status, as the enumerator is spelled.
+/// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Shortening_status status)
 {
   switch(status) {
@@ -152,16 +156,16 @@ inline const char* to_string(Shortening_status status)
 }
 
 /// \ingroup PkgFlipGeodesicsShortening
-/// What happened to one curve.
+/// Reports the shortening of one curve.
 struct Curve_report
 {
-  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how the shortening ended for it
-  double initial_length = 0; ///< the length that it had at first, before anything was straightened
-  double length = 0;         ///< the length that it has now, 0 if it has contracted
-  /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how its shortening ended
+  double initial_length = 0;                                      ///< its initial length, before any straightening
+  double length = 0;                                              ///< its current length, 0 if it has contracted
+  /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite if there are no such sides.
   double smallest_angle = std::numeric_limits<double>::infinity();
-  std::size_t flips = 0; ///< edge flips for this curve, those of steps that were taken back included
-  /// Is the curve locally shortest, as `certify()` decides it from the input? `UNDECIDED` with traits of which
+  std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back
+  /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose
   /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh are not doubles.
   Verdict verdict = Verdict::UNDECIDED;
   /// Did it meet an edge of length zero, or folded faces, so that such edges were contracted? Set by the one-call
@@ -173,17 +177,18 @@ struct Curve_report
 };
 
 /// \ingroup PkgFlipGeodesicsShortening
-/// What a shortening did.
+/// Reports the shortening of a network.
 struct Shortening_report
 {
   std::vector<Curve_report> curves; ///< one per curve of the network
-  /// Edge flips, those of steps that were taken back included, and those by which a straightened path was inserted.
+  /// The number of edge flips, including those of steps that were rolled back, and those by which a straightened path
+  /// was inserted.
   std::size_t flips = 0;
-  /// The steps that were taken [SC20, Algorithm 1]; the unit for a loop of one segment counts as one. It is 0 where a
-  /// path was straightened beforehand, as functions do that get no stop predicate and no visitor, and needed no step.
+  /// The number of steps taken [SC20, Algorithm 1]; the compound step for a loop of one segment counts as one. It is 0
+  /// if a path was straightened beforehand, as by functions without a stop predicate and visitor, and required no step.
   std::size_t flip_outs = 0;
 
-  /// Is every curve of the network locally shortest, or contracted to a point, which is as short as can be?
+  /// Returns whether every curve of the network is locally shortest or has contracted to a point.
   bool is_complete() const
   {
     for(const Curve_report& curve : curves)
@@ -194,48 +199,48 @@ struct Shortening_report
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// What is known of a path that was to be shortest.
+/// Reports the search for a shortest path.
 struct Shortest_path_report
 {
-  Shortening_report shortening; ///< of the one path
+  Shortening_report shortening; ///< of the path
 
-  double first_length = 0; ///< the length of the edge path that was searched first, once it was pulled tight
+  double first_length = 0; ///< the length of the geodesic obtained from the initial edge path
   double length = 0;       ///< the length of the result
-  double lower_bound =
-      0; ///< no path is shorter: a bound for the mesh with its coordinates as doubles, rounding included
-  std::size_t windows = 0;              ///< what the search cost
-  Verdict verdict = Verdict::UNDECIDED; ///< is no path shorter?
-  /// Are there other paths as short, up to 2^-42 of the length, which is about 2e-13? Those that a confirmed one ties with
-  /// are all found.
+  /// A lower bound of the length of all paths, for the mesh with its coordinates as doubles, including rounding errors.
+  double lower_bound = 0;
+  std::size_t windows = 0;              ///< the number of windows of the search
+  Verdict verdict = Verdict::UNDECIDED; ///< whether no path is shorter
+  /// Whether other paths are as short, up to 2^-42 of the length, which is about 2e-13. For a confirmed path, all of
+  /// these are found.
   bool has_tie = false;
 
-  /// Is the path a geodesic?
+  /// Returns whether the path is a geodesic.
   Shortening_status status() const { return shortening.curves.front().status; }
 
-  /// Is the path confirmed to be a shortest one? If not, it may still be.
+  /// Returns whether the path is confirmed to be shortest; if not, it may still be.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }
 
-  /// By how much the path may be longer than a shortest one.
+  /// Returns an upper bound of the difference between the length of the path and that of a shortest path.
   double gap() const { return (std::max)(length - lower_bound, 0.0); }
 
-  /// The part of its length by which a path may be longer than a shortest one if it is `WITHIN_TOLERANCE`: 1e-10.
+  /// Returns the relative difference from a shortest path that `WITHIN_TOLERANCE` allows: 1e-10.
   static constexpr double tolerance() { return internal::confirmed_gap; }
 
-  /// The part of its length by which a path may be longer than a shortest one if it is `WITHIN_ROUNDING`: 1e-12.
+  /// Returns the relative difference from a shortest path that `WITHIN_ROUNDING` allows: 1e-12.
   static constexpr double rounding_tolerance() { return internal::proven_gap; }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// What `shortest_path()` returns: where its output ends, and what is known of the path.
+/// Contains the result of `shortest_path()`: the end of the output, and a report on the path.
 template <class OutputIterator>
 struct Shortest_path_result
 {
-  OutputIterator out;          ///< the end of the output
-  Shortest_path_report report; ///< what is known of the path
+  OutputIterator out;          ///< the past-the-end iterator of the output
+  Shortest_path_report report; ///< the report on the path
 
-  double length() const { return report.length; }              ///< the length of the path
-  Shortening_status status() const { return report.status(); } ///< whether the path is a geodesic
-  Verdict verdict() const { return report.verdict; }           ///< whether no path is shorter
+  double length() const { return report.length; }              ///< returns the length of the path
+  Shortening_status status() const { return report.status(); } ///< returns whether the path is a geodesic
+  Verdict verdict() const { return report.verdict; }           ///< returns whether no path is shorter
 };
 
 } // namespace Flip_geodesics
