@@ -26,7 +26,7 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-/* Writes where an edge runs, from its tail to its head or from what comes after the tail on; `strip` is its own. */
+/* Writes the course of an edge, from its tail to its head, or without the tail; `strip` is its own. */
 template <class Triangulation, class OutputIterator>
 OutputIterator write_surface_points(const Triangulation& triangulation, Halfedge_index h,
                                     const Strip<Triangulation>& strip, bool has_tail, OutputIterator out)
@@ -44,8 +44,8 @@ OutputIterator write_surface_points(const Triangulation& triangulation, Halfedge
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Writes the `Surface_point`s of an edge of a triangulation, from the tail of halfedge `h` to its head, both included:
- * where the edge runs on the input mesh. Linear in the crossed edges.
+ * Writes the `Surface_point`s of an edge of a triangulation on the input mesh, from the tail of halfedge `h` to its
+ * head, including both. Linear in the number of crossed edges.
  */
 template <class Triangulation, class OutputIterator>
 OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_index h, OutputIterator out)
@@ -74,7 +74,7 @@ class Curve_extractor
 public:
   using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< of the input mesh
 
-  /// Reads curves of a network, which must outlive the extractor.
+  /// Constructs an extractor for the curves of a network, which must outlive it.
   explicit Curve_extractor(const Network& network)
     : m_network(network)
     , m_triangulation(network.triangulation())
@@ -83,7 +83,7 @@ public:
 
   /*!
    * Writes the `Surface_point`s of a curve, from its start to its end; a closed curve repeats its first point. Nothing
-   * is written for a curve that has contracted. Linear in the crossed edges.
+   * is written for a curve that has contracted. Linear in the number of crossed edges.
    */
   template <class OutputIterator>
   OutputIterator surface_points(Curve_index curve, OutputIterator out)
@@ -92,7 +92,7 @@ public:
     return std::copy(points.begin(), points.end(), out);
   }
 
-  /// The surface points of a curve as a vector.
+  /// Returns the surface points of a curve as a vector.
   std::vector<Surface_point> surface_points(Curve_index curve)
   {
     std::vector<Surface_point> result;
@@ -105,7 +105,7 @@ public:
     return result;
   }
 
-  /// Returns the locations of a curve's surface points, by which it can be a source of a distance field.
+  /// Returns the locations of the surface points of a curve, with which it can be a source of a distance field.
   std::vector<Surface_location> surface_locations(Curve_index curve)
   {
     std::vector<Surface_location> result;
@@ -114,7 +114,7 @@ public:
     return result;
   }
 
-  /// Writes the points of a curve in space, one per surface point. Only with `Embedded_metric`.
+  /// Writes the points of a curve in space, one per surface point. Only available with `Embedded_metric`.
   template <class OutputIterator>
   OutputIterator points(Curve_index curve, OutputIterator out)
   {
@@ -136,7 +136,7 @@ public:
 
   /*!
    * Writes a curve as face locations, pairs of a face and barycentric coordinates as in
-   * `CGAL::Polygon_mesh_processing::Face_location`: the coordinates belong to the source, target and third vertex of
+   * `CGAL::Polygon_mesh_processing::Face_location`. The coordinates belong to the source, target and third vertex of
    * `halfedge(face, mesh)`.
    */
   template <class OutputIterator>
@@ -148,8 +148,8 @@ public:
   }
 
   /*!
-   * Writes a curve as `Curve_point`s, which have all of this in step; as `Curve_place`s where the metric has no points.
-   * A tangent is that of the straight line in the face that follows, however close its points are.
+   * Writes a curve as `Curve_point`s, which contain all of these data, or as `Curve_place`s if the metric has no
+   * points. A tangent is that of the straight line in the next face, however close its points are.
    */
   template <class OutputIterator>
   OutputIterator curve_points(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)
@@ -161,7 +161,7 @@ public:
     return std::move(points.begin(), points.end(), out);
   }
 
-  /// The point in space. Only with `Embedded_metric`.
+  /// Returns the point in space. Only available with `Embedded_metric`.
   auto point(const Surface_point& p) const { return point_in_space(m_triangulation, p); }
 
   /// The word of a segment of the network.
@@ -171,7 +171,7 @@ private:
   using Strip = internal::Strip<Triangulation>;
   using Direction = std::array<double, 3>;
 
-  // For some more points; of a curve of one segment, for no others.
+  // Reserves memory for more points; for a curve of one segment, for no others.
   static void make_room(std::vector<Surface_point>& points, std::size_t more)
   {
     const std::size_t size = points.size() + more;
@@ -204,7 +204,8 @@ private:
     return result;
   }
 
-  // The curve's points along one segment, with the directions in which it goes on; of both ends, or without the start.
+  // Appends the points of a curve along one segment, with the directions in which it continues, with or without the
+  // start.
   template <class Form>
   void append_segment(const internal::Form_converter<Triangulation, Form>& convert, Halfedge_index h,
                       std::vector<Form>& result) const
@@ -216,7 +217,7 @@ private:
     for(std::size_t i = result.empty() ? 0 : 1; i < points.size(); ++i)
       result.push_back(convert(points[i]));
     if constexpr(internal::Has_points<typename Triangulation::Metric>::value)
-      for(std::size_t i = 0; i < points.size(); ++i) { // the end gets its own if there is another segment
+      for(std::size_t i = 0; i < points.size(); ++i) { // the end gets its own tangent if another segment follows
         Form& p = result[result.size() - points.size() + i];
         if(strip.gates().empty())
           internal::set_tangent(p, result[result.size() - 2].point, result.back().point);

@@ -6,9 +6,9 @@
 /*!
  * \file insert_curves.h
  * \ingroup PkgFlipGeodesicsSubdivision
- * Inserts curves into a mesh in place. `Flip_geodesics.h` does not include this header: it includes CGAL's package 2D
- * Triangulations, whose license is the GPL. A program that includes it is bound by that license, which other programs
- * that use this package are not.
+ * Inserts curves into a mesh in place. `Flip_geodesics.h` does not include this header, because it includes the \cgal
+ * package 2D Triangulations, which is licensed under the GPL. A program that includes it is bound by that license, in
+ * contrast to other programs that use this package.
  */
 
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -39,11 +39,11 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * The base class of visitors of `insert_curves()`, whose members do nothing. A visitor derives from it and replaces those
- * that it needs. The names, parameters and the order of the calls are those of
+ * Is the base class of visitors of `insert_curves()`; its members do nothing. A visitor derives from it and replaces
+ * the members that it needs. The names, the parameters and the order of the calls are those of
  * `CGAL::Polygon_mesh_processing::Corefinement::Default_visitor`.
  *
- * \tparam TriangleMesh the mesh that curves are inserted into
+ * \tparam TriangleMesh the mesh into which curves are inserted
  */
 template <class TriangleMesh>
 struct Default_curve_insertion_visitor
@@ -53,33 +53,35 @@ struct Default_curve_insertion_visitor
 
   /// Called before the edge of a halfedge is split, once for each new vertex on it.
   void before_edge_split(halfedge_descriptor, TriangleMesh&) {}
-  /// Called with the new halfedge, whose target is the new vertex, when it is linked and the vertex has its point.
+  /// Called with the new halfedge, whose target is the new vertex, after it has been linked and the vertex has its
+  /// point.
   void edge_split(halfedge_descriptor, TriangleMesh&) {}
   /// Called after the edge has been split.
   void after_edge_split() {}
-  /// Called before a face is divided. The face stays, as one of its parts.
+  /// Called before a face is divided. The face remains as one of its parts.
   void before_subface_creations(face_descriptor, TriangleMesh&) {}
   /// Called before a further part of this face is created.
   void before_subface_created(TriangleMesh&) {}
-  /// Called with the new part, when its sides are linked.
+  /// Called with the new part, after its sides have been linked.
   void after_subface_created(face_descriptor, TriangleMesh&) {}
   /// Called when all parts of this face exist.
   void after_subface_creations(TriangleMesh&) {}
 };
 
 /// \ingroup PkgFlipGeodesicsSubdivision
-/// What `insert_curves()` has changed.
+/// Reports the changes made by `insert_curves()`.
 struct Curve_insertion_report
 {
-  std::size_t new_vertices = 0;  ///< vertices that were added
-  std::size_t divided_faces = 0; ///< faces that were divided
-  std::size_t new_faces = 0;     ///< parts of these that are new faces; each divided face stays as one of its parts
-  std::size_t regions = 0;       ///< regions in the face patch map; 0 if none is given
+  std::size_t new_vertices = 0;  ///< the number of new vertices
+  std::size_t divided_faces = 0; ///< the number of divided faces
+  std::size_t new_faces = 0;     ///< the number of their parts that are new faces; each divided face remains as one of
+                                 ///< its parts
+  std::size_t regions = 0;       ///< the number of regions in the face patch map; 0 if no map is given
 };
 
 namespace internal {
 
-/* Networks have an `insert_curves()` of their own. */
+/* Networks have their own `insert_curves()`. */
 template <class T, class = void>
 constexpr bool has_triangulation = false;
 template <class T>
@@ -92,7 +94,7 @@ constexpr bool
     is_mutable_mesh<T, std::void_t<decltype(add_edge(std::declval<T&>())), decltype(faces(std::declval<const T&>()))>> =
         !std::is_const<T>::value;
 
-/* Can edges be marked with these named parameters? */
+/* Returns whether edges can be marked with these named parameters. */
 template <class NamedParameters>
 constexpr bool can_mark_edges()
 {
@@ -104,7 +106,7 @@ constexpr bool can_mark_edges()
   }
 }
 
-/* The map of marked edges that is given, or one that is forgotten. */
+/* Returns the given map of marked edges, or a temporary one. */
 template <class TriangleMesh, class NamedParameters>
 auto marked_edges(TriangleMesh& mesh, const NamedParameters& np)
 {
@@ -114,7 +116,7 @@ auto marked_edges(TriangleMesh& mesh, const NamedParameters& np)
     return static_cast<void>(np), get(CGAL::dynamic_edge_property_t<bool>(), mesh);
 }
 
-/* The visitor that is given, or one that does nothing. */
+/* Returns the given visitor, or one that does nothing. */
 template <class TriangleMesh, class NamedParameters>
 auto insertion_visitor(const NamedParameters& np)
 {
@@ -124,7 +126,7 @@ auto insertion_visitor(const NamedParameters& np)
     return Visitor_holder<Default_curve_insertion_visitor<TriangleMesh>>{};
 }
 
-/* How close to zero barycentric coordinates count as zero. */
+/* Returns the largest barycentric coordinate that counts as zero. */
 template <class NamedParameters>
 double snapping_tolerance_of(const NamedParameters& np)
 {
@@ -175,58 +177,58 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Inserts curves into a mesh as chains of edges, in place: the faces that they cross are divided, all others stay, and
- * nothing is shortened. The edges of the curves are marked, and faces can be labeled by the regions that marked edges
- * bound.
+ * Inserts curves into a mesh as chains of edges, in place. The faces that they cross are divided, all others are kept,
+ * and nothing is shortened. The edges of the curves are marked, and faces can be labeled by the regions that marked
+ * edges bound.
  *
- * A curve is what functions of this package write, or a polyline as drawn by a user. It may be open or closed, in which
- * case its last point repeats the first; it may cross itself and others, run along edges, pass vertices, and overlap
- * with others. Where two curves cross inside a face there is one new vertex. This is decided exactly, by a constrained
- * Delaunay triangulation in the plane of each face.
+ * A curve is the output of functions of this package, or a polyline drawn by a user. It may be open, or closed, in
+ * which case its last point repeats the first. It may cross itself and others, lie on edges, pass vertices, and overlap
+ * with others. The crossing of two curves inside a face becomes one new vertex, which is decided exactly by a
+ * constrained Delaunay triangulation in the plane of each face.
  *
- * Vertices, edges and faces of the mesh stay, with their points and properties, unless a curve divides them. A divided
- * face stays as one of its parts, as does a split edge; the other parts are new. New vertices on an edge lie on the segment between its ends, at a parameter that is rounded to `double`, and new
- * vertices in a face are affine combinations of its corners. With a kernel with exact constructions they lie
- * exactly there, and no face of the result that is part of a face with an area is degenerate.
+ * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. A
+ * divided face or split edge remains as one of its parts; the other parts are new. New vertices on an edge lie on the
+ * segment between its ends, at a parameter that is rounded to `double`, and new vertices in a face are affine
+ * combinations of its corners. With a kernel with exact constructions they lie exactly there, and a part of a face is
+ * degenerate only if the face is.
  *
  * Rounded coordinates do not separate vertices that are too close to each other. Therefore a point is moved to an edge
- * or to a vertex if its barycentric coordinates are at most the snapping tolerance, points are merged that are closer
- * to each other than this part of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ of the largest coordinate,
- * and a segment that passes a vertex as closely is led through it. If the tolerance is zero, nothing is
- * merged; then faces of the result can be degenerate with rounded coordinates.
+ * or to a vertex if its barycentric coordinates are at most the snapping tolerance. Points are merged, and a segment is
+ * moved to a vertex that it passes, if their distance is at most this fraction of the edge, or of the longest side of
+ * the face, plus \f$2^{-48}\f$ of the largest coordinate. If the tolerance is zero, nothing is merged, and faces of the
+ * result can be degenerate with rounded coordinates.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
  *
  * \param mesh a triangle mesh, a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, no two faces of
- *        which have the same three vertices; only faces that are divided need to be triangles
+ *        which have the same three vertices; only faces that are divided must be triangles
  * \param curves a range of curves, or a single one. A curve is a range of points, or has one as its member `locations`,
  *        like an `Isoline` or a `Voronoi_boundary`. A point is a `CGAL::Polygon_mesh_processing::Face_location` of the
  *        mesh, a `Curve_point` or `Curve_place`, or a point in space that lies on the surface up to \f$10^{-6}\f$ of
- *        the diagonal of the bounding box. A point in space is searched for in the faces around the point before it, and
- *        then in all faces. Two points in a row lie in a common face: `complete_polyline()` computes the missing points of
- *        other polylines. A curve that is a point adds a vertex and no edge
+ *        the diagonal of the bounding box. A point in space is searched in the faces around the previous point, and
+ *        then in all faces. Two consecutive points lie in a common face; `complete_polyline()` computes the missing
+ *        points of other polylines. A curve that is a point adds a vertex and no edge
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map, in which the edges of curves are marked. Edges that are marked before the
- *                           call stay so, with all their parts}
+ *       call remain marked, with all their parts}
  *     \cgalParamType{a model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as
- *                    key and `bool` as value type}
+ *       key and `bool` as value type}
  *     \cgalParamDefault{no map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_patch_map}
- *     \cgalParamDescription{a property map, which receives the number of the region of each face: the connected
- *                           components of faces, where no marked edge is crossed, are numbered from 0 on in the order
- *                           of their first faces}
+ *     \cgalParamDescription{a property map that receives the number of the region of each face. Regions are the
+ *       connected components of faces that marked edges separate, numbered from 0 in the order of their first faces}
  *     \cgalParamType{a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key
- *                    and an integer as value type}
+ *       and an integer as value type}
  *     \cgalParamDefault{no map}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor that is called for each split edge and divided face}
- *     \cgalParamType{a class derived from `Default_curve_insertion_visitor`, which is copied unless it is given by
- *                    `std::ref()`}
+ *     \cgalParamType{a class derived from `Default_curve_insertion_visitor`, which is copied unless it is passed by
+ *       `std::ref()`}
  *     \cgalParamDefault{`Default_curve_insertion_visitor<TriangleMesh>`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{snapping_tolerance}
@@ -237,17 +239,17 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of the mesh}
  *     \cgalParamType{a model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as
- *                    key and a point of a model of `Kernel` as value type}
+ *       key and a point of a model of `Kernel` as value type}
  *     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \return the numbers of new vertices, divided and new faces, and regions
  *
- * \exception Invalid_location_error if a face is null, barycentric coordinates are negative, not numbers or do not sum
- *            to one within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` are
- *            the positions of the curve and of the point in it
- * \exception Invalid_curve_error if a curve has no points, or two points in a row are in no common face;
+ * \exception Invalid_location_error if a face is null, barycentric coordinates are negative, NaN or do not sum to one
+ *            within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` are the
+ *            positions of the curve and of the point in it
+ * \exception Invalid_curve_error if a curve has no points, or two consecutive points do not lie in a common face;
  *            `elements()` are the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, if one of the faces that are searched is not
@@ -256,7 +258,7 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * Complexity: \f$O(n \log n)\f$ in the number of points and crossings if each face has few of them, and up to quadratic
  * in those of a face; linear in the mesh for regions, and for each point in space that is not found in the faces around
- * the point before it.
+ * the previous point.
  *
  * \sa `cut_along_curves()`
  * \sa `Slit_mesh`
@@ -275,7 +277,7 @@ std::enable_if_t<!internal::has_triangulation<TriangleMesh>, Curve_insertion_rep
                            internal_np::visitor_t, internal_np::snapping_tolerance_t>(np...);
   constexpr bool can_mark = internal::can_mark_edges<std::decay_t<decltype(options)>>();
   Curve_insertion_report report;
-  if constexpr(internal::is_mutable_mesh<TriangleMesh> && are_curves && can_mark) { // so that no message follows
+  if constexpr(internal::is_mutable_mesh<TriangleMesh> && are_curves && can_mark) { // avoids further error messages
     auto points = parameters::choose_parameter(parameters::get_parameter(options, internal_np::vertex_point),
                                                get_property_map(CGAL::vertex_point, mesh));
     const double snap = internal::snapping_tolerance_of(options);
