@@ -23,18 +23,19 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * The model of `IntrinsicTriangulationTraits` that decides exactly: each decision is the sign of a real number that the
- * input defines. Coordinates and edge lengths are taken as they are if they are doubles or their number type is exact and
+ * Provides exact predicates for intrinsic triangulations: each predicate is the sign of a real number that the input
+ * defines. Coordinates and edge lengths are taken as they are if they are doubles or their number type is exact and
  * rational, such as that of `Exact_predicates_exact_constructions_kernel`; otherwise as the doubles that they round to.
  *
- * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. A sign that lies
- * within the bound is left to the triangulation, which unfolds the input faces. It does so in double with an a-priori
- * bound, and by exact predicates of points where the faces lie in one plane. Then it takes 50 digits and a bound, and
- * at last exact arithmetic in the field of the roots of the faces' areas. So zeros are proven, and the flips end.
+ * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. If a sign is
+ * within the bound, the filter fails, and the triangulation unfolds the input faces. It first uses doubles with an
+ * a-priori bound, and exact predicates of points if the faces lie in one plane, then 50 digits with a bound, and
+ * finally exact arithmetic in the field of the roots of the areas of the faces. Zeros are therefore proven, and
+ * flipping terminates.
  *
- * Arithmetic with many independent roots can take too long, and has a limit of work, see `sign_work_limit()`. A sign
- * that is still open when the limit is met is taken for zero, and counted in `Decision_statistics::unproven_zeros`.
- * `certify()` says `PROBABLE`.
+ * Arithmetic with many independent roots can take too long and has a limit of work, see `sign_work_limit()`. A sign
+ * that is still undetermined at the limit is assumed to be zero and counted in `Decision_statistics::unproven_zeros`.
+ * The verdict of `certify()` is then `PROBABLE`.
  *
  * \tparam K a kernel with `Point_3` and `FT`, convertible to double
  *
@@ -55,27 +56,28 @@ class Certified_intrinsic_triangulation_traits
 
 public:
   using FT = double;                   ///< squared lengths are rounded to it
-  using Has_drift = Tag_false;         ///< what is certain is true
+  using Has_drift = Tag_false;         ///< certain predicates are correct
   using Point_3 = typename K::Point_3; ///< of the mesh
 
-  /// Decides with the default limit of work, which takes about a tenth of a second.
+  /// Constructs traits with the default limit of work, which takes about a tenth of a second.
   Certified_intrinsic_triangulation_traits() = default;
 
-  /// Decides with the limit of work `sign_work_limit`, see there; with 0, without exact arithmetic with roots.
+  /// Constructs traits with the limit of work `sign_work_limit`, see there; with 0, exact arithmetic with roots is not
+  /// used.
   explicit Certified_intrinsic_triangulation_traits(std::uint64_t sign_work_limit)
     : m_sign_work_limit(sign_work_limit)
   {
   }
 
   /*!
-   * The limit of work for one sign by exact arithmetic with roots, counted in products of two words of 64 bits; an
-   * operation with short integers counts as 32. A product of two numbers with \f$r\f$ independent roots takes
-   * \f$4^r\f$ products of integers. What comes before takes time that is linear in the number of faces, but for sums of
-   * roots over walls, which have the default limit.
+   * Returns the limit of work for one sign by exact arithmetic with roots, counted in products of two words of 64 bits;
+   * an operation with short integers counts as 32. A product of two numbers with \f$r\f$ independent roots takes
+   * \f$4^r\f$ products of integers. The previous stages take time linear in the number of faces, except for sums of
+   * roots over developable regions with parallel rulings, which have the default limit.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 
-  /// The vector of a halfedge in the frame of its face, and a bound of its error relative to its length.
+  /// Stores the vector of a halfedge in the frame of its face, and a bound of its error relative to its length.
   struct Halfedge_geometry
   {
     double x;     ///< a coordinate, in the unit of the mesh
@@ -86,30 +88,31 @@ public:
   /// The geometry of a face, in the order of its halfedges.
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
-  /// The rotation over a fan of corners, with a bound of its error relative to its magnitude.
+  /// Stores the rotation over a fan of corners, with a bound of its error relative to its magnitude.
   struct Turn
   {
     double x = 1;                           ///< the real part; the argument of the number is the angle
     double y = 0;                           ///< the imaginary part
     double error = 0;                       ///< a bound, relative to \f$|x|+|y|\f$
     Comparison_result comparison = SMALLER; ///< of the angle with \f$\pi\f$, if `is_certain`
-    bool is_certain = true;                 ///< does the bound leave no doubt?
+    bool is_certain = true;                 ///< whether the bound suffices for the comparison
   };
 
-  /// The new geometry of the four halfedges whose vectors change with a flip.
+  /// Stores the new geometry of the four halfedges whose vectors change with a flip.
   struct Flipped_geometry
   {
-    Halfedge_geometry h;  ///< of the edge's side `h`
-    Halfedge_geometry t;  ///< of the edge's side `t`
+    Halfedge_geometry h;  ///< of the side `h` of the edge
+    Halfedge_geometry t;  ///< of the side `t` of the edge
     Halfedge_geometry tn; ///< of the halfedge after `t` in its old face
     Halfedge_geometry tp; ///< of the halfedge before `t` in its old face
   };
 
-  /// As `Intrinsic_triangulation_traits::Construct_face_3`, with the error of a layout.
+  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, with the error of a
+  /// layout.
   class Construct_face_3
   {
   public:
-    /// The face with halfedges from `p` to `q`, to `r`, and back.
+    /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       return with_error(typename Plain::Construct_face_3()(p, q, r), internal::face_layout_error);
@@ -122,11 +125,12 @@ public:
     }
   };
 
-  /// As `Intrinsic_triangulation_traits::Construct_face_from_lengths`, with the error of a layout.
+  /// Constructs a face from lengths as `Intrinsic_triangulation_traits::Construct_face_from_lengths` does, with the
+  /// error of a layout.
   class Construct_face_from_lengths
   {
   public:
-    /// The face whose halfedges have the lengths `a`, `b`, `c`.
+    /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const
     {
       return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), internal::face_layout_error);
@@ -139,18 +143,19 @@ public:
     }
   };
 
-  /// As `Intrinsic_triangulation_traits::Construct_face_2`, with the error.
+  /// Constructs a face from vectors as `Intrinsic_triangulation_traits::Construct_face_2` does, with the error.
   class Construct_face_2
   {
   public:
-    /// The face whose halfedges have the vectors `v`, each with the relative error `error`.
+    /// Returns the face whose halfedges have the vectors `v`, each with the relative error `error`.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
       return with_error(typename Plain::Construct_face_2()(v, error), error);
     }
   };
 
-  /// As `Intrinsic_triangulation_traits::Extend_turn`, with the error; decides only what it can.
+  /// Extends a turn as `Intrinsic_triangulation_traits::Extend_turn` does, with the error; the comparison may be
+  /// uncertain.
   class Extend_turn
   {
   public:
@@ -173,7 +178,7 @@ public:
     }
 
   private:
-    // The turn was below pi before, as is each corner: so the sum is below 2 pi, and the sine's sign tells which.
+    // Since the turn and each corner are below pi, the sum is below 2 pi, and the sign of the sine decides.
     static void decide(Turn& turn, bool is_turn_acute, bool is_corner_acute)
     {
       const double radius = turn.error * norm_bound(turn.x, turn.y);
@@ -201,11 +206,11 @@ public:
     }
   };
 
-  /// Compares a turn with \f$\pi\f$. Uncertain where the error is too large to tell.
+  /// Compares a turn with \f$\pi\f$. The result is uncertain if the error is too large.
   class Compare_turn_with_straight
   {
   public:
-    /// `SMALLER` or `LARGER`, or either.
+    /// Returns `SMALLER` or `LARGER`, or both if the result is uncertain.
     Uncertain<Comparison_result> operator()(const Turn& turn) const
     {
       return turn.is_certain ? Uncertain<Comparison_result>(turn.comparison)
@@ -213,19 +218,20 @@ public:
     }
   };
 
-  /// A number in [0, 2], which rounding alone reaches: the greater the greater the turn, below \f$\pi\f$.
+  /// Computes a number in [0, 2] that increases with the turn, below \f$\pi\f$; the limits are reached by rounding
+  /// only.
   class Turn_key
   {
   public:
-    /// The key, rounded.
+    /// Returns the key, rounded.
     double operator()(const Turn& turn) const { return 1 - turn.x / norm_bound(turn.x, turn.y); }
   };
 
-  /// As `Intrinsic_triangulation_traits::Flip`, with the errors.
+  /// Flips an edge as `Intrinsic_triangulation_traits::Flip` does, with the errors.
   class Flip
   {
   public:
-    /// The new geometry of `h`, `t`, `tn` and `tp`.
+    /// Returns the new geometry of `h`, `t`, `tn` and `tp`.
     Flipped_geometry operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
@@ -251,11 +257,12 @@ public:
     }
   };
 
-  /// Are the angles opposite to the edge of `h` and `t` together at most \f$\pi\f$? Decides only what it can.
+  /// Decides whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, if the error
+  /// permits.
   class Is_locally_delaunay
   {
   public:
-    /// The answer; indeterminate where the error is too large to tell.
+    /// Returns the result, which is indeterminate if the error is too large.
     Uncertain<bool> operator()(const Halfedge_geometry& /* h */, const Halfedge_geometry& hn,
                                const Halfedge_geometry& hp, const Halfedge_geometry& /* t */,
                                const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
@@ -283,11 +290,11 @@ public:
     }
   };
 
-  /// Is the error of a vector so large that its face is to be laid out afresh?
+  /// Decides whether the error of a vector is so large that its face should be recomputed from the input.
   class Is_inaccurate
   {
   public:
-    /// Is the bound not below \f$2^{-14}\f$?
+    /// Returns whether the bound is at least \f$2^{-14}\f$.
     bool operator()(const Halfedge_geometry& h) const { return !(h.error < internal::inaccurate_vector); }
   };
 
@@ -295,7 +302,7 @@ public:
   class Compute_squared_length
   {
   public:
-    /// Rounded to double.
+    /// Returns the squared length, rounded to double.
     FT operator()(const Halfedge_geometry& h) const
     {
       return internal::unfused(h.x * h.x) + internal::unfused(h.y * h.y);
@@ -306,7 +313,7 @@ public:
   class Compute_length
   {
   public:
-    /// Rounded to double.
+    /// Returns the length, rounded to double.
     double operator()(const Halfedge_geometry& h) const { return length_of(h); }
   };
 

@@ -34,10 +34,9 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * The model of `IntrinsicTriangulationTraits` with the number type swapped in. What decisions are worth is a matter of
- * the number type:
+ * Provides predicates for intrinsic triangulations over an exchangeable number type, which determines their exactness:
  *
- * | number type | decisions | square roots |
+ * | number type | predicates | square roots |
  * |---|---|---|
  * | exact with roots, such as `Exact_predicates_exact_constructions_kernel_with_sqrt::FT` | exact | any mesh |
  * | rational, such as `Gmpq`, `boost::multiprecision::cpp_rational` | exact | meshes with one radicand |
@@ -46,20 +45,20 @@ namespace Flip_geodesics {
  * | rounded, such as `boost::multiprecision::cpp_bin_float_100`, `double` | up to `angle_tolerance()` | any mesh |
  *
  * A mesh has one radicand \f$d\f$ if the area of each face is a rational multiple of \f$\sqrt d\f$; `common_radicand()`
- * finds it. In the plane and on boxes along the axes it is 1, on regular tetrahedra and octahedra 3. Where a face does
- * not fit, `Inexact_root_error` is thrown when the face is touched.
+ * computes it. It is 1 in the plane and on boxes parallel to the axes, and 3 on regular tetrahedra and octahedra. If
+ * the area of a face is not such a multiple, `Inexact_root_error` is thrown when the face is accessed.
  *
- * Exact numbers are squared lengths and areas: with one root per input face, that of its squared area, everything stays
- * in one field, and flips need no root. Rounded numbers and intervals are vectors in frames of the faces, as squared
- * lengths and areas would drift apart.
+ * Exact numbers are squared lengths and areas: with one root per input face, that of its squared area, all numbers
+ * belong to one field, and flips require no root. Rounded numbers and intervals represent vectors in frames of the
+ * faces instead, because squared lengths and areas would drift apart.
  *
- * Numbers that own memory make a triangulation's construction linear in the mesh, and exact ones grow with flips: see
- * the user manual for what each number type costs. To have exact decisions and speed, use
- * `Certified_intrinsic_triangulation_traits`.
+ * Heap-allocating number types make the construction of a triangulation linear in the mesh, and exact numbers grow with
+ * flips; the user manual lists the cost of each number type. `Certified_intrinsic_triangulation_traits` combine exact
+ * predicates with speed.
  *
  * \tparam NT a field number type: a model of `RealEmbeddable` and `FieldWithSqrt`, or of `Field` with the functor
- *         `Is_square`, `Sqrt_extension`, `Interval_nt<>`, a rational or floating point number of
- *         Boost.Multiprecision, or `double`; doubles convert to it without loss
+ *         `Is_square`, `Sqrt_extension`, `Interval_nt<>`, a rational or floating point number of Boost.Multiprecision,
+ *         or `double`; doubles convert to it without loss
  * \tparam K a kernel with `Point_3` and `FT`; coordinates are taken as they are if `FT` is `NT` or has rational values,
  *         otherwise as the doubles they round to
  *
@@ -80,8 +79,8 @@ class Exact_intrinsic_triangulation_traits
   using Geometry = std::conditional_t<is_exact, internal::Squared_length_geometry<NT>, internal::Vector_geometry<NT>>;
 
 public:
-  using FT = NT; ///< squared lengths are of it
-  /// Rounded numbers drift, even if 100 digits do so unseen. Intervals know by how much.
+  using FT = NT; ///< the type of squared lengths
+  /// Rounded numbers drift, even if this is not noticeable with 100 digits. Intervals bound their error.
   using Has_drift = Boolean_tag<is_rounded>;
   using Point_3 = typename K::Point_3; ///< of the mesh
   /// The type of radicands: `NT` or, for `Sqrt_extension<NT, ROOT>`, `ROOT`.
@@ -91,46 +90,48 @@ public:
   using Face_geometry = typename Geometry::Face_geometry;         ///< of a face, in the order of its halfedges
   using Flipped_geometry = typename Geometry::Flipped_geometry;   ///< of the four halfedges that a flip changes
 
-  /// The rotation over a fan of corners, a complex number of any magnitude.
+  /// Stores the rotation over a fan of corners, a complex number of any magnitude.
   struct Turn
   {
     NT x = NT(1);                                      ///< the real part; the argument of the number is the angle
-    NT y = NT(0);                                      ///< the imaginary part, in the traits' unit of area
-    bool is_empty = true;                              ///< is it the rotation by zero?
+    NT y = NT(0);                                      ///< the imaginary part, in the unit of area of the traits
+    bool is_empty = true;                              ///< whether it is the rotation by zero
     Uncertain<Comparison_result> comparison = SMALLER; ///< of the angle with \f$\pi\f$
   };
 
-  /// For any mesh, or with radicand 1 if the number type has no roots.
+  /// Constructs traits for any mesh, or with radicand 1 if the number type has no roots.
   Exact_intrinsic_triangulation_traits() = default;
 
-  /// For meshes with the radicand `d`, a positive number. Only for number types without roots.
+  /// Constructs traits for meshes with the radicand `d`, a positive number. Only available for number types without
+  /// roots.
   explicit Exact_intrinsic_triangulation_traits(const Radicand& d)
     : m_unit(d)
   {
     static_assert(has_radicand, "the number type has roots, and needs no radicand");
   }
 
-  /// The limit of work for signs that these traits leave open, which they never do; see
+  /// Returns the limit of work for undetermined signs, which these traits do not produce; see
   /// `IntrinsicTriangulationTraits::sign_work_limit()`.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
-  /// An angle, in radians, by which a straight angle may be missed and still count as straight. Zero unless `NT`
-  /// rounds; then half of its digits are left for errors: about 1e-9 for `double` and 1e-51 for 100 digits.
+  /// Returns the angle, in radians, by which a straight angle may be missed and still count as straight. It is zero
+  /// unless `NT` rounds. In that case half of its digits are reserved for errors, which results in about 1e-9 for
+  /// `double` and 1e-51 for 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
-  /// \throws Inexact_root_error
+  /// Constructs a face from points. \throws Inexact_root_error if the area is not rational in the unit of area
   class Construct_face_3
   {
     using Vector_3 = typename Geometry::Vector_3;
 
   public:
-    /// In the unit of area of the traits, which must outlive the functor.
+    /// Constructs the functor with the unit of area of the traits, which must outlive it.
     explicit Construct_face_3(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
-    /// The face with halfedges from `p` to `q`, to `r`, and back.
+    /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       const Vector_3 u = difference(p, q), v = difference(q, r), w = difference(r, p);
@@ -160,17 +161,17 @@ public:
     const Area_unit* m_unit;
   };
 
-  /// \throws Inexact_root_error
+  /// Constructs a face from lengths. \throws Inexact_root_error if the area is not rational in the unit of area
   class Construct_face_from_lengths
   {
   public:
-    /// In the unit of area of the traits, which must outlive the functor.
+    /// Constructs the functor with the unit of area of the traits, which must outlive it.
     explicit Construct_face_from_lengths(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
-    /// The face whose halfedges have these lengths.
+    /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const { return face(NT(a), NT(b), NT(c)); }
 
     /// The same from rational lengths.
@@ -191,11 +192,12 @@ public:
     const Area_unit* m_unit;
   };
 
-  /// Called by the library for rounded numbers and intervals only. \pre `NT` is not exact
+  /// Constructs a face from vectors; the library calls it only for rounded numbers and intervals. \pre `NT` is not
+  /// exact
   class Construct_face_2
   {
   public:
-    /// The face whose halfedges have the vectors `v`, each with the relative error `error`.
+    /// Returns the face whose halfedges have the vectors `v`, each with the relative error `error`.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
       CGAL_precondition_msg(!is_exact, "exact numbers cannot be had from rounded vectors");
@@ -206,25 +208,26 @@ public:
     }
   };
 
-  /// Lays out a triangle of points of a face.
+  /// Lays out a triangle formed by points of a face.
   class Construct_exact_subface
   {
   public:
-    /// The triangle; point `i` has the weights `weights[i]` of the face's corners.
+    /// Returns the triangle; point `i` has the weights `weights[i]` of the corners of the face.
     Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& weights) const
     {
       return Geometry::subface(face, weights);
     }
   };
 
-  /// Lays out a triangle of points of a face, each given by weights of the face's corners. `void` if `NT` is not exact.
+  /// Lays out a triangle formed by points of a face, each given by weights of the corners of the face. `void` if `NT`
+  /// is not exact.
   using Construct_subface = std::conditional_t<is_exact, Construct_exact_subface, void>;
 
-  /// As `Intrinsic_triangulation_traits::Extend_turn`.
+  /// Extends a turn as `Intrinsic_triangulation_traits::Extend_turn` does.
   class Extend_turn
   {
   public:
-    /// In the unit of area of the traits, which must outlive the functor.
+    /// Constructs the functor with the unit of area of the traits, which must outlive it.
     explicit Extend_turn(const Area_unit& unit)
       : m_unit(&unit)
     {
@@ -235,7 +238,7 @@ public:
                     const Halfedge_geometry& opposite) const
     {
       if(CGAL::possibly(turn.comparison != SMALLER))
-        return; // straight or more already, or unknown for good
+        return; // already at least straight, or permanently undetermined
       append(turn, Geometry::corner(in, out, opposite));
       rescale(turn);
     }
@@ -258,8 +261,9 @@ public:
 
     static bool is_positive(const NT& x) { return CGAL::certainly(Operations::sign(x) == POSITIVE); }
 
-    // The turn was below pi before, and the corner is at most pi: their sum is below 2 pi, and zero means what it says.
-    // Where the sign of the sine is open, one summand below pi / 2 and a cosine above 0 leave the first quadrant only.
+    // The turn was below pi before, and the corner is at most pi, so their sum is below 2 pi, and zero is unambiguous.
+    // If the sign of the sine is undetermined, one summand below pi / 2 and a cosine above 0 leave only the first
+    // quadrant.
     static Uncertain<Comparison_result> compared(const Turn& turn, bool is_half_acute)
     {
       const Uncertain<Sign> sine = sign_of_sine(turn);
@@ -305,25 +309,25 @@ public:
     const Area_unit* m_unit;
   };
 
-  /// \throws Uncertain_conversion_exception if intervals leave the sign open
+  /// Compares a turn with \f$\pi\f$. \throws Uncertain_conversion_exception if intervals do not determine the sign
   class Compare_turn_with_straight
   {
   public:
-    /// The answer, certain if it is given.
+    /// Returns the result, which is certain if it is returned.
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.comparison.make_certain(); }
   };
 
-  /// For number types with a radicand, equal angles have equal keys.
+  /// Computes the key of a turn. For number types with a radicand, equal angles have equal keys.
   class Turn_key
   {
   public:
-    /// In the unit of area of the traits, which must outlive the functor.
+    /// Constructs the functor with the unit of area of the traits, which must outlive it.
     explicit Turn_key(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
-    /// The key, a number in [0, 2], rounded.
+    /// Returns the key, a number in [0, 2], rounded.
     double operator()(const Turn& turn) const
     {
       if(has_radicand)
@@ -352,17 +356,17 @@ public:
     const Area_unit* m_unit;
   };
 
-  /// Needs one division, and no root.
+  /// Flips an edge with one division and no root.
   class Flip
   {
   public:
-    /// In the unit of area of the traits, which must outlive the functor.
+    /// Constructs the functor with the unit of area of the traits, which must outlive it.
     explicit Flip(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
-    /// The new geometry of `h`, `t`, `tn` and `tp`.
+    /// Returns the new geometry of `h`, `t`, `tn` and `tp`.
     Flipped_geometry operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
@@ -375,19 +379,20 @@ public:
   };
 
   /*!
-   * Are the angles opposite to the edge of `h` and `t` together at most \f$\pi\f$, or `angle_tolerance()` above?
-   * \throws Uncertain_conversion_exception if intervals leave the sign open
+   * Decides whether the sum of the angles opposite to the edge of `h` and `t` exceeds \f$\pi\f$ by at most
+   * `angle_tolerance()`.
+   * \throws Uncertain_conversion_exception if intervals do not determine the sign
    */
   class Is_locally_delaunay
   {
   public:
-    /// In the unit of area of the traits, which must outlive the functor.
+    /// Constructs the functor with the unit of area of the traits, which must outlive it.
     explicit Is_locally_delaunay(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
-    /// The answer, certain if it is given.
+    /// Returns the result, which is certain if it is returned.
     Uncertain<bool> operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                const Halfedge_geometry& tp) const
@@ -413,11 +418,11 @@ public:
     const Area_unit* m_unit;
   };
 
-  /// Intervals grow, and say so.
+  /// Decides whether a number is too inaccurate, which can happen for intervals only.
   class Is_inaccurate
   {
   public:
-    /// Never for exact numbers.
+    /// Returns `false` for exact numbers.
     bool operator()(const Halfedge_geometry& h) const
     {
       if constexpr(is_exact)
@@ -431,7 +436,7 @@ public:
   class Compute_squared_length
   {
   public:
-    /// Exact if `NT` is.
+    /// Returns the squared length, which is exact if `NT` is.
     FT operator()(const Halfedge_geometry& h) const { return Geometry::squared_length(h); }
   };
 
@@ -439,7 +444,7 @@ public:
   class Compute_length
   {
   public:
-    /// Rounded to double.
+    /// Returns the length, rounded to double.
     double operator()(const Halfedge_geometry& h) const
     {
       return std::sqrt(Operations::to_double(Geometry::squared_length(h)));
@@ -468,16 +473,17 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * The number \f$d\f$ for which the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
- * `Exact_intrinsic_triangulation_traits` over a number type without roots. Squares of primes below 1000 are taken out
- * of it.
+ * Computes the number \f$d\f$ for which the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
+ * `Exact_intrinsic_triangulation_traits` over a number type without roots. Squares of primes below 1000 are removed
+ * from it.
  *
- * Reads the whole mesh; linear but for the arithmetic, on integers of some hundred bits.
- *
- * \tparam Radicand a number type that integers given as doubles convert to
- * \param metric `Embedded_metric` or `Edge_length_metric`
- * \throws Inexact_root_error if there is no such number; `elements()` are the vertices of a face that does not fit the
+ * \tparam Radicand a number type to which integers given as doubles can be converted
+ * \param mesh a triangle mesh
+ * \param metric an `Embedded_metric` or `Edge_length_metric`
+ * \throws Inexact_root_error if no such number exists; `elements()` are the vertices of a face that does not match the
  *         first one
+ *
+ * Complexity: linear in the mesh, with arithmetic on integers of some hundred bits.
  */
 template <class Radicand, class TriangleMesh, class Metric>
 Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
@@ -503,7 +509,8 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
 }
 
 /// \ingroup PkgFlipGeodesicsTraits
-/// The same for a mesh embedded in space by its own points.
+/// Computes the number \f$d\f$ for which the area of every face of a mesh, embedded in space by its own points, is a
+/// rational multiple of \f$\sqrt d\f$. The exceptions are those of the overload with a metric.
 template <class Radicand, class TriangleMesh>
 Radicand common_radicand(const TriangleMesh& mesh)
 {

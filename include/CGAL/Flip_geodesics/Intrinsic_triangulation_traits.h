@@ -42,11 +42,11 @@ class Intrinsic_triangulation_traits
 {
 public:
   using FT = double; ///< squared lengths are rounded to it
-  /// Do vectors drift with flips, so that decisions can be wrong, and finished curves must be checked?
+  /// Vectors drift with flips, so predicates can be wrong, and finished curves must be checked.
   using Has_drift = Tag_true;
   using Point_3 = typename K::Point_3; ///< of the mesh
 
-  /// The vector of a halfedge in the frame of its face.
+  /// Stores the vector of a halfedge in the frame of its face.
   struct Halfedge_geometry
   {
     double x; ///< a coordinate, in the unit of the mesh
@@ -56,34 +56,35 @@ public:
   /// The geometry of a face, one vector per halfedge, in the order of the face.
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
-  /// The rotation over a fan of corners, a complex number of any magnitude; its angle counts only up to \f$\pi\f$.
+  /// Stores the rotation over a fan of corners, a complex number of any magnitude, whose angle is meaningful only up to
+  /// \f$\pi\f$.
   struct Turn
   {
     double x = 1;             ///< the real part; the argument of the number is the angle
     double y = 0;             ///< the imaginary part
-    bool is_straight = false; ///< has the angle reached \f$\pi\f$, up to `angle_tolerance()`?
+    bool is_straight = false; ///< whether the angle has reached \f$\pi\f$, up to `angle_tolerance()`
   };
 
-  /// The new geometry of the four halfedges whose vectors change with a flip.
+  /// Stores the new geometry of the four halfedges whose vectors change with a flip.
   struct Flipped_geometry
   {
-    Halfedge_geometry h;  ///< of the edge's side `h`
-    Halfedge_geometry t;  ///< of the edge's side `t`
+    Halfedge_geometry h;  ///< of the side `h` of the edge
+    Halfedge_geometry t;  ///< of the side `t` of the edge
     Halfedge_geometry tn; ///< of the halfedge after `t` in its old face
     Halfedge_geometry tp; ///< of the halfedge before `t` in its old face
   };
 
-  /// An angle, in radians, by which a straight angle may be missed and still count as straight: 1e-9.
+  /// Returns the angle, in radians, by which a straight angle may be missed and still count as straight: 1e-9.
   static constexpr double angle_tolerance() { return internal::straight_angle_tolerance; }
 
   /*!
-   * Lays out a face given by its three points. Each vector comes from differences and dot products of its own, since
-   * closing the triangle instead loses the small angles of needles.
+   * Lays out a face given by its three points. Each vector is computed from its own differences and dot products, since
+   * closing the triangle instead would lose the small angles of needles.
    */
   class Construct_face_3
   {
   public:
-    /// The face with halfedges from `p` to `q`, to `r`, and back.
+    /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       return operator()(internal::rounded_sides(p, q, r));
@@ -106,7 +107,7 @@ public:
       return internal::unfused(u[0] * v[0]) + internal::unfused(u[1] * v[1]) + internal::unfused(u[2] * v[2]);
     }
 
-    // From the two shortest edges, where cancellation costs least.
+    // Uses the two shortest edges, which minimizes cancellation.
     static double doubled_area(const std::array<Vector_3, 3>& e)
     {
       const std::array<double, 3> l = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
@@ -121,12 +122,12 @@ public:
 
   /*!
    * Lays out a face given by the lengths of its edges.
-   * \pre the triangle inequality holds, as `Edge_length_metric` has checked.
+   * \pre the triangle inequality holds, as checked by `Edge_length_metric`
    */
   class Construct_face_from_lengths
   {
   public:
-    /// The face whose halfedges have the lengths `a`, `b`, `c`.
+    /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const
     {
       const std::array<double, 3> length = {a, b, c};
@@ -144,7 +145,7 @@ public:
     }
 
   private:
-    // On the longest edge all three vectors are accurate relative to their own lengths.
+    // On the longest edge, all three vectors are accurate relative to their own lengths.
     static Face_geometry on_longest(double a, double b, double c)
     {
       const double height = doubled_area(a, b, c) / a;
@@ -163,8 +164,8 @@ public:
       return {{{length, 0}, turned(face[1]), turned(face[2])}};
     }
 
-    // Heron's formula in the order that keeps needles accurate [Kahan, Miscalculating Area and Angles of a Needle-like
-    // Triangle]; a product below zero is a degenerate triangle seen through rounding.
+    // Heron's formula in the order that is accurate for needles [Kahan, Miscalculating Area and Angles of a Needle-like
+    // Triangle]; a negative product results from rounding errors in a degenerate triangle.
     static double doubled_area(double a, double b, double c)
     {
       std::array<double, 3> l = {a, b, c};
@@ -179,7 +180,7 @@ public:
   class Construct_face_2
   {
   public:
-    /// The face whose halfedges have the vectors `v`; the error is not kept.
+    /// Returns the face whose halfedges have the vectors `v`; the error is not stored.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double /* error */) const
     {
       return {{{v[0][0], v[0][1]}, {v[1][0], v[1][1]}, {v[2][0], v[2][1]}}};
@@ -188,7 +189,7 @@ public:
 
   /*!
    * Adds the corner between two consecutive halfedges of a face, `in` and `out`, to a turn; `opposite` is the third
-   * halfedge. The corner's complex number is `conj(out) * -in`: no division.
+   * halfedge. The complex number of the corner is `conj(out) * -in`, which requires no division.
    */
   class Extend_turn
   {
@@ -201,8 +202,9 @@ public:
       const double y = (std::max)(internal::unfused(out.y * in.x) - internal::unfused(out.x * in.y), 0.0);
       const double product_x = internal::unfused(turn.x * x) - internal::unfused(turn.y * y);
       const double product_y = internal::unfused(turn.x * y) + internal::unfused(turn.y * x);
-      // Two angles below pi: past pi the product lies below the axis, and near it on the axis' negative half. One
-      // branch at most, in the caller, since none of these can be foretold.
+      // For two angles below pi, the product lies below the axis if the sum is above pi, and near the negative half of
+      // the axis if it is close to pi. At most one branch is used, in the caller, since these conditions cannot be
+      // predicted.
       const bool is_near = static_cast<bool>(static_cast<unsigned>(product_x <= 0) &
                                              static_cast<unsigned>(product_y <= -angle_tolerance() * product_x));
       turn.is_straight |= static_cast<bool>(static_cast<unsigned>(product_y < 0) | static_cast<unsigned>(is_near));
@@ -234,24 +236,25 @@ public:
     }
   };
 
-  /// Compares a turn with \f$\pi\f$: `SMALLER`, or `LARGER` where it is straight or more.
+  /// Compares a turn with \f$\pi\f$: `SMALLER`, or `LARGER` if it is at least straight.
   class Compare_turn_with_straight
   {
   public:
-    /// Always certain; where vectors have drifted, it can be wrong.
+    /// Returns the result, which is always certain, but can be wrong if vectors have drifted.
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.is_straight ? LARGER : SMALLER; }
   };
 
-  /// A number in [0, 2], which rounding alone reaches: the greater the greater the turn, below \f$\pi\f$.
+  /// Computes a number in [0, 2] that increases with the turn, below \f$\pi\f$; the limits are reached by rounding
+  /// only.
   class Turn_key
   {
   public:
-    /// The key, 0 for the rotation by zero.
+    /// Returns the key, which is 0 for the rotation by zero.
     double operator()(const Turn& turn) const { return 1 - turn.x / (std::abs(turn.x) + turn.y); }
   };
 
   /*!
-   * The geometry after the flip of `h = i->j` with twin `t`, in faces `(h, hn, hp)` and `(t, tn, tp)`.
+   * Computes the geometry after the flip of `h = i->j` with twin `t`, in faces `(h, hn, hp)` and `(t, tn, tp)`.
    *
    *         k                     k
    *       / ^ .                  /|^
@@ -268,7 +271,7 @@ public:
   class Flip
   {
   public:
-    /// The new geometry of `h`, `t`, `tn` and `tp`.
+    /// Returns the new geometry of `h`, `t`, `tn` and `tp`.
     Flipped_geometry operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
@@ -293,14 +296,15 @@ public:
   };
 
   /*!
-   * Are the angles opposite to the edge of `h` and `t` together at most \f$\pi\f$, up to `angle_tolerance()`? A flip
-   * turns the sum into \f$2 \pi\f$ less the sum. So an edge that is not Delaunay is flipped into one that is, by the
-   * tolerance as well. Lawson's algorithm ends as long as drift stays below the tolerance.
+   * Decides whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, up to
+   * `angle_tolerance()`. A flip turns the sum into \f$2 \pi\f$ minus the sum, so an edge that is not Delaunay is
+   * flipped into one that is, by the tolerance as well. Lawson's algorithm therefore terminates as long as the drift
+   * stays below the tolerance.
    */
   class Is_locally_delaunay
   {
   public:
-    /// The answer, always certain.
+    /// Returns the result, which is always certain.
     Uncertain<bool> operator()(const Halfedge_geometry& /* h */, const Halfedge_geometry& hn,
                                const Halfedge_geometry& hp, const Halfedge_geometry& /* t */,
                                const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
@@ -313,7 +317,7 @@ public:
     }
 
   private:
-    // As in Extend_turn; areas are not negative, whatever rounding makes of them.
+    // As in Extend_turn; areas are not negative, even with rounding errors.
     static Halfedge_geometry corner(const Halfedge_geometry& in, const Halfedge_geometry& out)
     {
       return {-(internal::unfused(out.x * in.x) + internal::unfused(out.y * in.y)),
@@ -321,11 +325,12 @@ public:
     }
   };
 
-  /// Is a vector so inaccurate that its faces should be laid out afresh? Drift is looked for only in finished curves.
+  /// Decides whether a vector is so inaccurate that its faces should be recomputed. With these traits, drift is
+  /// detected only in finished curves.
   class Is_inaccurate
   {
   public:
-    /// `false`, always.
+    /// Returns `false`.
     bool operator()(const Halfedge_geometry&) const { return false; }
   };
 
@@ -333,7 +338,7 @@ public:
   class Compute_squared_length
   {
   public:
-    /// Rounded to double.
+    /// Returns the squared length, rounded to double.
     FT operator()(const Halfedge_geometry& h) const
     {
       return internal::unfused(h.x * h.x) + internal::unfused(h.y * h.y);
@@ -344,7 +349,7 @@ public:
   class Compute_length
   {
   public:
-    /// Rounded to double.
+    /// Returns the length, rounded to double.
     double operator()(const Halfedge_geometry& h) const
     {
       return std::sqrt(internal::unfused(h.x * h.x) + internal::unfused(h.y * h.y));

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Lengths in units of a power of two, so that the largest is at least 1 and less than 2. \return its exponent */
+/* Scales lengths by a power of two, so that the largest is at least 1 and less than 2. \return its exponent */
 inline int scale_to_one(std::array<double, 3>& lengths)
 {
   const int exponent = std::ilogb((std::max)({lengths[0], lengths[1], lengths[2]}));
@@ -41,16 +41,17 @@ inline int scale_to_one(std::array<double, 3>& lengths)
 }
 
 /*
- * By what factor segments in a triangle are at least longer than in another one, whose points correspond linearly. Never
- * too large: what rounding can do is taken off. The sides of the other one, `before`, can be wrong by some units in the
- * last place, or zero; those of the first, `after`, are what they are. Zero if one of these cannot be used, or they make
- * no triangle with an area.
+ * Returns a lower bound of the factor by which segments in a triangle are longer than in another one whose points
+ * correspond linearly. Rounding errors are subtracted. The sides of the other triangle, `before`, may be wrong by some
+ * units in the last place, or zero; those of the first, `after`, are taken as given. Zero if one of these is invalid,
+ * or they form a degenerate triangle.
  *
- * Sides alone do not tell: where two of three are stretched less than the third, heights can become shorter by any factor.
+ * The stretch of the sides alone is not sufficient: if two of them are stretched less than the third, heights can
+ * become shorter by any factor.
  *
- * The linear map back, from `after` to `before`, stretches by its larger singular value at most. The sum of the squares of
- * both follows from the cotangents of `after` [Pinkall, Polthier, Computing discrete minimal surfaces and their
- * conjugates], and their product is that of the areas.
+ * The linear map back, from `after` to `before`, stretches by at most its larger singular value. The sum of the squares
+ * of both singular values follows from the cotangents of `after` [Pinkall, Polthier, Computing discrete minimal
+ * surfaces and their conjugates], and their product is that of the areas.
  */
 inline double least_stretch(std::array<double, 3> before, std::array<double, 3> after)
 {
@@ -72,7 +73,10 @@ inline double least_stretch(std::array<double, 3> before, std::array<double, 3> 
   return most > 0 ? (1 - stretch_rounding) * std::scalbn(1 / std::sqrt(most), exponent) : 0; // NaN without an area
 }
 
-/* The least of all faces of a mesh, between two metrics; infinite if there are none. Linear in the mesh. */
+/*
+ * Returns the least stretch of all faces of a mesh between two metrics, or infinity if it has no faces. Linear in the
+ * mesh.
+ */
 template <class Before, class After, class Input_mesh>
 double least_stretch_of_faces(const Before& before, const After& after, const Input_mesh& mesh)
 {
@@ -87,7 +91,7 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
   return least;
 }
 
-/* The point type of a metric, `void` if it has none. */
+/* The point type of a metric, `void` if it has no points. */
 template <class Metric, class = void>
 struct Metric_point
 {
@@ -105,11 +109,11 @@ struct Metric_point<Metric, std::void_t<typename Metric::Point_3>>
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Another metric with one small length added to every edge [Sharp, Crane, A Laplacian for Nonmanifold Triangle Meshes,
- * section 4.5]. It is so large that each face satisfies the triangle inequality with a margin. It makes meshes with
- * edges of length zero and faces without area usable, at the price of a slightly different surface: an explicit choice.
+ * Represents another metric with a small length added to every edge [Sharp, Crane, A Laplacian for Nonmanifold Triangle
+ * Meshes, section 4.5], chosen such that each face satisfies the triangle inequality with a margin. Meshes with
+ * degenerate edges and faces can be used with this metric, at the price of a slightly different surface.
  *
- * Curves are geodesics of the changed surface. They are still read off on the mesh's own points, if it has any.
+ * Curves are geodesics of the modified surface, but their points are still those of the mesh, if it has any.
  *
  * \tparam Metric `Embedded_metric` or `Edge_length_metric`
  *
@@ -126,7 +130,8 @@ public:
   using Kernel = typename Base::Kernel;                        ///< that of the other metric
   using Point_3 = typename internal::Metric_point<Base>::type; ///< that of the other metric, `void` if it has no points
 
-  /// Finds the length to add for a factor of 1e-5; linear in the mesh.
+  /// Computes the length to be added for a factor of 1e-5. Linear in the mesh. The exceptions are those of the other
+  /// constructor.
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric)
     : Mollified_metric(mesh, metric, internal::default_mollification)
@@ -134,12 +139,13 @@ public:
   }
 
   /*!
-   * Finds the length to add; linear in the mesh.
+   * Computes the length to be added. Linear in the mesh.
    *
    * \param mesh the triangle mesh of the metric
+   * \param metric the other metric
    * \param factor the margin of the triangle inequality, relative to the mean edge length
    * \pre 0 < factor < 1
-   * \throws Invalid_coordinate_error if an edge's length is negative or not a finite number
+   * \throws Invalid_coordinate_error if the length of an edge is negative or not finite
    * \throws Invalid_mesh_error if a face is not a triangle
    */
   template <class TriangleMesh>
@@ -154,15 +160,15 @@ public:
           (std::min)(1., internal::least_stretch_of_faces(static_cast<const Base&>(*this), *this, indexed));
   }
 
-  /// The length that was added to every edge; zero if none was needed.
+  /// Returns the length added to every edge, which is zero if none was needed.
   double added_length() const { return m_added; }
 
-  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  /// Returns the length of halfedge `h` without any check, for searches that only pass by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) + m_added; }
 
   using typename Base::Place;
 
-  /// The same, where the places of the two ends are at hand.
+  /// Returns the length of halfedge `h`, given the positions of its two ends.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     return Base::weight(mesh, h, tail, head) + m_added;
@@ -170,14 +176,15 @@ public:
 
   using Base::place;
 
-  /// The other metric's lower bound, and less where lengths are rounded in faces of little area. Lengths that are added
-  /// shorten no path: what they add to the squares of the sides are the squares of sides of a triangle.
+  /// Returns the lower bound of the other metric, reduced if lengths are rounded in almost degenerate faces. Adding
+  /// lengths does not shorten any path: the terms added to the squares of the sides are the squares of the sides of a
+  /// triangle.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     return m_least_stretch * Base::distance_lower_bound(p, q);
   }
 
-  /// The point of vertex `v`. Only over `Embedded_metric`.
+  /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
   /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
@@ -188,7 +195,7 @@ public:
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
 
-  using Base::is_rounded; ///< whether the other metric rounds numbers of the mesh; then nothing is certified
+  using Base::is_rounded; ///< returns whether the other metric rounds numbers of the mesh, so that nothing is certified
   using Lengths::exact_face;
   using Lengths::length;
   using Lengths::sine_in_plane;
@@ -231,20 +238,20 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Another metric with every edge longer or shorter by a weight of the places that it passes: paths keep away from where
- * the weight is large.
+ * Represents another metric with each edge scaled by a weight, so that paths avoid regions in which the weight is
+ * large.
  *
- * Weights are given at vertices, and are linear along edges. The length of an edge is its weighted length: the other
- * metric's, times the mean of the weights of its two ends. Faces are flat again, with these lengths: where the weight
- * changes little over a face, that is the conformal change of the metric by the weight, up to terms of second order.
+ * Weights are given at vertices, and are linear along edges. The length of an edge is that of the other metric, times
+ * the mean of the weights of its two ends. Faces with these lengths are flat again. If the weight changes little over a
+ * face, this is the conformal change of the metric by the weight, up to terms of second order.
  *
- * A weight that is constant on each face, and jumps between them, is no metric of edge lengths: shortest paths are
- * refracted where it jumps, as light is. Weights given for faces are made ones of vertices, each the mean of the faces
- * about it.
+ * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
+ * are refracted at the jumps, as light is. Weights given for faces are therefore converted to weights of vertices, each
+ * the mean of those of the incident faces.
  *
- * Where weights change by so much over one face that its lengths violate the triangle inequality, the face has no shape.
- * Whatever needs it throws `Degenerate_face_error`; smaller faces or smoother weights help, or a `Mollified_metric` of
- * lengths.
+ * If weights change so much over one face that its lengths violate the triangle inequality, `Degenerate_face_error` is
+ * thrown when the shape of the face is needed. Smaller faces, smoother weights, or a `Mollified_metric` of lengths
+ * avoid this.
  *
  * \tparam Metric `Embedded_metric` or `Edge_length_metric`
  *
@@ -267,12 +274,12 @@ public:
   using Point_3 = typename internal::Metric_point<Base>::type; ///< that of the other metric, `void` if it has no points
 
   /*!
-   * Reads all weights. Linear in the mesh, if that is a `Surface_mesh`.
+   * Reads all weights. Linear in the mesh if it is a `Surface_mesh`.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
-   * \param weights a model of `ReadablePropertyMap` with the mesh's vertices, or else its faces, as keys, and positive
-   *        numbers as values
+   * \param weights a model of `ReadablePropertyMap` with the vertices of the mesh, or else its faces, as keys, and
+   *        positive numbers as values
    * \throws Invalid_parameter_error if a weight is not positive and finite
    */
   template <class TriangleMesh, class WeightMap>
@@ -286,23 +293,25 @@ public:
     }
   }
 
-  /// The weight at vertex `v`.
+  /// Returns the weight at vertex `v`.
   double vertex_weight(Vertex_index v) const { return (*m_weights)[static_cast<std::size_t>(v.idx())]; }
 
-  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  /// Returns the length of halfedge `h` without any check, for searches that only pass by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(mesh, h); }
 
-  /// What a lower bound needs of a vertex: what the other metric's does. It is no point that faces are laid out from.
+  /// The data that a lower bound requires of a vertex, which are those of the other metric. They are not a point from
+  /// which faces are laid out.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
-  /// The same, where the places of the two ends are at hand.
+  /// Returns the length of halfedge `h`, given the positions of its two ends.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place&, const Place&) const { return weight(mesh, h); }
 
-  /// What the other metric says of vertex `v`.
+  /// Returns the data of the other metric for vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
-  /// The other metric's lower bound, times the factor by which faces stretch segments at least. It can be less than the
-  /// least weight: a face whose height is stretched less than its sides is laid flat again.
+  /// Returns the lower bound of the other metric, times the least factor by which faces stretch segments. This factor
+  /// can be smaller than the smallest weight, because a face whose height is stretched less than its sides becomes flat
+  /// again.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(std::is_empty<Place>::value)
@@ -311,17 +320,17 @@ public:
       return (1 - internal::distance_bound_rounding) * m_least_stretch * Base::distance_lower_bound(p.place, q.place);
   }
 
-  /// The point of vertex `v`. Only over `Embedded_metric`.
+  /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  using Base::is_rounded; ///< whether the other metric rounds numbers of the mesh; then nothing is certified
+  using Base::is_rounded; ///< returns whether the other metric rounds numbers of the mesh, so that nothing is certified
   using Lengths::exact_face;
   using Lengths::face_geometry;
   using Lengths::length;
   using Lengths::sine_in_plane;
 
 private:
-  // The same from both ends, since sums do not depend on the order.
+  // Equal from both ends, since sums do not depend on the order.
   double factor(const Mesh& mesh, Input_halfedge_index h) const
   {
     return 0.5 * (vertex_weight(mesh.tail(h)) + vertex_weight(mesh.tail(internal::twin_index(h))));

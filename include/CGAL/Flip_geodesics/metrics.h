@@ -35,7 +35,8 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-// What `sine_in_plane()` computes with: whatever calls it includes the definition, since most users of a metric do not.
+// The data with which `sine_in_plane()` computes; callers include the definition, since most users of a metric do not
+// need it.
 class Flat_edges;
 template <class Mesh, class PlaceOf>
 class Planar_sine;
@@ -45,13 +46,14 @@ class Planar_sine;
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * A mesh seen by consecutive numbers: what a triangulation has as its input, and what metrics are asked about. It is a
- * class, and no concept, since a metric and all triangulations with it must mean the same elements by the same numbers.
+ * Represents a mesh by consecutive numbers. It is the input type of triangulations and the argument of metrics. It is a
+ * class rather than a concept, since a metric and all triangulations with it must identify elements by the same
+ * numbers.
  *
- * Vertices have the numbers of their order in `vertices(mesh)`. The two halfedges of the edge with number `e` in
- * `edges(mesh)` have `2e` and `2e+1`. So a number that a result holds leads back to the mesh: of the
- * `Input_halfedge_index h` of a surface point or a face, `triangulation.input().halfedge(h)` is the mesh's halfedge,
- * and `face(triangulation.input().halfedge(h), mesh)` its face.
+ * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge with number `e` in
+ * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result therefore lead back to the mesh: for the
+ * `Input_halfedge_index h` of a surface point or a face, `triangulation.input().halfedge(h)` is the halfedge of the
+ * mesh, and `face(triangulation.input().halfedge(h), mesh)` is its face.
  *
  * Member functions take constant time, except that `index()` takes logarithmic time unless the mesh is a
  * `Surface_mesh`.
@@ -64,18 +66,18 @@ class Numbered_mesh
 {
 public:
   /// Numbers a mesh, which must outlive the object. \f$O(n \log n)\f$, but constant time for a `Surface_mesh`, which is
-  /// numbered already and not copied.
+  /// already numbered and not copied.
   explicit Numbered_mesh(const TriangleMesh& mesh);
 
   Index number_of_vertices() const;  ///< returns the number of vertices
   Index number_of_halfedges() const; ///< returns the number of halfedges
-  /// Returns the number of a vertex of the mesh, `null_index` if it does not belong to the mesh.
+  /// Returns the number of a vertex of the mesh, or `null_index` if it does not belong to the mesh.
   Vertex_index index(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v) const;
-  /// Returns the number of a halfedge of the mesh, `null_index` if it does not belong to the mesh.
+  /// Returns the number of a halfedge of the mesh, or `null_index` if it does not belong to the mesh.
   Input_halfedge_index index(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h) const;
-  /// Returns the vertex of the mesh with a number.
+  /// Returns the vertex of the mesh with a given number.
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex(Vertex_index v) const;
-  /// Returns the halfedge of the mesh with a number.
+  /// Returns the halfedge of the mesh with a given number.
   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge(Input_halfedge_index h) const;
 
   static Input_halfedge_index twin(Input_halfedge_index h);    ///< returns the other side of the edge
@@ -84,12 +86,12 @@ public:
   Vertex_index tail(Input_halfedge_index h) const;             ///< returns the vertex at which `h` starts
   bool is_border(Input_halfedge_index h) const;                ///< returns whether `h` has no face on its left
   bool is_triangle(Input_halfedge_index h) const;              ///< returns whether the face of `h` has three sides
-  /// Returns a halfedge that starts at `v`, `null_index` at an isolated vertex.
+  /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Input_halfedge_index outgoing(Vertex_index v) const;
 
-  /// Returns whether edges of length zero were contracted, see `Zero_length_edges`.
+  /// Returns whether degenerate edges were contracted, see `Zero_length_edges`.
   bool is_contracted() const;
-  /// Returns the mesh before edges of length zero were contracted, or itself.
+  /// Returns the mesh before degenerate edges were contracted, or itself.
   const Numbered_mesh& uncontracted() const;
 };
 #else
@@ -100,10 +102,10 @@ using Numbered_mesh = internal::Indexed_mesh<TriangleMesh>;
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * The metric of a mesh embedded in space: edges have the length of the segment between their end points.
+ * Represents the metric of a mesh embedded in space: the length of an edge is the distance of its end points.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
- * \tparam VertexPointMap a model of `ReadablePropertyMap` with the mesh's vertices as keys and points as values
+ * \tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and points as values
  */
 template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric
@@ -119,23 +121,24 @@ private:
   static constexpr bool is_rational = internal::has_rational_coordinates<Point_3>;
 
 public:
-  /// Takes the lengths from points.
-  /// \param points of the mesh's vertices, which must not change while the metric is used
+  /// Constructs the metric of given points.
+  /// \param points the points of the vertices of the mesh, which must not change while the metric is used
   explicit Embedded_metric(VertexPointMap points)
     : m_points(points)
   {
   }
 
-  /// The point of vertex `v`.
+  /// Returns the point of vertex `v`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return get(m_points, mesh.vertex(v)); }
 
-  /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
+  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
+  /// finite or out of range \throws Degenerate_face_error if the length is zero
   double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = weight(mesh, h);
     if(!internal::is_usable_length(length)) {
       const std::array<double, 3> v = vector(mesh, h);
-      const double by_hypot = std::hypot(v[0], v[1], v[2]); // far or close, the distance is no longer its square's root
+      const double by_hypot = std::hypot(v[0], v[1], v[2]); // its square can overflow or underflow
       internal::throw_unusable_length(by_hypot == 0 ? length : by_hypot, mesh.tail(h),
                                       mesh.tail(internal::twin_index(h)));
     }
@@ -181,7 +184,8 @@ public:
       return std::sqrt(squared_norm(difference(p, q)));
   }
 
-  /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face. \throws as `length()`
+  /// Returns the vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face, with the exceptions of
+  /// `length()`.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
@@ -200,7 +204,7 @@ public:
                                             point(mesh, mesh.tail(hp)));
   }
 
-  /// The same face in exact numbers; coordinates are taken as they are, or as the doubles they round to, see
+  /// Returns the exact face of a halfedge. Coordinates are taken as they are, or as the doubles they round to, see
   /// `is_rounded()`.
   internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
@@ -262,7 +266,7 @@ private:
     return point(mesh, mesh.tail(h)) == point(mesh, mesh.tail(internal::twin_index(h)));
   }
 
-  // Throws what length() throws, but takes no root.
+  // Throws the exceptions of length(), but does not compute a root.
   void check_length(const Mesh& mesh, Input_halfedge_index h, const std::array<double, 3>& vector) const
   {
     const double square = squared_norm(vector);
@@ -307,7 +311,7 @@ private:
 
 namespace internal {
 
-/* What metrics of lengths have in common: faces are made of the three lengths, and nothing is known of points. */
+/* The common base of metrics of lengths: faces are defined by three lengths, and points are not known. */
 template <class Metric>
 class Metric_of_lengths
 {
@@ -358,10 +362,11 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * A metric given by a length for each edge, without any embedding; so are anisotropic metrics given.
+ * Represents a metric given by a length for each edge, without any embedding. Anisotropic metrics can be given in this
+ * form.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
- * \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the mesh's edges as keys and numbers as values
+ * \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edges of the mesh as keys and numbers as values
  */
 template <class TriangleMesh, class EdgeLengthMap>
 class Edge_length_metric : public internal::Metric_of_lengths<Edge_length_metric<TriangleMesh, EdgeLengthMap>>
@@ -375,33 +380,34 @@ public:
   using Mesh = Numbered_mesh<TriangleMesh>; ///< the mesh, numbered
   using Kernel = Simple_cartesian<double>;  ///< in which finished curves are measured
 
-  /// Takes the lengths from a property map.
-  /// \param mesh must outlive the metric
-  /// \param lengths of its edges, read whenever one is asked for; any unit, each between 1e-70 and 1e70
+  /// Constructs the metric of given lengths.
+  /// \param mesh the mesh, which must outlive the metric
+  /// \param lengths the lengths of its edges, which are read whenever they are needed; in any unit, each between 1e-70
+  ///        and 1e70
   Edge_length_metric(const TriangleMesh& mesh, EdgeLengthMap lengths)
     : m_mesh(&mesh)
     , m_lengths(lengths)
   {
   }
 
-  /// Nothing: lengths alone do not say where a vertex is.
+  /// Is empty, since lengths do not determine the positions of vertices.
   struct Place
   {
   };
 
-  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  /// Returns the length of halfedge `h` without any check, for searches that only pass by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     return internal::imported_number(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
   }
 
-  /// The same: places say nothing.
+  /// Returns the length of halfedge `h`; the positions contain no data.
   double weight(const Mesh& mesh, Input_halfedge_index h, Place, Place) const { return weight(mesh, h); }
 
-  /// Nothing.
+  /// Returns an empty object.
   Place place(const Mesh&, Vertex_index) const { return Place(); }
 
-  /// Zero.
+  /// Returns zero.
   double distance_lower_bound(Place, Place) const { return 0; }
 
   /*!
