@@ -29,7 +29,7 @@ namespace internal {
                               {static_cast<std::size_t>(v.idx())});
 }
 
-/* A halfedge of the mesh from one vertex to another, the first clockwise; null_index if there is none. */
+/* Returns a halfedge of the mesh from one vertex to another, the first clockwise, or null_index. */
 template <class Input_mesh>
 Input_halfedge_index uncontracted_halfedge_between(const Input_mesh& contracted, Vertex_index v, Vertex_index w)
 {
@@ -44,7 +44,10 @@ Input_halfedge_index uncontracted_halfedge_between(const Input_mesh& contracted,
   return null_index;
 }
 
-/* Adds what is left of a halfedge of the mesh to a chain. Returns whether the chain hangs together. */
+/*
+ * Adds the halfedge that corresponds to a halfedge of the mesh, if any, to a chain. Returns whether the chain is
+ * connected.
+ */
 template <class Input_mesh>
 bool add_contracted_halfedge(const Input_mesh& contracted, Input_halfedge_index h, std::vector<Halfedge_index>& chain)
 {
@@ -61,7 +64,7 @@ bool add_contracted_halfedge(const Input_mesh& contracted, Input_halfedge_index 
   return true;
 }
 
-/* What is left of a curve of edges. */
+/* Returns the halfedges that remain of a curve of edges. */
 template <class Input_mesh>
 std::vector<Halfedge_index> contracted_halfedges_through(const Input_mesh& contracted,
                                                          std::vector<Vertex_index> vertices, bool is_closed)
@@ -85,7 +88,7 @@ std::vector<Halfedge_index> contracted_halfedges_through(const Input_mesh& contr
   return result;
 }
 
-/* Where a point of the mesh is. */
+/* Returns the location of a vertex of the mesh. */
 template <class Input_mesh>
 Surface_location contracted_vertex_location(const Input_mesh& contracted, Vertex_index v)
 {
@@ -95,7 +98,7 @@ Surface_location contracted_vertex_location(const Input_mesh& contracted, Vertex
   return {h, {{1, 0, 0}}};
 }
 
-/* The same on an edge, at weights of the two ends of a halfedge of the mesh. */
+/* Returns the location of a point on an edge, given the weights of the two ends of a halfedge of the mesh. */
 template <class Input_mesh>
 Surface_location contracted_edge_location(const Input_mesh& contracted, Input_halfedge_index h, double at_tail,
                                           double at_head)
@@ -115,7 +118,7 @@ Surface_location contracted_edge_location(const Input_mesh& contracted, Input_ha
   return contracted_edge_location(contracted, fold.second, 1 - way, way - fold.share);
 }
 
-/* Is the face of h one of two that lie folded, with h between them? */
+/* Returns whether the face of h is one of two folded faces with h between them. */
 template <class Input_mesh>
 bool is_folded_along(const Input_mesh& contracted, Input_halfedge_index h)
 {
@@ -123,8 +126,10 @@ bool is_folded_along(const Input_mesh& contracted, Input_halfedge_index h)
          contracted.fold(h).first == twin_index(contracted.uncontracted().previous(h));
 }
 
-/* Are there edges of which nothing is left but their ends, since all that joined these were faces without area? Linear
- * in the mesh. */
+/*
+ * Returns whether edges have vanished except for their ends, because only degenerate faces connected these. Linear in
+ * the mesh.
+ */
 template <class Input_mesh>
 bool has_lost_edges(const Input_mesh& contracted)
 {
@@ -135,16 +140,20 @@ bool has_lost_edges(const Input_mesh& contracted)
                      [&](Input_halfedge_index h) { return contracted.contracted_halfedge(h) == Contraction::is_hair; });
 }
 
-/* Can a shortest path on a mesh be none on the contracted surface: one along edges of which nothing is left, or through a
- * point in which sheets met that have vertices of their own there now? Linear in the mesh if it is contracted. */
+/*
+ * Returns whether a shortest path on a mesh need not be one on the contracted surface: a path along vanished edges, or
+ * through a point at which umbrellas met that have separate vertices there now. Linear in the mesh if it is contracted.
+ */
 template <class Input_mesh>
 bool has_lost_paths(const Input_mesh& contracted)
 {
   return contracted.has_split_point() || has_lost_edges(contracted);
 }
 
-/* The report of a curve of which a point is left on the surface of a triangulation. It is proven to be one unless
- * coordinates or lengths of the mesh are not doubles. */
+/*
+ * Returns the report of a curve that is a point on the surface of a triangulation. This is proven unless coordinates or
+ * lengths of the mesh are not doubles.
+ */
 template <class Triangulation>
 Curve_report report_of_point(const Triangulation& triangulation)
 {
@@ -156,8 +165,8 @@ Curve_report report_of_point(const Triangulation& triangulation)
 }
 
 /*
- * The vertex of a triangulation in the place of vertex `v` of its mesh: `v` itself unless edges of length zero were
- * contracted, see `Zero_length_edges`. Constant time.
+ * Returns the vertex of a triangulation that corresponds to vertex `v` of its mesh: `v` itself unless degenerate edges
+ * were contracted, see `Zero_length_edges`. Constant time.
  *
  * \param v an index in `vertices(mesh)`
  * \throws Vertex_out_of_range_error
@@ -170,12 +179,12 @@ Vertex_index vertex_on_surface(const Triangulation& triangulation, Vertex_index 
 }
 
 /*
- * The chain of halfedges of a triangulation along edges of its mesh. Where edges of length zero were contracted, it may
- * run to and fro along an edge. Nothing is left of a curve whose vertices all lie in one place. Without such edges, it
- * is that of `halfedges_through()`.
+ * Returns the chain of halfedges of a triangulation along edges of its mesh. If degenerate edges were contracted, it
+ * may run back and forth along an edge, and it is empty for a curve whose vertices all coincide. Otherwise, it is that
+ * of `halfedges_through()`.
  *
  * \param vertices a range of indices in `vertices(mesh)`; a closed curve does not repeat the first
- * \throws Degenerate_face_error if the curve leaves the surface that is left, along faces without area
+ * \throws Degenerate_face_error if the curve leaves the remaining surface along degenerate faces
  * \throws as `halfedges_through()`
  *
  * Complexity: linear in the degrees of the vertices.
@@ -190,12 +199,12 @@ std::vector<Halfedge_index> halfedges_on_surface(const Triangulation& triangulat
 }
 
 /*
- * Where a point of the mesh lies on the surface of a triangulation: the same location unless edges of length zero were
- * contracted. Constant time, but for the degree of a vertex.
+ * Returns the location of a point of the mesh on the surface of a triangulation: the same location unless degenerate
+ * edges were contracted. Constant time, except for the degree of a vertex.
  *
  * \param location with a halfedge of the mesh
  * \throws Invalid_location_error
- * \throws Degenerate_face_error if the point lies on faces without area, and no surface is left there
+ * \throws Degenerate_face_error if the point lies on degenerate faces where no surface remains
  */
 template <class Triangulation>
 Surface_location location_on_surface(const Triangulation& triangulation, const Surface_location& location)
@@ -210,7 +219,7 @@ Surface_location location_on_surface(const Triangulation& triangulation, const S
   if(kind(at) == Location_kind::EDGE)
     return contracted_edge_location(contracted, at.halfedge, at.weights[0], at.weights[1]);
   for(int i = 0; i < 3; ++i, at = rotated(input, at))
-    if(contracted.contracted_halfedge(at.halfedge) == Contraction::is_point) // the tail and the head are one
+    if(contracted.contracted_halfedge(at.halfedge) == Contraction::is_point) // the tail and the head coincide
       return contracted_edge_location(contracted, input.next(at.halfedge), at.weights[0] + at.weights[1],
                                       at.weights[2]);
   for(int i = 0; i < 3; ++i, at = rotated(input, at))
@@ -260,8 +269,8 @@ bool are_curves_folded(const Triangulation& triangulation, const Shortening_repo
 }
 
 /*
- * Has a surface that was taken as it is edges of length zero, or vertices that faces without area fold onto one place?
- * Not where it would fall apart there. Linear in the mesh.
+ * Returns whether a surface that was not contracted has degenerate edges, or vertices that degenerate faces fold onto
+ * one point, unless it would fall apart there. Linear in the mesh.
  */
 template <class Triangulation>
 bool is_contraction_of_use(const Triangulation& triangulation)
@@ -278,7 +287,7 @@ bool is_contraction_of_use(const Triangulation& triangulation)
   }
 }
 
-/* Says of all curves whether edges of length zero were contracted for them, or throws if they have to be. */
+/* Records for all curves whether degenerate edges were contracted for them, or throws if they must be. */
 template <class Triangulation>
 void note_contraction(const Triangulation& triangulation, Shortening_report& report)
 {

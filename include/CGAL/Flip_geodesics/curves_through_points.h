@@ -36,22 +36,28 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a curve through points of the surface: makes them vertices, joins each two in a row, and fixes the curve's nodes
- * there.
+ * Adds a curve through points of the surface. The points become vertices, at which the nodes of the curve are fixed,
+ * and consecutive points are connected.
  *
- * With two points the curve is a shortest path along edges. With more, each leg is the geodesic to which such a path is
- * pulled tight by itself, so that it passes the other points on the sides on which the geodesic does; the edges that the
- * legs cross are flipped. A leg that crosses a curve of the network remains a path of edges, and
- * `order_overlapping_curves()` detects whether the curves cross. The initial length is that of the paths of edges.
+ * A curve through two points is a shortest edge path. A curve through more points consists of geodesic segments, each
+ * obtained by shortening such a path separately, so that it passes the other points on the same sides as the geodesic;
+ * the edges that the segments cross are flipped. A segment that crosses a curve of the network remains an edge path,
+ * and `order_overlapping_curves()` detects whether the curves cross. The initial length is that of the edge paths.
  *
- * \param locations a range of `Surface_location`s, at least two; those in the place of the one before count once. A
- *        closed curve need not repeat the first
- * \return the curve's index
- * \throws Invalid_curve_error for fewer than two points, or if all are in one place
- * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` are the ends of the edge that is
- *         crossed. No curve is added then, but points may have become vertices, and edges may have been flipped
- * \throws Disconnected_endpoints_error
- * \throws as `Edge_path_network::insert()`, `shorten()`
+ * \param network the network
+ * \param locations a range of at least two `Surface_location`s; a location that coincides with the previous one is
+ *        skipped. A closed curve need not repeat the first
+ * \param is_closed whether the curve is closed
+ * \return the index of the curve
+ * \throws Invalid_curve_error if fewer than two points are given, or all coincide
+ * \throws Crossing_curves_error if segments cross each other between vertices; `elements()` are the ends of the crossed
+ *         edge. No curve is added then, but points may have become vertices, and edges may have been flipped
+ * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+ * \throws Invalid_location_error as `Edge_path_network::insert()` does
+ * \throws Insertion_error as `Edge_path_network::insert()` does
+ * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
+ * \throws Degenerate_face_error as `shorten()` does
+ * \throws Invalid_coordinate_error as `shorten()` does
  */
 template <class Network, class LocationRange>
 Curve_index add_curve_through(Network& network, const LocationRange& locations, bool is_closed = false)
@@ -89,22 +95,31 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a curve along geodesics on the surface, such as the pieces of a `Geodesic_spline`, the legs of a `Curve_editor`
- * or those of `geodesics_through()`: makes their ends vertices, where the curve is fixed, and the geodesics between them
- * edges of the triangulation, for which the edges that they cross are flipped. A leg that is not a geodesic is
- * shortened to one in its homotopy class.
+ * Adds a curve along geodesic segments on the surface, such as the pieces of a `Geodesic_spline`, or the segments of a
+ * `Curve_editor` or of `geodesics_through()`.
  *
- * \param legs each starts where the one before ends; each two points in a row lie in a common face of the input
- * \param is_closed says whether the last leg ends where the first starts, and the curve is closed
- * \return the curve's index
+ * The ends of the segments become vertices, at which the curve is fixed. The segments become edges of the
+ * triangulation, for which the edges that they cross are flipped. A segment that is not a geodesic is shortened to one
+ * in its homotopy class.
+ *
+ * \param network the network
+ * \param legs the segments, each starting at the end of the previous one; two consecutive points lie in a common face
+ *        of the input
+ * \param is_closed whether the last segment ends where the first starts, and the curve is closed
+ * \return the index of the curve
  * \pre no edge of the triangulation in these faces crosses an input edge
- * \throws Invalid_curve_error for a leg of fewer than two points, points in a row that lie in no common face, and legs
- *         that are all a point
- * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()` are
- *         the ends of the edge that is crossed. No curve is added then, but points may have become vertices, and edges
- *         may have been flipped
- * \throws Ambiguous_order_error, and as `Edge_path_network::insert()`, `shorten()`
- * \sa `draw_polyline()`, which keeps a polyline that is not a geodesic
+ * \throws Invalid_curve_error if a segment has fewer than two points, consecutive points have no common face, or all
+ *         segments are points
+ * \throws Crossing_curves_error if segments cross each other or a curve of the network between vertices; `elements()`
+ *         are the ends of the crossed edge. No curve is added then, but points may have become vertices, and edges may
+ *         have been flipped
+ * \throws Ambiguous_order_error if the search for an order of overlapping segments is aborted
+ * \throws Invalid_location_error as `Edge_path_network::insert()` does
+ * \throws Insertion_error as `Edge_path_network::insert()` does
+ * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
+ * \throws Degenerate_face_error as `shorten()` does
+ * \throws Invalid_coordinate_error as `shorten()` does
+ * \sa `draw_polyline()`, which preserves a polyline that is not a geodesic
  */
 template <class Network>
 Curve_index add_curve_along(Network& network, const std::vector<std::vector<Surface_location>>& legs,
@@ -126,15 +141,15 @@ Curve_index add_curve_along(Network& network, const std::vector<std::vector<Surf
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Geodesics from point to point, each by itself.
+/// Contains geodesics between consecutive points, each computed separately.
 struct Free_legs
 {
-  std::vector<std::vector<Surface_location>> legs; ///< the points of each: its ends, and where it crosses edges
-  Shortening_report report;                        ///< of all legs together, as one curve
+  std::vector<std::vector<Surface_location>> legs; ///< the points of each: its ends, and its crossings of edges
+  Shortening_report report;                        ///< on all segments together, as one curve
 
-  double length() const { return report.curves.front().length; }            ///< the length of all legs
-  Shortening_status status() const { return report.curves.front().status; } ///< whether each leg is a geodesic
-  Verdict verdict() const { return report.curves.front().verdict; }         ///< whether each is confirmed to be one
+  double length() const { return report.curves.front().length; }            ///< returns the length of all segments
+  Shortening_status status() const { return report.curves.front().status; } ///< returns whether each is a geodesic
+  Verdict verdict() const { return report.curves.front().verdict; }         ///< returns whether each is confirmed
 };
 
 namespace internal {
@@ -165,20 +180,25 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Joins each two points in a row by a shortest path along edges, and pulls it tight. The triangulation is put back for
- * the next one. So legs do not hold up one another, and may cross, unlike those of `add_curve_through()`; there is no
- * triangulation that has all of them.
+ * Computes geodesics between consecutive points, by shortening a shortest edge path between each two of them.
  *
- * A leg between two points in one place is that point twice. If all are in one place, so is the curve, and its status
- * is `Shortening_status::CONTRACTED`.
+ * The triangulation is restored for the next segment. Segments therefore do not block one another, and may cross,
+ * unlike those of `add_curve_through()`; a triangulation that contains all of them need not exist. A segment between
+ * two coincident points consists of that point twice. If all points coincide, the curve is a point, and its status is
+ * `Shortening_status::CONTRACTED`.
  *
- * \param triangulation that of the input, without flips and curves, as it is afterwards
- * \param points at least two
- * \param np named parameters: `stop_predicate` and `visitor` as for `shorten()`, for each leg; the former is
- *        `restarted()` for each if it can be
- * \throws Invalid_curve_error for fewer than two points
- * \throws Occupied_triangulation_error if there are curves
- * \throws Disconnected_endpoints_error, and as `Intrinsic_triangulation::insert()`, `shorten()`
+ * \param triangulation a triangulation of the input without flips and curves, which is unchanged afterwards
+ * \param points at least two points
+ * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, for each segment. The predicate is
+ *        `restarted()` for each segment if possible
+ * \return the segments, and a report
+ * \throws Invalid_curve_error if fewer than two points are given
+ * \throws Occupied_triangulation_error if a network has curves in the triangulation
+ * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+ * \throws Invalid_location_error as `Intrinsic_triangulation::insert()` does
+ * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
+ * \throws Degenerate_face_error as `shorten()` does
+ * \throws Invalid_coordinate_error as `shorten()` does
  */
 template <class Triangulation, class... NamedParameters>
 Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surface_location>& points,

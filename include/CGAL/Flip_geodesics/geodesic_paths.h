@@ -41,23 +41,26 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// What `geodesic_paths()` writes for each path: its points, as `geodesic_path()` writes them, and what that returns.
+/// Contains the result of `geodesic_paths()` for one path: its points, in the form that `geodesic_path()` writes, and
+/// its report.
 template <class Point>
 struct Geodesic_path_result
 {
-  /// From the source to the target; none if there is an error, or if the visitor stopped the computation before it.
+  /// The points from the source to the target; empty if an exception was thrown, or if the visitor stopped the
+  /// computation before.
   std::vector<Point> points;
-  Shortening_report report = {std::vector<Curve_report>(1), 0, 0}; ///< what became of the curve, if there is no error
-  std::exception_ptr error; ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
+  Shortening_report report = {std::vector<Curve_report>(1), 0, 0}; ///< the report on the curve, if no exception was
+                                                                   ///< thrown
+  std::exception_ptr error; ///< the exception that was thrown, or null; `std::rethrow_exception()` throws it again
 
-  double length() const { return report.curves.front().length; }            ///< the length of the path
-  Shortening_status status() const { return report.curves.front().status; } ///< whether the path is a geodesic
-  Verdict verdict() const { return report.curves.front().verdict; }         ///< whether it is confirmed to be one
+  double length() const { return report.curves.front().length; }            ///< returns the length of the path
+  Shortening_status status() const { return report.curves.front().status; } ///< returns whether the path is a geodesic
+  Verdict verdict() const { return report.curves.front().verdict; }         ///< returns whether this is certified
 };
 
 namespace internal {
 
-/* Computes one path after the other in one triangulation, whose flips are taken back in between. */
+/* Computes one path after the other in one triangulation, whose flips are undone in between. */
 template <class Form, class TriangleMesh, class NamedParameters>
 class Path_workspace
 {
@@ -90,14 +93,14 @@ public:
         m_memory.emplace(m_mesh, m_np);
       return compute_between(source, target);
     } catch(...) {
-      m_memory.reset(); // whatever state the failure left
+      m_memory.reset(); // its state is unknown after an exception
       result.error = std::current_exception();
       return result;
     }
   }
 
 private:
-  // Triangulations and searches over them, as it is and contracted, that serve one path after the other.
+  // Triangulations, as given and contracted, and searches over them, which are reused for all paths.
   struct Memory
   {
     Memory(const TriangleMesh& mesh, const NamedParameters& np)
@@ -117,7 +120,7 @@ private:
 
   Search& search_over(Triangulation& triangulation)
   {
-    triangulation.rollback(); // the flips of the path before
+    triangulation.rollback(); // the flips of the previous path
     std::optional<Search>& search =
         triangulation.input().is_contracted() ? m_memory->contracted_search : m_memory->search;
     if(!search && m_landmarks == nullptr)
@@ -157,7 +160,7 @@ private:
   }
 
   const TriangleMesh& m_mesh;
-  const Landmark_distances* m_landmarks; // null if there are none
+  const Landmark_distances* m_landmarks; // null if no landmarks are given
   const NamedParameters& m_np;
   std::optional<Memory> m_memory;
 };

@@ -35,7 +35,7 @@ constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag
 template <class NamedParameters, class Tag>
 using Given = typename internal_np::Get_param<typename NamedParameters::base, Tag>::type;
 
-/* A sequence of named parameters, put before others. */
+/* Prepends a sequence of named parameters to others. */
 template <class T, class Tag, class Base, class Others>
 auto put_before(const Named_function_parameters<T, Tag, Base>& np, const Others& others)
 {
@@ -52,7 +52,7 @@ auto put_before(const Named_function_parameters<T, Tag, Base>& np, const Others&
 
 inline parameters::Default_named_parameters joined() { return parameters::default_values(); }
 
-/* One sequence of named parameters instead of several. */
+/* Joins several sequences of named parameters. */
 template <class NamedParameters, class... Others>
 decltype(auto) joined(const NamedParameters& np, const Others&... others)
 {
@@ -60,7 +60,7 @@ decltype(auto) joined(const NamedParameters& np, const Others&... others)
                 "an option is not a named parameter: parameters::stop_predicate(), parameters::search_limit() and "
                 "others make one of it; named parameters come last");
   if constexpr(!Is_named_parameters<NamedParameters>::value)
-    return joined(others...); // so that no other message follows
+    return joined(others...); // avoids another error message
   else if constexpr(sizeof...(Others) == 0)
     return (np);
   else
@@ -70,7 +70,7 @@ decltype(auto) joined(const NamedParameters& np, const Others&... others)
 template <class... NamedParameters>
 using Joined = std::decay_t<decltype(joined(std::declval<const NamedParameters&>()...))>;
 
-/* Are the names of named parameters among the tags? */
+/* Whether the names of named parameters are among the tags. */
 template <class NamedParameters, class... Tags>
 struct Has_names_of : std::false_type
 {
@@ -89,7 +89,7 @@ struct Has_names_of<Named_function_parameters<T, Tag, Base>, Tags...>
 {
 };
 
-/* The named parameters of a function, which has no others than those of the tags. */
+/* Returns the named parameters of a function, which must be among the tags. */
 template <class... Tags, class... NamedParameters>
 decltype(auto) options_of(const NamedParameters&... np)
 {
@@ -98,21 +98,21 @@ decltype(auto) options_of(const NamedParameters&... np)
   return joined(np...);
 }
 
-/* The same for a function that has those that say what lengths are and how to compute with them as well. */
+/* Returns the named parameters of a function that also accepts those for lengths and traits. */
 template <class... Tags, class... NamedParameters>
 decltype(auto) surface_options(const NamedParameters&... np)
 {
   return options_of<internal_np::vertex_point_t, Metric_parameter, internal_np::geom_traits_t, Tags...>(np...);
 }
 
-/* The same for a function that shortens curves. */
+/* Returns the named parameters of a function that also shortens curves. */
 template <class... Tags, class... NamedParameters>
 decltype(auto) curve_options(const NamedParameters&... np)
 {
   return surface_options<internal_np::visitor_t, Stop_parameter, Tags...>(np...);
 }
 
-/* The limit that is given, or the standard one. */
+/* Returns the given limit, or the default. */
 template <class Limit, class NamedParameters>
 Limit search_limit_of(const NamedParameters& np)
 {
@@ -125,7 +125,7 @@ Limit search_limit_of(const NamedParameters& np)
   }
 }
 
-/* The named parameter number_of_iterations, a whole number, which may be given with a sign. */
+/* Returns the named parameter number_of_iterations, an integer of signed or unsigned type. */
 template <class NamedParameters>
 std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard)
 {
@@ -139,7 +139,7 @@ std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard
   return static_cast<std::size_t>(number);
 }
 
-/* The landmarks that are given, or null. */
+/* Returns the given landmarks, or null. */
 template <class Landmarks, class NamedParameters>
 const Landmarks* landmarks_of(const NamedParameters& np)
 {
@@ -170,13 +170,13 @@ double greatest_point_distance_of(const NamedParameters& np)
 } // namespace internal
 } // namespace Flip_geodesics
 
-/// The named parameters of CGAL, and those of this package.
+/// Contains the named parameters of \cgal and of this package.
 namespace parameters {
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Where lengths come from, instead of the points of the mesh: an `Edge_length_metric` for instance.
- * \param metric a model of `IntrinsicMetric` for the mesh; it is copied
+ * Sets the source of lengths, instead of the points of the mesh: an `Edge_length_metric` for instance.
+ * \param metric a model of `IntrinsicMetric` for the mesh, which is copied
  */
 template <class Metric>
 auto metric(const Metric& metric)
@@ -189,8 +189,8 @@ auto metric(const Metric& metric)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * When curves are not to be shortened further.
- * \param predicate a model of `FlipOutStopPredicate`; it is copied, unless it is given by `std::ref()`
+ * Sets the condition at which curves are not shortened further.
+ * \param predicate a model of `FlipOutStopPredicate`, which is copied unless it is passed by `std::ref()`
  */
 template <class StopPredicate>
 auto stop_predicate(const StopPredicate& predicate)
@@ -202,7 +202,7 @@ auto stop_predicate(const StopPredicate& predicate)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * How much a search may do before it is given up.
+ * Sets the amount of work after which a search is aborted.
  * \param limit a `Window_limit`, or a `Covering_limit` for `shortest_paths_by_class()`
  */
 template <class Limit>
@@ -213,9 +213,9 @@ auto search_limit(const Limit& limit)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Landmarks that direct searches, which pays if there are many.
- * \param landmarks `Landmark_distances` for `geodesic_paths()`, `Geodesic_landmarks` for `shortest_path()`, made for the
- *        mesh and its metric; they are not copied, and must outlive the call
+ * Sets landmarks that guide searches, which pays off for many searches.
+ * \param landmarks `Landmark_distances` for `geodesic_paths()`, `Geodesic_landmarks` for `shortest_path()`, computed
+ *        for the mesh and its metric; they are not copied and must outlive the call
  */
 template <class Landmarks>
 auto landmarks(const Landmarks& landmarks)
@@ -226,8 +226,8 @@ auto landmarks(const Landmarks& landmarks)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * A property map that receives the number of the nearest source for each vertex.
- * \param map a model of `WritablePropertyMap` with the mesh's vertices as keys and whole numbers as values; it is
+ * Sets a property map that receives the number of the nearest source for each vertex.
+ * \param map a model of `WritablePropertyMap` with the vertices of the mesh as keys and integers as values, which is
  *        copied
  */
 template <class VertexSourceMap>

@@ -45,9 +45,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Calls `run()`, a search over faces. Returns false if it has met a degenerate one, so that there may be shorter paths
- * than it has found. The search lays out faces when they are first needed, from many places in its innermost loops, and
- * what it has found before remains valid; an exception ends it there without a test after each face.
+ * Calls `run()`, a search over faces. Returns false if it has encountered a degenerate one, so that shorter paths than
+ * those found may exist. The search lays out faces when they are first needed, from many places in its innermost loops,
+ * and its previous results remain valid; an exception ends it there without a test after each face.
  */
 template <class Run>
 bool meets_no_degenerate_face(const Run& run)
@@ -66,7 +66,7 @@ bool run_to_the_end(Search& search, double bound, std::size_t most_windows, Inte
   return meets_no_degenerate_face([&] { search.run(bound, most_windows, interruption...); });
 }
 
-/* The same between two vertices, where a path as long as the bound is known. */
+/* Runs a search between two vertices, given a bound that is the length of a known path. */
 template <class Sweep, class Search>
 bool run_between(Sweep& sweep, Search& search, double bound, std::size_t most_windows, Interruption* interruption)
 {
@@ -77,7 +77,10 @@ bool run_between(Sweep& sweep, Search& search, double bound, std::size_t most_wi
   });
 }
 
-/* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
+/*
+ * Returns the path that a search has found as edges, for which the edges that it crosses are flipped; empty if this is
+ * impossible.
+ */
 template <class Triangulation>
 std::vector<Halfedge_index> insert_path(Triangulation& triangulation, const Window_search<Triangulation>& search,
                                         Vertex_index source, Vertex_index target, std::size_t& flips)
@@ -99,8 +102,8 @@ std::vector<Halfedge_index> insert_path(Triangulation& triangulation, const Wind
 }
 
 /*
- * The same where legs are in each other's way, as on rough terrain: over a tree of geodesics, of which the paths to the
- * vertices that the shortest path passes are replaced.
+ * Inserts the path if its geodesic segments block each other, as on rough terrain: over a tree of geodesics, of which
+ * the paths to the vertices that the shortest path passes are replaced.
  */
 template <class Triangulation>
 std::vector<Halfedge_index> insert_path_in_tree(Triangulation& triangulation,
@@ -124,7 +127,9 @@ std::vector<Halfedge_index> insert_path_in_tree(Triangulation& triangulation,
   return !path.empty() && triangulation.tail(path.front()) == source ? path : std::vector<Halfedge_index>();
 }
 
-/* What the gap and the certificate say of a path on a surface that is the mesh, without rounded numbers. */
+/*
+ * Returns the verdict that follows from the gap and the certificate of a path, on a surface that is the unrounded mesh.
+ */
 inline Verdict verdict_of(const Shortest_path_report& report)
 {
   if(!report.shortening.is_complete() || report.gap() > Shortest_path_report::tolerance() * report.length)
@@ -134,7 +139,7 @@ inline Verdict verdict_of(const Shortest_path_report& report)
   return is_proven ? Verdict::WITHIN_ROUNDING : Verdict::WITHIN_TOLERANCE;
 }
 
-/* Is a better lower bound all that a confirmed path lacks to be proven shortest? */
+/* Returns whether a confirmed path is not proven to be shortest only because of its lower bound. */
 inline bool lacks_rounding_tolerance(const Shortest_path_report& report)
 {
   return verdict_of(report) == Verdict::WITHIN_TOLERANCE && report.shortening.curves.front().verdict == Verdict::PROVEN;
@@ -166,7 +171,7 @@ void raise_lower_bound(const Triangulation& triangulation, Unfolded_faces<Triang
         report.lower_bound, (std::min)({windows.lower_bound(), windows.least_distance(sweep.source()), sweep.bound()}));
 }
 
-/* There is nothing shorter than a path of no length, if its ends are proven to be in one place. */
+/* A path of length zero is shortest, if its ends are proven to coincide. */
 inline Shortest_path_report report_of_no_length(const Shortening_report& shortening)
 {
   Shortest_path_report report;
@@ -176,7 +181,7 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
   return report;
 }
 
-/* No path is shorter, by the places of its ends alone. */
+/* Returns a lower bound of the length of all paths, from the positions of the ends alone. */
 template <class Triangulation>
 double lower_bound_in_space(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
 {
@@ -191,7 +196,7 @@ inline bool is_stopped_by_visitor(const Shortest_path_report& report)
   return report.status() == Shortening_status::STOPPED_BY_VISITOR;
 }
 
-/* Looks for a shorter path than the only one of a network, where faces without area are in the way of windows. */
+/* Searches for a shorter path than the only one of a network, if degenerate faces obstruct windows. */
 template <class Network, class Visitor>
 void take_shorter_path(Network& network, Vertex_index source, Vertex_index target, Shortest_path_report& report,
                        Visitor& visitor)
@@ -210,13 +215,15 @@ void take_shorter_path(Network& network, Vertex_index source, Vertex_index targe
   const Shortening_report before = report.shortening;
   report.shortening = pull_tight(network, *best, visitor);
   if(best == &first)
-    report.shortening = before; // the same again
+    report.shortening = before; // unchanged
   else
     count_before(report.shortening, before, best->flips.size());
 }
 
-/* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
- * is to see all of it. */
+/*
+ * Shortens a path of which only the ends are given, in an empty network, after initial straightening unless the visitor
+ * must observe the whole process.
+ */
 template <class Network, class Visitor>
 Shortening_report shorten_from_start(Network& network, const std::vector<Halfedge_index>& path, Visitor& visitor)
 {
@@ -528,16 +535,19 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Makes landmarks for many calls of `shortest_path()` on one mesh.
+ * Computes landmarks, which speed up many calls of `shortest_path()` on one mesh by lower bounds of distances.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked, for several sweeps at the same time;
- *         the results are the same
+ * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` if TBB is linked, for several concurrent propagations; the
+ *         results are the same
  *
  * \param mesh a triangle mesh
- * \param number of landmarks in each component
- * \param np the named parameters of `geodesic_path()` that say what lengths are, and `visitor`. If its `go_further()`
- *        returns `false`, then the result is not complete, see `Geodesic_landmarks::is_complete()`
- * \throws as `Geodesic_landmarks`
+ * \param number the number of landmarks in each component
+ * \param np the named parameters `vertex_point_map`, `metric` and `geom_traits` as for `geodesic_path()`, and
+ *        `visitor`. If the `go_further()` of the visitor returns `false`, the result is not complete, see
+ *        `Geodesic_landmarks::is_complete()`
+ * \throws Degenerate_face_error as `Geodesic_landmarks` does
+ * \throws Invalid_coordinate_error as `Geodesic_landmarks` does
+ * \throws Invalid_mesh_error as `Geodesic_landmarks` does
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class... NamedParameters>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t number, const NamedParameters&... np)
@@ -548,7 +558,7 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t numb
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// The same with `Geodesic_landmarks::default_number` landmarks in each component.
+/// Computes `Geodesic_landmarks::default_number` landmarks in each component.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class... NamedParameters,
           std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParameters&... np)
@@ -559,12 +569,15 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParam
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Makes landmarks of given vertices.
+ * Computes landmarks at given vertices.
  *
  * \param mesh a triangle mesh
- * \param landmarks a range of vertices of the mesh, in any order; each counts once
- * \param np as above
- * \throws Vertex_out_of_range_error; otherwise as `Geodesic_landmarks`
+ * \param landmarks a range of vertices of the mesh in any order, where repeated ones count once
+ * \param np named parameters, as for the overload with a number of landmarks
+ * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
+ * \throws Degenerate_face_error as `Geodesic_landmarks` does
+ * \throws Invalid_coordinate_error as `Geodesic_landmarks` does
+ * \throws Invalid_mesh_error as `Geodesic_landmarks` does
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class VertexRange = std::vector<internal::Vertex_in<TriangleMesh>>, class... NamedParameters,

@@ -37,15 +37,15 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// How a search for paths of different classes ended.
+/// States how a search for paths of different classes ended.
 enum class Class_search_status {
-  FOUND,             ///< there is a path for each class that was asked for
-  NO_MORE_CLASSES,   ///< there are fewer classes, and each has its path
-  COVERING_LIMIT,    ///< the `Covering_limit` did not suffice; there may be fewer paths, or others
-  STOPPED_BY_VISITOR ///< the visitor's `go_further()` returned `false`; there are no paths
+  FOUND,             ///< a path has been found for each requested class
+  NO_MORE_CLASSES,   ///< fewer classes exist, and each has its path
+  COVERING_LIMIT,    ///< the `Covering_limit` did not suffice; fewer paths, or others, may have been found
+  STOPPED_BY_VISITOR ///< the `go_further()` of the visitor returned `false`, and no paths are returned
 };
 
-/// The name of a status, as the enumerator is spelled.
+/// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Class_search_status status)
 {
   switch(status) {
@@ -73,25 +73,27 @@ struct Path_class
   /// Without the parts in the faces or edges of ends that are not vertices.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of that
-  /// The length of the shortest path that was found; infinite where the lower bound told enough.
+  /// The length of the shortest path that was found; infinite if the lower bound was sufficient.
   double length = std::numeric_limits<double>::infinity();
-  double lower_bound = 0; ///< no path of the class is shorter, rounding included
+  double lower_bound = 0; ///< a lower bound of the length of paths of the class, including rounding errors
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// What is known of the shortest paths of different classes.
+/// Reports on the shortest paths of different classes.
 template <class TriangleMesh>
 struct Paths_by_class_report
 {
-  std::vector<Shortest_path_report> paths;        ///< of the paths, by length: is each a shortest one of its class?
+  std::vector<Shortest_path_report> paths;        ///< the reports on the paths, sorted by length: whether each is
+                                                  ///< shortest in its class
   std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
   std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
-  double lower_bound = 0;                         ///< of the paths of classes not found; infinite if there is none
+  double lower_bound = 0;                         ///< of the paths of classes not found; infinite if none remains
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
-  std::size_t visited = 0;                                 ///< the vertices of the universal covering that were visited
+  std::size_t visited = 0;                                 ///< the number of vertices of the universal covering that
+                                                           ///< were visited
 
-  /// No path of a class is shorter that has none among `paths`: a proven bound, of those left out and those not found.
-  /// Infinite if all classes have their paths. It may be less than the length of the last path where that is not
+  /// Returns a proven lower bound of the length of paths of all classes, found or not, that have no path among `paths`.
+  /// It is infinite if all classes have their paths, and may be less than the length of the last path if that is not
   /// confirmed.
   double lower_bound_of_others() const
   {
@@ -101,10 +103,11 @@ struct Paths_by_class_report
     return least;
   }
 
-  /// Are these the shortest paths of all classes? Each is confirmed to be a shortest one of its class, and no other
-  /// class has a shorter one, up to `Shortest_path_report::tolerance()`. It speaks of the paths there are, also if they
-  /// are fewer than were asked for; never if there is none. A larger limit can find a further path and not confirm it,
-  /// so that this is not monotone in the limit; what was confirmed remains true.
+  /// Returns the verdict on the claim that these are the shortest paths of all classes: each is confirmed to be
+  /// shortest in its class, and no other class has a shorter one, up to `Shortest_path_report::tolerance()`. The
+  /// verdict refers to the returned paths, even if fewer were found than requested; the claim is never confirmed
+  /// without paths. With a larger limit, a further path may be found but not confirmed, so the verdict is not monotone
+  /// in the limit, although confirmed paths remain the shortest.
   Verdict verdict() const
   {
     const double least = lower_bound_of_others();
@@ -114,42 +117,43 @@ struct Paths_by_class_report
     return paths.empty() ? Verdict::UNDECIDED : Verdict::WITHIN_TOLERANCE;
   }
 
-  /// Are these confirmed to be the shortest paths of all classes?
+  /// Returns whether these are confirmed to be the shortest paths of all classes.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict()); }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// What `shortest_paths_by_class()` returns: where its output ends, and what is known of the paths.
+/// Contains the result of `shortest_paths_by_class()`: the end of the output, and a report on the paths.
 template <class TriangleMesh, class OutputIterator>
 struct Paths_by_class_result
 {
-  OutputIterator out;                         ///< the end of the output
-  Paths_by_class_report<TriangleMesh> report; ///< what is known of the paths
+  OutputIterator out;                         ///< the past-the-end iterator of the output
+  Paths_by_class_report<TriangleMesh> report; ///< the report on the paths
 
-  std::size_t number_of_curves() const { return report.paths.size(); }                  ///< how many paths there are
-  double length(std::size_t i) const { return report.paths.at(i).length; }              ///< of a path
-  Shortening_status status(std::size_t i) const { return report.paths.at(i).status(); } ///< is it a geodesic?
-  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; } ///< is it shortest in its class?
-  Class_search_status status() const { return report.status; }                ///< how the search ended
-  Verdict verdict() const { return report.verdict(); } ///< are these the shortest paths of all classes?
+  std::size_t number_of_curves() const { return report.paths.size(); }                  ///< returns their number
+  double length(std::size_t i) const { return report.paths.at(i).length; }              ///< returns the length of one
+  Shortening_status status(std::size_t i) const { return report.paths.at(i).status(); } ///< returns if it is a geodesic
+  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; }           ///< returns one path's verdict
+  Class_search_status status() const { return report.status; } ///< returns how the search ended
+  Verdict verdict() const { return report.verdict(); }         ///< returns if these are the shortest of all classes
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// How many vertices of a universal covering may be visited, of some 1200 bytes each; then the search is given up. So it
-/// is when its searches for shortest paths have made 200 windows for each vertex of the limit and a million more.
+/// Limits the number of vertices of a universal covering that may be visited, of some 1200 bytes each. The search is
+/// aborted beyond it, and when its searches for shortest paths have made a million windows and 200 more for each vertex
+/// of the limit.
 class Covering_limit
 {
 public:
-  /// \f$10^6 + 20 n\f$ for \f$n\f$ vertices.
+  /// Sets the default limit, \f$10^6 + 20 n\f$ for \f$n\f$ vertices.
   Covering_limit() = default;
 
-  /// At most about so many.
+  /// Sets an approximate maximal number of vertices.
   explicit Covering_limit(std::size_t vertices)
     : m_vertices(vertices)
   {
   }
 
-  /// The limit for a mesh with a number of vertices.
+  /// Returns the limit for a mesh with a given number of vertices.
   std::size_t operator()(std::size_t number_of_vertices) const
   {
     return m_vertices.value_or(1000000 + 20 * number_of_vertices);

@@ -32,7 +32,8 @@ template <class TriangleMesh>
 struct Curve_place;
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// The location of vertex `v` of a mesh. \throws Vertex_out_of_range_error if it is none, or isolated
+/// Returns the location of vertex `v` of a mesh. \throws Vertex_out_of_range_error if `v` does not belong to the mesh
+/// or is isolated
 template <class Triangulation>
 Surface_location surface_location(
     const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
@@ -89,7 +90,7 @@ Surface_location surface_location(
 
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Converts a `Face_location`, where weights of at most 1e-12 count as zero.
-/// \throws Invalid_location_error
+/// \throws Invalid_location_error if it is not a point of the mesh
 template <class Triangulation, class FT>
 Surface_location surface_location(
     const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
@@ -100,7 +101,7 @@ Surface_location surface_location(
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Converts a point of a curve: the location of a vertex, or of the point on the edge that is crossed.
+/// Converts a point of a curve, which is a vertex or the point on a crossed edge, to a location.
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
                                   const Surface_point& point)
@@ -109,8 +110,8 @@ Surface_location surface_location(const Triangulation& triangulation, const type
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Converts a `Curve_place`, a `Curve_point` or a `Curve_sample`, as their `location`.
-/// \throws Invalid_location_error
+/// Converts a `Curve_place`, a `Curve_point` or a `Curve_sample` to a location, by its member `location`.
+/// \throws Invalid_location_error if it is not a point of the mesh
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
                                   const Curve_place<typename Triangulation::Triangle_mesh>& place)
@@ -119,7 +120,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// A location as it is.
+/// Returns a location unchanged.
 template <class Triangulation>
 Surface_location surface_location(const Triangulation&, const typename Triangulation::Triangle_mesh&,
                                   const Surface_location& location)
@@ -143,7 +144,7 @@ inline Place_in_space difference(const Place_in_space& u, const Place_in_space& 
   return {{u[0] - v[0], u[1] - v[1], u[2] - v[2]}};
 }
 
-/* The barycentric coordinates of a point of a triangle, and how far it is from the origin. */
+/* The barycentric coordinates of a point of a triangle, and its distance from the origin. */
 struct Nearest_weights
 {
   std::array<double, 3> weights = {{1, 0, 0}};
@@ -161,7 +162,7 @@ inline double distance_of(const Triangle_places& corners, const std::array<doubl
   return std::sqrt(dot(p, p));
 }
 
-/* The point of side i, from corner i to the next, that is nearest to the origin. */
+/* Returns the point of side i, from corner i to the next, that is nearest to the origin. */
 inline std::array<double, 3> nearest_on_side(const Triangle_places& corners, std::size_t i)
 {
   const std::size_t j = (i + 1) % 3;
@@ -174,7 +175,7 @@ inline std::array<double, 3> nearest_on_side(const Triangle_places& corners, std
   return weights;
 }
 
-/* The foot of the perpendicular from the origin, by the areas that it cuts off; not finite without an area. */
+/* Returns the foot of the perpendicular from the origin, by the areas that it cuts off; not finite without an area. */
 inline std::array<double, 3> foot_of_perpendicular(const Triangle_places& corners)
 {
   const Place_in_space u = difference(corners[1], corners[0]), v = difference(corners[2], corners[0]);
@@ -185,9 +186,9 @@ inline std::array<double, 3> foot_of_perpendicular(const Triangle_places& corner
 }
 
 /*
- * The point of a triangle that is nearest to the origin: the foot of the perpendicular if that lies inside, or a point
- * of a side; the nearest of these, so that in needles, where the first is inaccurate, another one is taken. Computed at
- * the triangle's own scale, so that no square is too small or too large.
+ * Returns the point of a triangle that is nearest to the origin: the foot of the perpendicular if that lies inside, or
+ * a point of a side. The nearest of these is chosen, so that another one is taken in needles, where the first is
+ * inaccurate. The triangle is scaled to avoid overflow and underflow of squares.
  */
 inline Nearest_weights nearest_weights(Triangle_places corners)
 {
@@ -215,14 +216,14 @@ inline Nearest_weights nearest_weights(Triangle_places corners)
   return result;
 }
 
-/* Half the coordinates of a point: differences of such numbers are finite. */
+/* Returns half the coordinates of a point: differences of such numbers are finite. */
 template <class Point>
 Place_in_space half_of(const Point& p)
 {
   return {{imported_number(p.x()) / 2, imported_number(p.y()) / 2, imported_number(p.z()) / 2}};
 }
 
-/* The corner of a face of the mesh at the tail of a halfedge, as seen from a place. */
+/* Returns the corner of a face of the mesh at the tail of a halfedge, relative to a given position. */
 template <class Triangulation>
 Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfedge_index h, const Place_in_space& from)
 {
@@ -240,17 +241,17 @@ Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfed
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The location of the point of the mesh that is nearest to a point in space, up to rounding. Where several are as near,
- * it is one of them. It is put on an edge or a vertex where barycentric coordinates are at most 1e-9.
+ * Returns the location of the point of the mesh that is nearest to a point in space, up to rounding errors. If several
+ * points are equally near, one of them is chosen.
  *
- * All faces are looked at. For many points, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` saves time; it
- * gives `Face_location`s.
+ * The location is moved to an edge or a vertex if barycentric coordinates are at most 1e-9. All faces are considered.
+ * For many points, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
  *
- * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is no finite number
- * \throws Invalid_coordinate_error if one of the mesh is not
+ * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
+ * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite
  * \throws Invalid_mesh_error if a face is not a triangle
  *
- * Complexity: linear in the faces of the mesh.
+ * Complexity: linear in the number of faces of the mesh.
  */
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
@@ -290,7 +291,7 @@ constexpr bool is_place<
     std::void_t<decltype(surface_location(std::declval<const Triangulation&>(), std::declval<const TriangleMesh&>(),
                                           std::declval<const Place&>()))>> = true;
 
-/* A place on the mesh, of whichever kind, as a location. */
+/* Converts a surface point of any kind to a location. */
 template <class Triangulation, class TriangleMesh, class Place>
 Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
