@@ -379,7 +379,7 @@ public:
   };
 
   /*!
-   * Decides whether the sum of the angles opposite to the edge of `h` and `t` exceeds \f$\pi\f$ by at most
+   * Decides whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$ plus
    * `angle_tolerance()`.
    * \throws Uncertain_conversion_exception if intervals do not determine the sign
    */

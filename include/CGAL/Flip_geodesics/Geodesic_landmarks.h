@@ -63,7 +63,7 @@ public:
    * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals and from
    *        the calling thread. If it returns `false`, `is_complete()` returns `false`, the object has no landmarks, and
    *        all bounds are zero
-   * \throws Degenerate_face_error if the mesh has an edge of length zero
+   * \throws Degenerate_face_error if the mesh has a degenerate edge
    * \throws Invalid_coordinate_error for any face, as `Intrinsic_triangulation` does when a face is accessed
    * \throws Invalid_mesh_error for any face, as `Intrinsic_triangulation` does when a face is accessed
    *
@@ -89,7 +89,7 @@ public:
    * \param tag an object whose type selects sequential or parallel execution
    * \param visitor a model of `FlipOutVisitor`, as for the constructor with a number of landmarks
    * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
-   * \throws Degenerate_face_error if the mesh has an edge of length zero
+   * \throws Degenerate_face_error if the mesh has a degenerate edge
    * \throws Invalid_coordinate_error for any face, as `Intrinsic_triangulation` does when a face is accessed
    * \throws Invalid_mesh_error for any face, as `Intrinsic_triangulation` does when a face is accessed
    *

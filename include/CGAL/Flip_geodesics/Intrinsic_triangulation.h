@@ -75,7 +75,7 @@ public:
   void hold() const { store().hold(m_slot); }
   void release() const { store().release(m_slot); }
 
-  /* Returns whether this is no halfedge, which clockwise() and counterclockwise() return at the border. */
+  /* Returns whether this refers to no halfedge, as the results of clockwise() and counterclockwise() at the border. */
   bool is_none() const { return m_slot == Slot::NONE; }
   bool operator==(const Placed_halfedge& other) const { return m_slot == other.m_slot; }
   bool operator!=(const Placed_halfedge& other) const { return m_slot != other.m_slot; }
@@ -672,7 +672,7 @@ public:
   }
 
   /*!
-   * Makes a point of the surface a vertex as above, and calls `on_split` if an edge is split.
+   * Makes a point of the surface a vertex, as `insert()` without a callback, and calls `on_split` if an edge is split.
    *
    * The arguments are two halfedges: `first`, which now has part of its former length, and `second`, which leads from
    * the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.

@@ -130,7 +130,7 @@ struct Geodesics_result
  * \throws Disconnected_endpoints_error if no edge path connects `source` and `target`
  * \throws Degenerate_face_error if a face violates the triangle inequality, or no surface remains at a contracted edge
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
- * \throws Invalid_mesh_error if `mesh` is not an oriented manifold triangle mesh
+ * \throws Invalid_mesh_error if a visited face is not a triangle, or a `Surface_mesh` contains removed elements
  *
  * Complexity: \f$O(k \log k)\f$ for the \f$k\f$ vertices that the search visits, plus the time of `shorten()`. Meshes
  * other than `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.

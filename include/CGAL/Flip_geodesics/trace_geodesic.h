@@ -158,7 +158,7 @@ public:
 private:
   using Ray = internal::Ray<Triangulation>;
 
-  // Continues up to an end, or to a vertex at which it starts anew.
+  // Continues up to an end, or to a vertex at which it restarts.
   bool go_straight(Ray_start& start)
   {
     Ray ray(m_triangulation, m_exact_faces, start.place, start.direction, m_trace.statistics);
