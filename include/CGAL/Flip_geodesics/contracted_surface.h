@@ -233,8 +233,8 @@ Surface_location location_on_surface(const Triangulation& triangulation, const S
 }
 
 /*
- * Where points of the mesh lie on the surface of a triangulation, as `location_on_surface()`. On a contracted surface
- * each place has one location.
+ * Returns the locations of points of the mesh on the surface of a triangulation, as `location_on_surface()` does. On a
+ * contracted surface, each point has a unique location.
  */
 template <class Triangulation>
 std::vector<Surface_location> points_on_surface(const Triangulation& triangulation,
@@ -249,11 +249,11 @@ std::vector<Surface_location> points_on_surface(const Triangulation& triangulati
 }
 
 /*
- * Could curves be pulled tighter on the surface that is left by `Zero_length_edges::CONTRACT`? They could if faces
- * without area are in the way of one, and there is something to contract: edges of length zero, or vertices that such
- * faces fold onto one place. Linear in the mesh if they are in the way, else in the curves.
+ * Returns whether curves could be shortened further on the surface that `Zero_length_edges::CONTRACT` produces:
+ * degenerate faces block a curve, and degenerate edges, or vertices that such faces fold onto one point, can be
+ * contracted. Linear in the mesh if faces block a curve, otherwise in the curves.
  *
- * \param report what `shorten()` has said of curves in this triangulation
+ * \param report the report of `shorten()` on curves in this triangulation
  */
 template <class Triangulation>
 bool are_curves_folded(const Triangulation& triangulation, const Shortening_report& report)

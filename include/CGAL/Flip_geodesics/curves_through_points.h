@@ -211,7 +211,7 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
 
 namespace internal {
 
-/* A geodesic through the points that `locate(triangulation)` gives, as `points_on_surface()` calls it. */
+/* Computes a geodesic through the points that `locate(triangulation)` returns, as called by `points_on_surface()`. */
 template <class Form, class Triangulation, class TriangleMesh, class Locate, class NamedParameters>
 Computed_output<Form> path_through_points(Triangulation& triangulation, const TriangleMesh& mesh, const Locate& locate,
                                           Located_points& given, const NamedParameters& np)
@@ -224,7 +224,7 @@ Computed_output<Form> path_through_points(Triangulation& triangulation, const Tr
   return {polyline_forms<Form>(triangulation, mesh, path.legs), std::move(path.report)};
 }
 
-/* The computation of a geodesic through points; like `compute_path()` not inline. */
+/* Implements the computation of a geodesic through points; not inline, like `compute_path()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_path_through(const TriangleMesh& mesh,
                                            const Locate_points<TriangleMesh, NamedParameters>& locate,
@@ -251,19 +251,33 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic, a locally shortest path, through points anywhere on the surface: from the first to the last,
- * with a corner at each point in between. Two points give a geodesic between them. The path may cross itself. A point
- * in the place of the one before it changes nothing; if all points are in one place, the path is that point.
+ * Computes a geodesic, that is, a locally shortest path, through points anywhere on the surface.
+ *
+ * The path leads from the first point to the last, and may have a corner at each point in between; with two points it
+ * is a geodesic between them. It may cross itself. A point that coincides with the previous one has no effect; if all
+ * points coincide, the path is that point.
  *
  * \param mesh a triangle mesh
- * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, pairs of a face
- *        and barycentric coordinates, of `Surface_location`s, or of points in space; see
- *        `surface_location()` for how points are snapped, and which point of the mesh is taken for one in space
- * \param out receives the points of the path, as `geodesic_path()` writes them
- * \param np as for `geodesic_path()`, the stop predicate for each leg between two points; and `greatest_point_distance`,
- *        the distance from the surface at which a point in space is accepted
- * \return the end of the output, and the report, which has one curve, with its `Curve_report::point_distances`
- * \throws Invalid_location_error, Distant_point_error, and as `add_curve_through()`, `geodesic_loop()`
+ * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, which are pairs
+ *        of a face and barycentric coordinates, of `Surface_location`s, or of points in space. `surface_location()`
+ *        describes how points are snapped, and which point of the mesh represents a point in space
+ * \param out an output iterator that receives the points of the path, in the form described at `geodesic_path()`
+ * \param np an optional sequence of named parameters as for `geodesic_path()`, where the stop predicate is applied to
+ *        each geodesic segment between two points, and `greatest_point_distance`, the greatest distance from the
+ *        surface at which a point in space is accepted
+ * \return the past-the-end output iterator, and a report with exactly one curve, which includes
+ *         `Curve_report::point_distances`
+ * \throws Invalid_location_error if a location is not a point of the surface
+ * \throws Distant_point_error if a point in space is too far from the surface
+ * \throws Vertex_out_of_range_error as `geodesic_path()` does
+ * \throws Invalid_curve_error as `add_curve_through()` does
+ * \throws Disconnected_endpoints_error as `add_curve_through()` does
+ * \throws Crossing_curves_error as `add_curve_through()` does
+ * \throws Ambiguous_order_error as `geodesic_loop()` does
+ * \throws Insertion_error as `add_curve_through()` does
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, const LocationRange& locations,
@@ -279,9 +293,9 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic between two ends of any kinds: vertices of the mesh,
- * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, points in space.
- * Parameters, exceptions and complexity are those of `geodesic_path_through()`.
+ * Computes a geodesic between two points of any types: vertices of the mesh,
+ * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or points in
+ * space. Parameters, exceptions and complexity are those of `geodesic_path_through()`.
  */
 template <
     class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters,
@@ -300,20 +314,34 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic spline [SC20, section 6.2], see `Geodesic_spline`: the points where its pieces meet, which
- * lie on the curve, joined by geodesics. The control polygon, and the curve, may cross themselves.
+ * Computes a geodesic spline [SC20, section 6.2]. The result consists of the points where the pieces of a
+ * `Geodesic_spline` meet, which lie on the curve, connected by geodesics. The control polygon and the curve may cross
+ * themselves.
  *
  * \param mesh a triangle mesh
- * \param control_points a range of locations as for `geodesic_path_through()`, at least two. One that is repeated
- *        counts as often as it is given, and draws the curve closer
- * \param kind which spline, a `Spline_kind`
- * \param out receives the points of the curve, as `geodesic_path()` writes them
- * \param np named parameters: `vertex_point_map`, `metric`, `geom_traits`, as for `geodesic_path()`; and
- *        `number_of_iterations`, the number of times that the pieces are halved, a whole number from 0 to 30, 5 by default;
- *        `greatest_point_distance`, as for `geodesic_path_through()`
- * \return the end of the output, and the report, which has one curve
- * \throws Invalid_curve_error if there are fewer than two points, or another number of iterations
- * \throws Invalid_location_error, Distant_point_error, and as `Geodesic_spline`
+ * \param control_points a range of at least two points, as for `geodesic_path_through()`. A repeated point counts as
+ *        often as it is given, and attracts the curve
+ * \param kind the type of the spline, a `Spline_kind`
+ * \param out an output iterator that receives the points of the curve, in the form described at `geodesic_path()`
+ * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
+ *        `geom_traits` as for `geodesic_path()`, and `greatest_point_distance` as for `geodesic_path_through()`
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the number of times that the pieces are halved}
+ *     \cgalParamType{an integer from 0 to 30}
+ *     \cgalParamDefault{5}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the past-the-end output iterator, and a report with exactly one curve
+ * \throws Invalid_curve_error if fewer than two points are given, or the number of iterations is out of range
+ * \throws Invalid_location_error if a location is not a point of the surface
+ * \throws Distant_point_error if a point in space is too far from the surface
+ * \throws Insertion_error as `Geodesic_spline` does
+ * \throws Disconnected_endpoints_error as `Geodesic_spline` does
+ * \throws Crossing_curves_error as `Geodesic_spline` does
+ * \throws Ambiguous_order_error as `Geodesic_spline` does
  */
 template <class TriangleMesh, class LocationRange, class Kind, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const LocationRange& control_points,

@@ -152,8 +152,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A point in space is farther from the surface than `parameters::greatest_point_distance()` allows; `elements()` is its
-/// position among the points that are given.
+/// Is thrown if a point in space is farther from the surface than `parameters::greatest_point_distance()` allows;
+/// `elements()` is its position among the given points.
 class Distant_point_error : public Invalid_location_error
 {
 public:
@@ -161,8 +161,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A point cannot be inserted: the flips of a triangulation over rounded numbers were wrong around it, or the number
-/// type of the traits cannot express it there; `elements()` is the input halfedge of its location.
+/// Is thrown if a point cannot be inserted, because rounding errors led to wrong flips of the triangulation around it,
+/// or because the number type of the traits cannot represent it. `elements()` is the input halfedge of its location.
 class Insertion_error : public Error
 {
 public:

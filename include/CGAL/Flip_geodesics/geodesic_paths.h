@@ -79,7 +79,7 @@ public:
   {
   }
 
-  /* Between vertices of the mesh, or points of any kinds. */
+  /* Computes a path between vertices of the mesh, or points of any types. */
   template <class Source, class Target>
   Result operator()(const Source& source, const Target& target)
   {
@@ -130,7 +130,7 @@ private:
     return *search;
   }
 
-  // The points are located once, on the mesh as it is.
+  // The points are located once, on the mesh without contractions.
   template <class Source, class Target>
   Result compute_between(const Source& source, const Target& target)
   {
@@ -139,7 +139,7 @@ private:
       return located_ends(triangulation, m_mesh, source, target, m_np);
     };
     auto path = compute_on_surface(m_memory->surfaces, [&](Triangulation& triangulation) {
-      triangulation.rollback(); // the flips of the path before
+      triangulation.rollback(); // the flips of the previous path
       return path_through_points<Form>(triangulation, m_mesh, locate, given, m_np);
     });
     return {std::move(path.values), std::move(path.report), nullptr};
@@ -165,7 +165,7 @@ private:
   std::optional<Memory> m_memory;
 };
 
-/* The pairs of a batch, as they are computed: ends that are both vertices, or become such by themselves, as vertices. */
+/* The pairs of a batch as they are computed: ends that are both vertices, or convert to vertices, become vertices. */
 template <class TriangleMesh, class Pair>
 using Pair_of_ends = std::conditional_t<is_mesh_vertex<TriangleMesh, decltype(std::declval<const Pair&>().first)> &&
                                             is_mesh_vertex<TriangleMesh, decltype(std::declval<const Pair&>().second)>,
@@ -200,34 +200,57 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes many geodesics on one mesh, each as `geodesic_path()` does, but in one triangulation per thread that is made
- * once. The results do not depend on the number of threads, nor on the other pairs.
+ * Computes many geodesics on one mesh, each as `geodesic_path()` does. One triangulation per thread is used for all of
+ * them.
  *
- * A pair for which something is thrown, such as `Disconnected_endpoints_error`, has that as its result; the others are
- * computed all the same.
- *
- * A visitor's `go_further()` is called before each pair and in the search for its edge path, too. If it returns `false`
- * there, then the pair has no path and the status `Shortening_status::STOPPED_BY_VISITOR`.
+ * The results depend neither on the number of threads nor on the other pairs. If an exception such as
+ * `Disconnected_endpoints_error` is thrown for a pair, it becomes the result of the pair, and the other paths are
+ * computed nevertheless.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
  *         TBB for the second
  *
  * \param mesh a triangle mesh
- * \param pairs a range of `std::pair`s of a source and a target: vertices, or points of any kinds that `geodesic_path()`
- *        takes, each source of one type and each target of one type
- * \param out receives a `Geodesic_path_result` per pair, in the order of the pairs, of what `geodesic_path()` writes: a
- *        `Geodesic_path_result` of the mesh's points, of `Face_location`s or of `Curve_point`s
- * \param np named parameters as for `geodesic_path()`. A `stop_predicate` is asked from all threads, for each path as
- *        `restarted()` if it can be; a `visitor` is called from all threads, a copy for each path unless it is given by
- *        `std::ref()`. `landmarks`, `Landmark_distances` made for this mesh and its metric, direct the searches, which
- *        pays if there are thousands of pairs: a path may then take another way round a hole or a bump, which is about
- *        as long. If they have more vertices than the mesh, or fewer, each path has an Input_mismatch_error. They have no
- *        effect on paths between points that are not vertices by their type.
- *        `greatest_point_distance` limits how far points in space may be from the surface; a pair with another one has a
- *        `Distant_point_error`, and `Curve_report::point_distances` has the distances
- * \return the end of the output
+ * \param pairs a range of `std::pair`s of a source and a target: vertices, or points of any types that
+ *        `geodesic_path()` accepts, where all sources have the same type and all targets have the same type
+ * \param out an output iterator that receives a `Geodesic_path_result` per pair, in the order of the pairs, of the form
+ *        that `geodesic_path()` writes: points of the mesh, `Face_location`s or `Curve_point`s
+ * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
+ *        `geom_traits` as for `geodesic_path()`
  *
- * Complexity: that of the searches and of `shorten()`; meshes other than `Surface_mesh` are indexed once per thread,
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{stop_predicate}
+ *     \cgalParamDescription{a predicate that ends the shortening of a path early. It is called from all threads, as
+ *       `restarted()` for each path if possible}
+ *     \cgalParamType{a model of `FlipOutStopPredicate`}
+ *     \cgalParamDefault{`Never_stop_predicate`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor that is called from all threads. Its `go_further()` is also called before each
+ *       pair and in the search for its edge path; if it returns `false` there, the pair has no path and the status
+ *       `Shortening_status::STOPPED_BY_VISITOR`}
+ *     \cgalParamType{a model of `FlipOutVisitor`, which is copied for each path unless it is passed by `std::ref()`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{landmarks}
+ *     \cgalParamDescription{landmarks computed for this mesh and its metric, which guide the searches and pay off for
+ *       thousands of pairs. A path may then lie on the other side of a hole or a bump, with about the same length. If
+ *       the number of vertices differs from that of the mesh, each path has an `Input_mismatch_error`. Landmarks have
+ *       no effect on paths between points that do not have the type of a vertex}
+ *     \cgalParamType{`Landmark_distances`}
+ *     \cgalParamDefault{no landmarks}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{greatest_point_distance}
+ *     \cgalParamDescription{the greatest distance from the surface at which a point in space is accepted. A pair with a
+ *       point farther away has a `Distant_point_error`; `Curve_report::point_distances` contains the distances}
+ *     \cgalParamType{a number that is not negative}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the past-the-end output iterator
+ *
+ * Complexity: that of the searches and of `shorten()`. Meshes other than `Surface_mesh` are indexed once per thread, in
  * \f$O(n \log n)\f$.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,

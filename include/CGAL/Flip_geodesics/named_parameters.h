@@ -153,7 +153,10 @@ const Landmarks* landmarks_of(const NamedParameters& np)
   }
 }
 
-/* How far points may be from the surface, infinitely unless it is given. \throws Invalid_parameter_error */
+/*
+ * Returns the greatest distance of points from the surface, which is infinite unless given. \throws
+ * Invalid_parameter_error
+ */
 template <class NamedParameters>
 double greatest_point_distance_of(const NamedParameters& np)
 {
@@ -239,9 +242,9 @@ auto nearest_source_map(const VertexSourceMap& map)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * The greatest distance from the surface at which a point in space is accepted. A point that is farther away throws
- * `Distant_point_error`; without this parameter, none is too far away.
- * \param distance not negative, in the unit of the coordinates
+ * Sets the greatest distance from the surface at which a point in space is accepted. A point farther away causes a
+ * `Distant_point_error`; by default, points are accepted at any distance.
+ * \param distance a number that is not negative, in the unit of the coordinates
  */
 inline auto greatest_point_distance(double distance)
 {

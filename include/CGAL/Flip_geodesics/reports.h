@@ -168,11 +168,11 @@ struct Curve_report
   /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose
   /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh are not doubles.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Did it meet an edge of length zero, or folded faces, so that such edges were contracted? Set by the one-call
-  /// functions.
+  /// Whether degenerate edges were contracted because the curve encountered a degenerate edge or folded faces. Set by
+  /// the free functions.
   bool are_zero_edges_contracted = false;
-  /// How far the points that were given are from the surface, in space and in their order; 0 for those that are given as
-  /// vertices or locations. Set by functions that take points; empty if all are vertices by their type.
+  /// The distances of the given points from the surface in space, in their order; 0 for points given as vertices or
+  /// locations. Set by functions that accept points; empty if all have the type of a vertex.
   std::vector<double> point_distances;
 };
 

@@ -233,7 +233,7 @@ Shortening_report shorten_from_start(Network& network, const std::vector<Halfedg
   return report;
 }
 
-/* The landmarks that are given, or null. \throws Input_mismatch_error */
+/* Returns the given landmarks, or null. \throws Input_mismatch_error */
 template <class Triangulation, class NamedParameters>
 const Geodesic_landmarks* checked_landmarks(const Triangulation& triangulation, const NamedParameters& np)
 {
@@ -243,8 +243,10 @@ const Geodesic_landmarks* checked_landmarks(const Triangulation& triangulation, 
   return landmarks;
 }
 
-/* Adds a shortest path to a network, or some path if there is none up to a length of `longest`. Landmarks, if there are
- * any, narrow the search; they have been checked, and may lack vertices that points of the surface have become. */
+/*
+ * Adds a shortest path to a network, or any path if no path up to a length of `longest` exists. Landmarks, if given,
+ * narrow the search; they have been checked, and may lack vertices that points of the surface have become.
+ */
 template <class Network, class Search, class Visitor>
 Shortest_path_report add_shortest_path(Network& network, Search& search, const Geodesic_landmarks* landmarks,
                                        Vertex_index source, Vertex_index target, const Window_limit& limit,
@@ -336,38 +338,67 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a shortest path between two vertices to an empty network. An edge path is pulled tight, straightened before
- * (`add_straightened_path()`) unless a visitor is to see all of it; one that looks back is soonest found. A sweep from the
- * target bounds from below what is left of a way that crosses an edge. Windows of straight rays are carried over the
- * mesh as far as a shorter path could go [MMP87, CH90, XW09]. If they find one, in another homotopy class, that one is
- * inserted instead, by flipping the edges that it crosses.
+ * Adds a shortest path between two vertices to an empty network, and returns a lower bound of the length of all paths.
  *
- * The search is rounded outward: `Shortest_path_report::lower_bound` holds for the mesh with its coordinates as
- * doubles, to the last digit, and is mostly within 1e-13 of the length. If the path is `Verdict::PROVEN`,
- * then it is `Verdict::WITHIN_ROUNDING` where it is within `Shortest_path_report::rounding_tolerance()`. The
- * search cannot confirm where it meets an edge of length zero, where it is given up, and where coordinates or lengths
- * of the mesh are not doubles; the bound is one for the rounded ones then. If it could not on a mesh with faces without
- * area, paths of two trees of geodesics are tried as well.
- *
- * Complexity: that of `geodesic_path()`; for the sweep \f$O(n \log n)\f$ for the \f$n\f$ vertices where the distances in
- * space from both ends add up to less than the path's length; and \f$O(w \log w)\f$ for \f$w\f$ windows. These lie in a
- * corridor about the path, which is the narrower, the closer the bounds are, and are \f$O(n^2)\f$ at worst.
+ * The bound `Shortest_path_report::lower_bound` is computed with outward rounding. It holds for the mesh with its
+ * coordinates taken as doubles, and is mostly within 1e-13 of the length. A `Verdict::PROVEN` geodesic whose length is
+ * within `Shortest_path_report::rounding_tolerance()` of the bound is reported as `Verdict::WITHIN_ROUNDING`. The path
+ * cannot be confirmed if the search encounters a degenerate edge or is aborted, or if coordinates or lengths of the
+ * mesh are not doubles; the bound is then that of the rounded mesh.
  *
  * \param network an empty network in a triangulation that has not been flipped
- * \param search an edge path search over that triangulation
- * \param source, target different vertices of one component
- * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the rest of the gap is reported;
- *        `landmarks`, `Geodesic_landmarks` of the mesh and its metric, for many paths on one mesh, which narrow the
- *        search: the bound holds as well, may differ in the last digits, and of several paths that are as short the
- *        path may be another one; and `visitor`, a model of `FlipOutVisitor`. The searches call its `go_further()` as
- *        well, at regular intervals. If it returns `false`, then the path has the status
- *        `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If that happens before there is an edge path,
- *        then the network remains empty, and the length is zero
- * \return what is known; the path is the network's only curve, if there is one
- * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`; the network is empty then, and
- *         nothing is flipped, also if the visitor throws
- * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()`
- * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
+ * \param search an edge path search over that triangulation; `Search_method::LOOK_BACK` is fastest
+ * \param source, target different vertices in the same connected component
+ * \param np an optional sequence of named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{search_limit}
+ *     \cgalParamDescription{the number of windows after which the search is aborted; the remaining gap is reported}
+ *     \cgalParamType{`Window_limit`}
+ *     \cgalParamDefault{`Window_limit()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{landmarks}
+ *     \cgalParamDescription{landmarks of the mesh and its metric, which narrow the search and pay off for many paths on
+ *       one mesh}
+ *     \cgalParamType{`Geodesic_landmarks`}
+ *     \cgalParamDefault{no landmarks}
+ *     \cgalParamExtra{The bound holds as well, but may differ in its last digits, and another one of several shortest
+ *       paths may be returned.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is also called by the searches, at regular intervals}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *     \cgalParamExtra{If `go_further()` returns `false`, the path has the status
+ *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If this happens before an edge path is found, the
+ *       network remains empty, and the length is zero.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return a report on the path, which is the only curve of the network if a path was found
+ *
+ * \throws Invalid_curve_error if the vertices are equal
+ * \throws Vertex_out_of_range_error as `geodesic_path()` does
+ * \throws Disconnected_endpoints_error as `geodesic_path()` does
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
+ * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()` does
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then.
+ *         After any other exception, including those of the visitor, the network is empty and nothing is flipped
+ *
+ * Complexity: that of `geodesic_path()`, plus \f$O(n \log n)\f$ for the \f$n\f$ vertices whose distances in space from
+ * both ends add up to less than the length of the path, plus \f$O(w \log w)\f$ for \f$w\f$ windows. The windows lie in
+ * a region around the path that narrows as the bounds become tighter; their number is \f$O(n^2)\f$ in the worst case.
+ *
+ * The algorithm starts with a geodesic that is obtained by shortening an edge path, after initial straightening
+ * (`add_straightened_path()`) unless a visitor must observe the whole process. A lower-bound propagation from the
+ * target bounds the remaining length of paths that cross an edge. Windows are then propagated over the mesh as far as a
+ * shorter path could reach [MMP87, CH90, XW09]. If they find one, in another homotopy class, it replaces the geodesic
+ * and is inserted by flipping the edges that it crosses. On a mesh with degenerate faces that prevent a confirmation,
+ * the paths of two trees of geodesics are tried as well.
+ *
+ * \sa `shortest_path()`
  */
 template <class Network, class Search, class... NamedParameters>
 Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_index source, Vertex_index target,
@@ -383,8 +414,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
 namespace internal {
 
 /*
- * Finds a shortest path between two different vertices, and calls `write(network)` if there is one. The surface that can
- * be contracted is that of `whole`, which is the triangulation, or of which that is split.
+ * Computes a shortest path between two different vertices, and calls `write(network)` if it exists. The surface that
+ * can be contracted is that of `whole`, which is the triangulation, or the one from which it was split.
  */
 template <class Whole, class Triangulation, class NamedParameters, class Write>
 Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& triangulation, Vertex_index source,
@@ -403,7 +434,7 @@ Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& trian
   return report;
 }
 
-/* A shortest path between vertices. */
+/* Computes a shortest path between vertices. */
 template <class Form, class Triangulation, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation& triangulation,
                                                                   const TriangleMesh& mesh, Vertex_index source,
@@ -420,7 +451,7 @@ Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation&
   return result;
 }
 
-/* The computation of `shortest_path()` over a mesh; like `compute_path()` not inline. */
+/* Implements `shortest_path()` over a mesh; not inline, like `compute_path()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> compute_shortest_path(const TriangleMesh& mesh,
                                                                   Vertex_in<TriangleMesh> source,
@@ -434,7 +465,7 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path(const Triangle
   });
 }
 
-/* A shortest path between points of the surface of a triangulation, given by canonical locations. */
+/* Computes a shortest path between points of the surface of a triangulation, given by canonical locations. */
 template <class Form, class Triangulation, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation& triangulation,
                                                                   const TriangleMesh& mesh,
@@ -456,7 +487,7 @@ Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation&
       result.report = find_shortest_path(triangulation, split.triangulation(), split.vertex(0), split.vertex(1), np,
                                          [&](const auto& network) { path = curve_below(network, split.surface()); });
     } catch(const Disconnected_endpoints_error&) {
-      throw_disconnected_points(tail(ends[0]), tail(ends[1])); // one of them is no vertex of the mesh
+      throw_disconnected_points(tail(ends[0]), tail(ends[1])); // one of them is not a vertex of the mesh
     }
   }
   if(!path.empty())
@@ -464,7 +495,7 @@ Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation&
   return result;
 }
 
-/* The computation of `shortest_path()` between the two points that `locate(triangulation)` gives. */
+/* Implements `shortest_path()` between the two points that `locate(triangulation)` returns. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
     const TriangleMesh& mesh, const Locate_points<TriangleMesh, NamedParameters>& locate, const NamedParameters& np)
@@ -483,31 +514,59 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a shortest path on the surface between two points, and says whether it is confirmed to be one. See
- * `add_shortest_path()` for what that means and costs.
+ * Computes a shortest path on the surface between two points, and returns whether it is confirmed to be shortest.
  *
- * A point that is not a vertex is made one: the faces that hold it are split in exact numbers, so that bounds and verdict
- * are those of the surface of the mesh, with exact coordinates if its kernel has such, and of the point with exactly the
- * given weights as doubles. The time for that is constant.
+ * The guarantees and the algorithm are those of `add_shortest_path()`. A point that is not a vertex becomes one: the
+ * faces that contain it are split in exact arithmetic, in constant time. Bounds and verdict are therefore those of the
+ * surface of the mesh, with exact coordinates if its kernel provides them, and of the point with exactly the given
+ * weights as doubles.
  *
  * \param mesh a triangle mesh
- * \param source, target points of one component, of the same kind or not: vertices of the mesh,
- *        `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or points in
- *        space; see `surface_location()` for how points are snapped, and which point of the mesh is taken for one in
- *        space. Locations at vertices give the results of the vertices. A path between ends in one place is
+ * \param source, target points in the same connected component, of the same type or not: vertices of the mesh,
+ *        `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or
+ *        points in space. `surface_location()` describes how points are snapped, and which point of the mesh represents
+ *        a point in space. Locations at vertices have the results of the vertices. A path between coincident points is
  *        `Verdict::WITHIN_ROUNDING`
- * \param out receives the points of the path, as `geodesic_path()` writes them
- * \param np named parameters: `vertex_point_map`, `metric`, `geom_traits` and `visitor` as for `geodesic_path()`;
- *        `search_limit`, a `Window_limit`, beyond which the search is given up and the rest of the gap reported;
- *        `landmarks`, `Geodesic_landmarks` made for this mesh and its metric, which pays if there are many pairs. The
- *        bound is proven as well. It may differ in the last digits, and where several paths are as short, the path may
- *        be another of them; `greatest_point_distance`, the distance from the surface at which a point in space is
- *        accepted
- * \return the end of the output, and the report, whose `Curve_report::point_distances` says how far given points are from
- *         the surface, unless both ends are vertices by their type
- * \throws as `geodesic_path()`; Input_mismatch_error as `Geodesic_landmarks::check_input()`; Invalid_location_error,
- *         Distant_point_error, Insertion_error if an end is no point of the surface, too far away, or closer to a vertex
- *         or the other end than numbers can tell
+ * \param out an output iterator that receives the points of the path, in the form described at `geodesic_path()`
+ * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric`,
+ *        `geom_traits` and `visitor` as for `geodesic_path()`
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{search_limit}
+ *     \cgalParamDescription{the number of windows after which the search is aborted; the remaining gap is reported}
+ *     \cgalParamType{`Window_limit`}
+ *     \cgalParamDefault{`Window_limit()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{landmarks}
+ *     \cgalParamDescription{landmarks computed for this mesh and its metric, which pay off for many pairs}
+ *     \cgalParamType{`Geodesic_landmarks`}
+ *     \cgalParamDefault{no landmarks}
+ *     \cgalParamExtra{The bound is proven as well, but may differ in its last digits, and another one of several
+ *       shortest paths may be returned.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{greatest_point_distance}
+ *     \cgalParamDescription{the greatest distance from the surface at which a point in space is accepted}
+ *     \cgalParamType{a number that is not negative}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the past-the-end output iterator, and a report. Its `Curve_report::point_distances` are the distances of the
+ *         given points from the surface, unless both ends have the type of a vertex
+ *
+ * \throws Vertex_out_of_range_error as `geodesic_path()` does
+ * \throws Disconnected_endpoints_error as `geodesic_path()` does
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
+ * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()` does
+ * \throws Invalid_location_error if an end is not a point of the surface
+ * \throws Distant_point_error if a point in space is too far from the surface
+ * \throws Insertion_error if an end is too close to a vertex or to the other end to be distinguished from it
+ *
+ * Complexity: that of `add_shortest_path()`.
+ *
+ * \sa `geodesic_path()`
  */
 template <class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters>
 Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Source& source, const Target& target,

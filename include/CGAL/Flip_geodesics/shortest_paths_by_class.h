@@ -62,17 +62,17 @@ inline const char* to_string(Class_search_status status)
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// A homotopy class of paths between two points of a mesh.
+/// Describes a homotopy class of paths between two points of a mesh.
 template <class TriangleMesh>
 struct Path_class
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
 
-  /// A shortest one of its paths along edges, of those in the part of the covering that was laid out. That is all of
-  /// the first `number` classes of edge paths; other classes may have shorter ones if edges are no good measure.
-  /// Without the parts in the faces or edges of ends that are not vertices.
+  /// A shortest edge path of the class in the part of the covering that was laid out. This part contains the first
+  /// `number` classes of edge paths; other classes may have shorter edge paths if edge paths approximate distances
+  /// poorly. The parts in the faces or edges of ends that are not vertices are not included.
   std::vector<halfedge_descriptor> edge_path;
-  double edge_length = 0; ///< the length of that
+  double edge_length = 0; ///< its length
   /// The length of the shortest path that was found; infinite if the lower bound was sufficient.
   double length = std::numeric_limits<double>::infinity();
   double lower_bound = 0; ///< a lower bound of the length of paths of the class, including rounding errors
@@ -165,11 +165,11 @@ private:
 
 namespace internal {
 
-/* Paths of several classes, and what is known of them. */
+/* Paths of several classes, with a report. */
 template <class TriangleMesh, class Form>
 using Paths_of_classes = Computed_output<std::vector<Form>, Paths_by_class_report<TriangleMesh>>;
 
-/* Places in a covering in the form that an output takes. */
+/* Converts points in a covering to the form that an output accepts. */
 template <class Form, class Triangulation, class TriangleMesh>
 class Covering_form_converter
 {
@@ -224,8 +224,10 @@ private:
   const Paths& m_paths;
 };
 
-/* Does a halfedge that paths are searched along lead along an edge of the mesh? Not beside points that are vertices of
- * a split surface only. */
+/*
+ * Returns whether a halfedge used in the search lies on an edge of the mesh, which is not the case beside points that
+ * are vertices of a split surface only.
+ */
 template <class Input_mesh>
 bool is_edge_of_mesh(const Input_mesh&, Input_halfedge_index)
 {
@@ -239,8 +241,10 @@ bool is_edge_of_mesh(const Indexed_mesh<Split_surface<TriangleMesh>>& input, Inp
   return side == nullptr || side->is_whole;
 }
 
-/* `whole` is the triangulation of the mesh, or of the surface that is left of it, in which the paths are searched, or of
- * which that is split. */
+/*
+ * `whole` is the triangulation of the mesh or of the contracted surface in which the paths are searched, or from which
+ * that one was split.
+ */
 template <class TriangleMesh, class Whole, class Triangulation>
 Path_class<TriangleMesh> path_class(const Whole& whole, const Triangulation& triangulation,
                                     const Class_paths<Triangulation>& paths, Index lift, double length,
@@ -282,7 +286,9 @@ Paths_by_class_report<TriangleMesh> report_of(const Whole& whole, const Triangul
   return report;
 }
 
-/* Finds the paths of a number of classes between two vertices; `convert(paths, places)` makes values of a path. */
+/*
+ * Computes the paths of a number of classes between two vertices; `convert(paths, places)` converts a path to values.
+ */
 template <class TriangleMesh, class Form, class Whole, class Triangulation, class Convert>
 Paths_of_classes<TriangleMesh, Form> find_paths_by_class(const Whole& whole, const Triangulation& triangulation,
                                                          Class_paths<Triangulation>&& paths, std::size_t number,
@@ -296,7 +302,7 @@ Paths_of_classes<TriangleMesh, Form> find_paths_by_class(const Whole& whole, con
   return result;
 }
 
-/* The same between vertices of the triangulation of a mesh. */
+/* Computes the paths between vertices of the triangulation of a mesh. */
 template <class Form, class Triangulation, class TriangleMesh>
 Paths_of_classes<TriangleMesh, Form> paths_by_class_between(const Triangulation& triangulation,
                                                             const TriangleMesh& mesh, Vertex_index source,
@@ -315,7 +321,7 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(const Triangulation&
       number, limit, convert);
 }
 
-/* The same between points of its surface, given by canonical locations. */
+/* Computes the paths between points of the surface, given by canonical locations. */
 template <class Form, class Triangulation, class TriangleMesh>
 Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& triangulation, const TriangleMesh& mesh,
                                                             const std::vector<Surface_location>& ends,
@@ -343,7 +349,7 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
         Paths(split.triangulation(), split.surface(), split.vertex(0), split.vertex(1), interruption), number, limit,
         convert);
   } catch(const Disconnected_endpoints_error&) {
-    throw_disconnected_points(at_source, at_target); // one of them is no vertex of the mesh
+    throw_disconnected_points(at_source, at_target); // one of them is not a vertex of the mesh
   }
 }
 
@@ -352,38 +358,60 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes the shortest paths on the surface from one point to another of which no two can be deformed into each other:
- * one for each of `number` homotopy classes, the shortest classes first. Between them lie handles and borders of the
- * surface.
+ * Computes the shortest homotopically distinct paths on the surface between two points: a shortest path in each of
+ * `number` homotopy classes, the shortest classes first. Two such paths enclose handles or borders of the surface.
  *
- * Shortest edge paths are searched in the universal covering of the surface, in which all classes of paths have ends of
- * their own. A part of the covering is laid out, and the shortest path to each of these ends is computed there, as
- * `shortest_path()` does it. Ways that leave the part are bounded from below, and the part is enlarged until they are
- * longer than the paths. So the result is confirmed, or the report says that it is not.
+ * A sphere and a disk have only one class. Obstacles create more: the mesh can be a `CGAL::Face_filtered_graph` without
+ * the faces that paths must not enter. Degenerate edges are contracted if they affect the result. If both ends
+ * coincide, the first path is that point, of length zero, and the others are the shortest loops there, one in each
+ * class.
  *
- * Edges of length zero are contracted where they matter. If both ends are in one place, the first path is that point,
- * of length zero, and the others are the shortest loops there, one in each class.
+ * \param mesh a triangle mesh that is a surface, in which umbrellas do not meet in a vertex only
+ * \param source, target points in the same connected component, of any types that `shortest_path()` accepts
+ * \param number the number of classes
+ * \param out an output iterator that receives one `std::vector` per path, sorted by length, of the points that
+ *        `geodesic_path()` writes
+ * \param np an optional sequence of named parameters among those listed below, `vertex_point_map`, `metric` and
+ *        `geom_traits` as for `geodesic_path()`, and `greatest_point_distance` as for `shortest_path()`
  *
- * A sphere and a disk have one class. Obstacles make more: the mesh can be a `CGAL::Face_filtered_graph` without the
- * faces that no path is to enter.
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{search_limit}
+ *     \cgalParamDescription{the limit after which the search is aborted; the report contains what is known}
+ *     \cgalParamType{`Covering_limit`}
+ *     \cgalParamDefault{`Covering_limit()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor of which only `go_further()` is called, at regular intervals, since the paths are
+ *       computed in a covering of the mesh}
+ *     \cgalParamType{a model of `FlipOutVisitor`}
+ *     \cgalParamDefault{no visitor}
+ *     \cgalParamExtra{If `go_further()` returns `false`, no path is written, and the report is unconfirmed and has the
+ *       status `Class_search_status::STOPPED_BY_VISITOR`.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
- * \param mesh a triangle mesh, a surface: sheets that meet in a vertex only are none
- * \param source, target points of one component, of any kinds that `shortest_path()` takes
- * \param number of classes
- * \param out receives one `std::vector` per path, by length, of what `geodesic_path()` writes
- * \param np named parameters: `search_limit`, a `Covering_limit`, beyond which the search is given up, and the report says
- *        what is known; `vertex_point_map`, `metric`, `geom_traits`, as for `geodesic_path()`; `visitor`, of
- *        which only `go_further()` is called, at regular intervals, since the paths are computed in a covering of the mesh. If it returns `false`, then no path is written, the
- *        report has the status `Class_search_status::STOPPED_BY_VISITOR`, and it is not confirmed;
- *        `greatest_point_distance`, as for `shortest_path()`
- * \return the end of the output, and the report
- * \throws as `shortest_path()`; Invalid_mesh_error if the mesh is no surface
+ * \return the past-the-end output iterator, and a report
  * \pre `number > 0`
+ * \throws Invalid_mesh_error if the mesh is not a surface
+ * \throws Vertex_out_of_range_error as `shortest_path()` does
+ * \throws Disconnected_endpoints_error as `shortest_path()` does
+ * \throws Degenerate_face_error as `shortest_path()` does
+ * \throws Invalid_coordinate_error as `shortest_path()` does
+ * \throws Invalid_location_error as `shortest_path()` does
+ * \throws Distant_point_error as `shortest_path()` does
+ * \throws Insertion_error as `shortest_path()` does
  *
- * Complexity: \f$O(m \log m)\f$ for \f$m\f$ vertices of the covering that are visited, and that of `shortest_path()` for
- * each path. These vertices lie on the first `number` classes of edge paths, and where paths of some class may pass that
- * are no longer than the last result. The covering is laid out in parts, each larger by half at least, so that the
- * time is about proportional to a limit that is reached.
+ * Complexity: \f$O(m \log m)\f$ for the \f$m\f$ vertices of the covering that are visited, plus the time of
+ * `shortest_path()` for each path. The visited vertices lie on the first `number` classes of edge paths, and where
+ * paths of some class may pass that are at most as long as the last result. The covering is laid out in parts, each
+ * larger by at least half, so that the time is about proportional to a limit that is reached.
+ *
+ * Shortest edge paths are searched in the universal covering of the surface, in which each class of paths has its own
+ * end point. A part of the covering is laid out, and a shortest path to each of these end points is computed there as
+ * by `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged until
+ * these bounds exceed the lengths of the paths. If this does not succeed, the report is not confirmed.
+ *
+ * \sa `shortest_path()`
  */
 template <class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters>
 Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(const TriangleMesh& mesh,

@@ -48,16 +48,19 @@ Surface_location surface_location(
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The location of a face and barycentric coordinates, a `CGAL::Polygon_mesh_processing::Face_location`: the coordinates
- * belong to the source, target and third vertex of `halfedge(face, mesh)`. They are rounded to double, also over exact
- * number types.
+ * Returns the location of a face and barycentric coordinates, a `CGAL::Polygon_mesh_processing::Face_location`. The
+ * coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`, and are rounded to double, even
+ * from exact number types.
  *
- * This is where points are snapped, once: coordinates of at most `snap` count as exactly zero. So points that were
- * located with rounding, at -5.6e-17 for instance, are on the edge or at the vertex that is meant.
+ * Points are snapped here and only here: coordinates of at most `snap` count as exactly zero. Points that were located
+ * with rounding errors, with a coordinate of -5.6e-17 for instance, thus lie on the intended edge or vertex.
  *
- * \param snap a barycentric coordinate, not negative and below 1/3; 1e-12 unless given
- * \throws Invalid_location_error if the face is null or none of the mesh's, a coordinate is less than `-snap` or no number, or the three do
- *         not sum to one within 1e-6
+ * \param triangulation the triangulation
+ * \param mesh its mesh
+ * \param location the face and the coordinates
+ * \param snap a barycentric coordinate, not negative and below 1/3; by default 1e-12
+ * \throws Invalid_location_error if the face is null or does not belong to the mesh, a coordinate is less than `-snap`
+ *         or NaN, or the three coordinates do not sum to one within 1e-6
  *
  * Complexity: constant.
  */
