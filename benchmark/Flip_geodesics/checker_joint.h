@@ -33,14 +33,14 @@ struct Direction
 };
 
 /// The end of a segment at a place, known by its curve and a number within the curve.
-struct Strand_end
+struct Segment_end
 {
   Direction direction;
   std::size_t curve, number;
 };
 
 /// The ends of segments at each place.
-using Strand_ends = std::map<Place, std::vector<Strand_end>>;
+using Segment_ends = std::map<Place, std::vector<Segment_end>>;
 
 inline long double corner_angle(const Mesh& mesh, Index c) { return Corner<long double>(mesh, c).angle(); }
 
@@ -100,10 +100,10 @@ inline long double angle_counterclockwise(const Mesh& mesh, const Direction& a, 
  * read off the points, and the curve has the benefit of the doubt.
  */
 inline bool is_blocked(const Mesh& mesh, const Direction& a, const Direction& b,
-                       const std::vector<Direction>& other_strands)
+                       const std::vector<Direction>& other_segments)
 {
   const long double wedge = angle_counterclockwise(mesh, a, b);
-  for(const Direction& d : other_strands)
+  for(const Direction& d : other_segments)
     if(angle_counterclockwise(mesh, a, d) <= wedge + same_direction_tolerance ||
        angle_counterclockwise(mesh, d, a) <= same_direction_tolerance)
       return true;
@@ -118,13 +118,13 @@ struct Joint_angles
 };
 
 inline Joint_angles joint_angles(const Mesh& mesh, const Direction& incoming, const Direction& outgoing,
-                                 const std::vector<Direction>& other_strands)
+                                 const std::vector<Direction>& other_segments)
 {
   Joint_angles result;
   const auto look_at_side = [&](const Direction& a, const Direction& b) {
     const long double angle = angle_counterclockwise(mesh, a, b) + a.uncertainty + b.uncertainty;
     result.smallest = (std::min)(result.smallest, angle);
-    if(angle < result.smallest_unblocked && (angle >= pi || !is_blocked(mesh, a, b, other_strands)))
+    if(angle < result.smallest_unblocked && (angle >= pi || !is_blocked(mesh, a, b, other_segments)))
       result.smallest_unblocked = angle;
   };
   look_at_side(outgoing, incoming);

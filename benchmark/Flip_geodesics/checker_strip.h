@@ -174,7 +174,7 @@ template <class NT>
 class Unfolded_strip
 {
 public:
-  struct Gate
+  struct Portal
   {
     Vector_2<NT> right, left;
     Vector_2<NT> edge; // from right to left, more accurate than the difference of the two
@@ -184,16 +184,16 @@ public:
   Unfolded_strip(const Mesh& mesh, const Strip& strip)
   {
     const Index first = strip.crossed.front();
-    m_gates.reserve(strip.crossed.size());
-    m_gates.push_back(first_gate(mesh, first, strip.source));
+    m_portals.reserve(strip.crossed.size());
+    m_portals.push_back(first_portal(mesh, first, strip.source));
     for(std::size_t i = 0; i + 1 < strip.crossed.size(); ++i)
-      add_gate(mesh, strip.crossed[i], strip.crossed[i + 1]);
+      add_portal(mesh, strip.crossed[i], strip.crossed[i + 1]);
     m_target = target_beyond(mesh, strip.crossed.back(), strip.target);
     m_uncertainty =
         uncertainty(mesh, first, strip.source) + uncertainty(mesh, mesh.twin(strip.crossed.back()), strip.target);
   }
 
-  const std::vector<Gate>& gates() const { return m_gates; }
+  const std::vector<Portal>& portals() const { return m_portals; }
   const Vector_2<NT>& target() const { return m_target; }
 
   /// How far the line to the target may be off, since its ends are rounded.
@@ -203,7 +203,7 @@ public:
   /// is no vertex, to the line to the target, counterclockwise.
   long double direction(bool is_vertex) const
   {
-    return angle_between(is_vertex ? m_gates.front().right : m_gates.front().edge, m_target);
+    return angle_between(is_vertex ? m_portals.front().right : m_portals.front().edge, m_target);
   }
 
 private:
@@ -219,7 +219,7 @@ private:
     }
   };
 
-  static Gate first_gate(const Mesh& mesh, Index crossed, const Place& source)
+  static Portal first_portal(const Mesh& mesh, Index crossed, const Place& source)
   {
     const Vector_2<NT> edge{edge_length<NT>(mesh, crossed), NT(0)};
     const To_apex to_apex(mesh, crossed, edge);
@@ -230,39 +230,39 @@ private:
   }
 
   // The gate through which the face beyond the last one is left.
-  void add_gate(const Mesh& mesh, Index crossed, Index next)
+  void add_portal(const Mesh& mesh, Index crossed, Index next)
   {
-    const Gate gate = m_gates.back();
+    const Portal portal = m_portals.back();
     const Index at_left = mesh.twin(crossed);
-    const To_apex to_apex(mesh, at_left, -gate.edge);
+    const To_apex to_apex(mesh, at_left, -portal.edge);
     const Vector_2<NT>&from_left = to_apex.from_tail, &from_right = to_apex.from_head;
-    const Vector_2<NT> apex = from_nearer(gate, from_right, from_left);
+    const Vector_2<NT> apex = from_nearer(portal, from_right, from_left);
     if(next == Mesh::next(at_left))
-      m_gates.push_back({gate.right, apex, from_right});
+      m_portals.push_back({portal.right, apex, from_right});
     else
-      m_gates.push_back({apex, gate.left, -from_left});
+      m_portals.push_back({apex, portal.left, -from_left});
   }
 
   Vector_2<NT> target_beyond(const Mesh& mesh, Index crossed, const Place& target) const
   {
-    const Gate& gate = m_gates.back();
+    const Portal& portal = m_portals.back();
     const Index at_left = mesh.twin(crossed);
-    const To_apex to_apex(mesh, at_left, -gate.edge);
+    const To_apex to_apex(mesh, at_left, -portal.edge);
     const NT w_left = weight<NT>(target, mesh.vertex(at_left)),
              w_right = weight<NT>(target, mesh.vertex(Mesh::next(at_left))),
              w_apex = weight<NT>(target, mesh.vertex(Mesh::previous(at_left)));
-    return from_nearer(gate, to_apex.from_head * w_apex + gate.edge * w_left,
-                       to_apex.from_tail * w_apex - gate.edge * w_right);
+    return from_nearer(portal, to_apex.from_head * w_apex + portal.edge * w_left,
+                       to_apex.from_tail * w_apex - portal.edge * w_right);
   }
 
   // A point by its vectors from the ends of a gate.
-  static Vector_2<NT> from_nearer(const Gate& gate, const Vector_2<NT>& from_right, const Vector_2<NT>& from_left)
+  static Vector_2<NT> from_nearer(const Portal& portal, const Vector_2<NT>& from_right, const Vector_2<NT>& from_left)
   {
     const bool right_is_nearer = dot(from_right, from_right) < dot(from_left, from_left);
-    return right_is_nearer ? gate.right + from_right : gate.left + from_left;
+    return right_is_nearer ? portal.right + from_right : portal.left + from_left;
   }
 
-  std::vector<Gate> m_gates;
+  std::vector<Portal> m_portals;
   Vector_2<NT> m_target;
   long double m_uncertainty = 0;
 };
@@ -284,9 +284,9 @@ long double bend_seen_from_source(const Unfolded_strip<NT>& strip)
     if(is_nearer && side * cross(line, p) + slack < 0)
       bend = (std::max)(bend, std::fabs(angle_between(line, p)));
   };
-  for(const auto& gate : strip.gates()) {
-    look_at(gate.left, NT(1));
-    look_at(gate.right, NT(-1));
+  for(const auto& portal : strip.portals()) {
+    look_at(portal.left, NT(1));
+    look_at(portal.right, NT(-1));
   }
   return bend;
 }

@@ -168,7 +168,7 @@ Stations stations_of(const Network& network)
   network.for_each_segment(only_curve, [&](FG::Segment_index s) {
     const FG::Halfedge_index h = network.halfedge(s);
     result.push_back({true, triangulation.tail(h).idx()});
-    for(FG::Input_halfedge_index crossed : triangulation.crossing_word(h).crossed)
+    for(FG::Input_halfedge_index crossed : triangulation.edge_sequence(h).crossed)
       result.push_back({false, crossed.idx() / 2});
     if(!network.next(s).is_valid())
       result.push_back({true, triangulation.head(h).idx()});

@@ -43,7 +43,7 @@ using benchmark_meshes::Mesh;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Edge_path = std::vector<Mesh::Halfedge_index>;
-using Path = opponents::Gate_path<Mesh>;
+using Path = opponents::Portal_path<Mesh>;
 
 polyline_checker::Mesh checker_mesh(const Mesh& mesh)
 {
@@ -126,20 +126,20 @@ private:
       dijkstra[round] = seconds([&] { start(source, target); });
       flipping[round] = seconds([&] { flipped = flip_out(path, flips); });
       unfolding[round] = seconds([&] {
-        Path gates(m_geometry, path);
-        rounds = opponents::Iterative_unfolding<Mesh>()(gates);
-        unfolded = polyline(gates);
+        Path portals(m_geometry, path);
+        rounds = opponents::Iterative_unfolding<Mesh>()(portals);
+        unfolded = polyline(portals);
       });
     }
     Polyline relaxed;
     const double relaxation = seconds([&] {
-      Path gates(m_geometry, path);
-      sweeps = opponents::Iterative_relaxation<Mesh>()(gates);
-      relaxed = polyline(gates);
+      Path portals(m_geometry, path);
+      sweeps = opponents::Iterative_relaxation<Mesh>()(portals);
+      relaxed = polyline(portals);
     });
-    Path gates(m_geometry, path);
-    opponents::Iterative_relaxation<Mesh>()(gates, 1e-5, (std::max)(sweeps, std::size_t(20000)));
-    const Polyline relaxed_longer = polyline(gates);
+    Path portals(m_geometry, path);
+    opponents::Iterative_relaxation<Mesh>()(portals, 1e-5, (std::max)(sweeps, std::size_t(20000)));
+    const Polyline relaxed_longer = polyline(portals);
 
     std::cout << m_name << ',' << m_mesh.number_of_faces() << ',' << source << ',' << target << ',' << path.size()
               << ',' << flips << ',' << median(dijkstra) << ',' << median(flipping) << ',' << median(unfolding) << ','
@@ -174,18 +174,18 @@ private:
   Polyline polyline(const Path& path) const
   {
     Polyline result = {0, {vertex_point(path.source())}};
-    for(const auto& gate : path.gates) {
-      const auto a = m_mesh.source(gate.crossed), b = m_mesh.target(gate.crossed);
-      if(gate.is_at_vertex()) {
-        const auto point = vertex_point(gate.is_at_tail() ? a : b);
+    for(const auto& portal : path.portals) {
+      const auto a = m_mesh.source(portal.crossed), b = m_mesh.target(portal.crossed);
+      if(portal.is_at_vertex()) {
+        const auto point = vertex_point(portal.is_at_tail() ? a : b);
         if(!result.points.back().place().is_vertex() || result.points.back().a != point.a)
           result.points.push_back(point);
         continue;
       }
-      const auto p = m_mesh.point(a) + gate.t * (m_mesh.point(b) - m_mesh.point(a));
+      const auto p = m_mesh.point(a) + portal.t * (m_mesh.point(b) - m_mesh.point(a));
       result.points.push_back({static_cast<polyline_checker::Index>(a),
                                static_cast<polyline_checker::Index>(b),
-                               gate.t,
+                               portal.t,
                                {p.x(), p.y(), p.z()}});
     }
     result.points.push_back(vertex_point(path.target()));

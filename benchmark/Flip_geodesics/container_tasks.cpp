@@ -84,7 +84,7 @@ double history(const Mesh& mesh, Mesh::Vertex_index, Mesh::Vertex_index)
   double sum = 0;
   for(int round = 0; round < 2; ++round)
     for(FG::Index e = 0; e < triangulation.number_of_halfedges() / 2; ++e)
-      sum += static_cast<double>(triangulation.crossing_word(FG::Halfedge_index(2 * e)).crossed.size());
+      sum += static_cast<double>(triangulation.edge_sequence(FG::Halfedge_index(2 * e)).crossed.size());
   return sum;
 }
 

@@ -21,7 +21,7 @@ namespace opponents {
 template <class Mesh>
 class Iterative_relaxation
 {
-  using Path = Gate_path<Mesh>;
+  using Path = Portal_path<Mesh>;
   using Point = std::complex<double>;
 
 public:
@@ -46,18 +46,18 @@ private:
   double relax_all(Path& path)
   {
     double error = 0;
-    for(std::size_t i = 0; i < path.gates.size();) {
-      if(!path.gates[i].is_at_vertex()) {
+    for(std::size_t i = 0; i < path.portals.size();) {
+      if(!path.portals[i].is_at_vertex()) {
         error = (std::max)(error, relax_on_edge(path, i));
         ++i;
         continue;
       }
-      const bool is_on_right = path.gates[i].is_at_tail();
-      const auto v = path.geometry().tail(path.spoke(i, is_on_right));
+      const bool is_on_right = path.portals[i].is_at_tail();
+      const auto v = path.geometry().tail(path.outgoing_halfedge(i, is_on_right));
       std::size_t last = i;
-      while(last + 1 < path.gates.size() && path.gates[last + 1].is_at_vertex() &&
-            path.gates[last + 1].is_at_tail() == is_on_right &&
-            path.geometry().tail(path.spoke(last + 1, is_on_right)) == v)
+      while(last + 1 < path.portals.size() && path.portals[last + 1].is_at_vertex() &&
+            path.portals[last + 1].is_at_tail() == is_on_right &&
+            path.geometry().tail(path.outgoing_halfedge(last + 1, is_on_right)) == v)
         ++last;
       bool is_on_other_side = false;
       error = (std::max)(error, relax_at_vertex(path, i, last, is_on_right, is_on_other_side));
@@ -72,38 +72,38 @@ private:
   Point before(const Path& path, std::size_t i) const
   {
     const auto& g = path.geometry();
-    const auto h = path.gates[i].crossed;
+    const auto h = path.portals[i].crossed;
     const Point apex = g.apex(h);
     if(i == 0)
       return apex;
-    const auto& gate = path.gates[i - 1]; // its twin is next(h) or previous(h)
-    const bool is_next = g.twin(gate.crossed) == g.next(h);
+    const auto& portal = path.portals[i - 1]; // its twin is next(h) or previous(h)
+    const bool is_next = g.twin(portal.crossed) == g.next(h);
     const Point other = is_next ? Point(g.length(h)) : Point(0);
-    return is_next ? apex + gate.t * (other - apex) : other + gate.t * (apex - other);
+    return is_next ? apex + portal.t * (other - apex) : other + portal.t * (apex - other);
   }
 
   Point after(const Path& path, std::size_t i) const
   {
     const auto& g = path.geometry();
-    const auto t = g.twin(path.gates[i].crossed);
+    const auto t = g.twin(path.portals[i].crossed);
     const double length = g.length(t);
     const Point apex = length - g.apex(t); // turned by pi
-    if(i + 1 == path.gates.size())
+    if(i + 1 == path.portals.size())
       return apex;
-    const auto& gate = path.gates[i + 1]; // next(t), from the right end to the apex, or previous(t)
-    const bool is_next = gate.crossed == g.next(t);
-    return is_next ? gate.t * apex : apex + gate.t * (length - apex);
+    const auto& portal = path.portals[i + 1]; // next(t), from the right end to the apex, or previous(t)
+    const bool is_next = portal.crossed == g.next(t);
+    return is_next ? portal.t * apex : apex + portal.t * (length - apex);
   }
 
   double relax_on_edge(Path& path, std::size_t i) const
   {
     const Point p = before(path, i), q = after(path, i);
-    const double length = path.geometry().length(path.gates[i].crossed), x = path.gates[i].t * length;
+    const double length = path.geometry().length(path.portals[i].crossed), x = path.portals[i].t * length;
     const double bend = std::abs(std::arg((q - x) * std::conj(x - p)));
     const double height = p.imag() - q.imag();
     if(height > 0)
-      path.gates[i].t = (p.real() + (q.real() - p.real()) * p.imag() / height) / length;
-    path.gates[i].t = snapped(path.gates[i].t);
+      path.portals[i].t = (p.real() + (q.real() - p.real()) * p.imag() / height) / length;
+    path.portals[i].t = snapped(path.portals[i].t);
     return bend;
   }
 
@@ -111,29 +111,29 @@ private:
                          bool& is_on_other_side) const
   {
     const auto& g = path.geometry();
-    const Point v = is_on_right ? Point(0) : Point(g.length(path.gates[first].crossed));
-    const Point w = is_on_right ? Point(0) : Point(g.length(path.gates[last].crossed));
+    const Point v = is_on_right ? Point(0) : Point(g.length(path.portals[first].crossed));
+    const Point w = is_on_right ? Point(0) : Point(g.length(path.portals[last].crossed));
     const Point to_before = before(path, first) - v, to_after = after(path, last) - w;
     const double sign = is_on_right ? 1 : -1; // towards the other end of the gates
     const double angle_before = std::abs(std::arg(sign * to_before)), angle_after = std::abs(std::arg(sign * to_after));
     double inside = angle_before + angle_after;
     for(std::size_t i = first; i < last; ++i)
       inside += corner_between(path, i, is_on_right);
-    const double outside = g.total_angle(path.spoke(first, is_on_right)) - inside;
+    const double outside = g.total_angle(path.outgoing_halfedge(first, is_on_right)) - inside;
     if(inside < pi) {
-      place_on_line(path.gates, first, last, std::abs(to_before), angle_before, std::abs(to_after), inside, path,
+      place_on_line(path.portals, first, last, std::abs(to_before), angle_before, std::abs(to_after), inside, path,
                     is_on_right);
       return pi - inside;
     }
     if(!(outside < pi))
       return 0;
-    auto gates = path.other_side(first, last, is_on_right);
-    const std::size_t count = gates.size();
-    path.replace(first, last, gates);
+    auto portals = path.other_side(first, last, is_on_right);
+    const std::size_t count = portals.size();
+    path.replace(first, last, portals);
     is_on_other_side = true;
     // The first corner on the other side is what is left of the face's.
     const double start = corner_before(path, first, !is_on_right) - angle_before;
-    place_on_line(path.gates, first, first + count - 1, std::abs(to_before), start, std::abs(to_after), outside, path,
+    place_on_line(path.portals, first, first + count - 1, std::abs(to_before), start, std::abs(to_after), outside, path,
                   !is_on_right);
     return pi - outside;
   }
@@ -142,33 +142,33 @@ private:
   static double corner_between(const Path& path, std::size_t i, bool is_on_right)
   {
     const auto& g = path.geometry();
-    return is_on_right ? g.corner(path.spoke(i + 1, true)) : g.corner(path.spoke(i, false));
+    return is_on_right ? g.corner(path.outgoing_halfedge(i + 1, true)) : g.corner(path.outgoing_halfedge(i, false));
   }
 
   // The corner of the face that is left through gate i, at the vertex.
   static double corner_before(const Path& path, std::size_t i, bool is_on_right)
   {
     const auto& g = path.geometry();
-    const auto s = path.spoke(i, is_on_right);
+    const auto s = path.outgoing_halfedge(i, is_on_right);
     return is_on_right ? g.corner(s) : g.corner(g.clockwise(s));
   }
 
   // Points where the line from radius r0 at angle 0 to radius r1 at angle `angle` crosses the spokes, or a line
   // parallel to it that is so close to the vertex that it crosses all of them.
-  static void place_on_line(typename Path::Gates& gates, std::size_t first, std::size_t last, double r0, double start,
-                            double r1, double angle, const Path& path, bool is_on_right)
+  static void place_on_line(typename Path::Portals& portals, std::size_t first, std::size_t last, double r0,
+                            double start, double r1, double angle, const Path& path, bool is_on_right)
   {
     double alpha = start, scale = 1;
     for(std::size_t i = first; i <= last; ++i) {
       const double whole = r0 * std::sin(alpha) + r1 * std::sin(angle - alpha);
       const double radius = whole > 0 ? r0 * r1 * std::sin(angle) / whole : 0;
-      gates[i].t = radius / path.geometry().length(gates[i].crossed);
-      scale = (std::min)(scale, 1 / gates[i].t);
+      portals[i].t = radius / path.geometry().length(portals[i].crossed);
+      scale = (std::min)(scale, 1 / portals[i].t);
       if(i < last)
         alpha += corner_between(path, i, is_on_right);
     }
     for(std::size_t i = first; i <= last; ++i)
-      gates[i].t = is_on_right ? scale * gates[i].t : 1 - scale * gates[i].t;
+      portals[i].t = is_on_right ? scale * portals[i].t : 1 - scale * portals[i].t;
   }
 };
 

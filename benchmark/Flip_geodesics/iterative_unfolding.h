@@ -20,7 +20,7 @@ namespace opponents {
 template <class Mesh>
 class Iterative_unfolding
 {
-  using Path = Gate_path<Mesh>;
+  using Path = Portal_path<Mesh>;
   using Point = std::complex<double>;
 
 public:
@@ -28,7 +28,7 @@ public:
   std::size_t operator()(Path& path, std::size_t most_rounds = 1000)
   {
     for(std::size_t round = 1; round < most_rounds; ++round) {
-      if(path.gates.empty())
+      if(path.portals.empty())
         return round;
       unfold(path);
       pull_string(path);
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  struct Unfolded_gate
+  struct Unfolded_portal
   {
     Point right, left;
   };
@@ -49,7 +49,7 @@ private:
   // A vertex that the taut string bends about: an end of gate `gate`.
   struct Bend
   {
-    std::size_t gate;
+    std::size_t portal;
     bool is_on_right;
     Point position;
   };
@@ -61,20 +61,20 @@ private:
   void unfold(const Path& path)
   {
     const auto& g = path.geometry();
-    const auto& gates = path.gates;
-    m_gates.clear();
-    Point right = 0, left = g.length(gates.front().crossed);
-    m_source = g.apex(gates.front().crossed);
+    const auto& portals = path.portals;
+    m_portals.clear();
+    Point right = 0, left = g.length(portals.front().crossed);
+    m_source = g.apex(portals.front().crossed);
     for(std::size_t i = 0;; ++i) {
-      m_gates.push_back({right, left});
-      const auto entered = g.twin(gates[i].crossed);
+      m_portals.push_back({right, left});
+      const auto entered = g.twin(portals[i].crossed);
       const Point direction = right - left;
       const Point apex = left + direction / std::abs(direction) * g.apex(entered);
-      if(i + 1 == gates.size()) {
+      if(i + 1 == portals.size()) {
         m_target = apex;
         return;
       }
-      (gates[i + 1].crossed == g.next(entered) ? left : right) = apex;
+      (portals[i + 1].crossed == g.next(entered) ? left : right) = apex;
     }
   }
 
@@ -85,28 +85,28 @@ private:
     Point apex = m_source;
     std::size_t start = 0;
     while(true) {
-      std::size_t right_gate = start, left_gate = start;
+      std::size_t right_portal = start, left_portal = start;
       bool has_bend = false;
-      if(start < m_gates.size()) {
-        Point right = m_gates[start].right - apex, left = m_gates[start].left - apex;
-        for(std::size_t i = start + 1; i <= m_gates.size() && !has_bend; ++i) {
-          const bool is_end = i == m_gates.size();
-          const Point r = (is_end ? m_target : m_gates[i].right) - apex,
-                      l = (is_end ? m_target : m_gates[i].left) - apex;
+      if(start < m_portals.size()) {
+        Point right = m_portals[start].right - apex, left = m_portals[start].left - apex;
+        for(std::size_t i = start + 1; i <= m_portals.size() && !has_bend; ++i) {
+          const bool is_end = i == m_portals.size();
+          const Point r = (is_end ? m_target : m_portals[i].right) - apex,
+                      l = (is_end ? m_target : m_portals[i].left) - apex;
           if(cross(right, l) < 0) {
-            add_bend(right_gate, true);
+            add_bend(right_portal, true);
             has_bend = true;
           } else if(cross(left, r) > 0) {
-            add_bend(left_gate, false);
+            add_bend(left_portal, false);
             has_bend = true;
           } else {
             if(cross(right, r) >= 0) {
               right = r;
-              right_gate = i;
+              right_portal = i;
             }
             if(cross(left, l) <= 0) {
               left = l;
-              left_gate = i;
+              left_portal = i;
             }
           }
         }
@@ -114,32 +114,33 @@ private:
       if(!has_bend)
         return;
       apex = m_bends.back().position;
-      start = gate_after_vertex(path, m_bends.back());
+      start = portal_after_vertex(path, m_bends.back());
     }
   }
 
-  void add_bend(std::size_t gate, bool is_on_right)
+  void add_bend(std::size_t portal, bool is_on_right)
   {
-    m_bends.push_back({gate, is_on_right, is_on_right ? m_gates[gate].right : m_gates[gate].left});
+    m_bends.push_back({portal, is_on_right, is_on_right ? m_portals[portal].right : m_portals[portal].left});
   }
 
   auto vertex(const Path& path, const Bend& bend) const
   {
-    return path.geometry().tail(path.spoke(bend.gate, bend.is_on_right));
+    return path.geometry().tail(path.outgoing_halfedge(bend.portal, bend.is_on_right));
   }
 
-  std::size_t gate_after_vertex(const Path& path, const Bend& bend) const
+  std::size_t portal_after_vertex(const Path& path, const Bend& bend) const
   {
-    std::size_t i = bend.gate;
-    while(i < path.gates.size() && path.geometry().tail(path.spoke(i, bend.is_on_right)) == vertex(path, bend))
+    std::size_t i = bend.portal;
+    while(i < path.portals.size() &&
+          path.geometry().tail(path.outgoing_halfedge(i, bend.is_on_right)) == vertex(path, bend))
       ++i;
     return i;
   }
 
-  std::size_t first_gate_at_vertex(const Path& path, const Bend& bend) const
+  std::size_t first_portal_at_vertex(const Path& path, const Bend& bend) const
   {
-    std::size_t i = bend.gate;
-    while(i > 0 && path.geometry().tail(path.spoke(i - 1, bend.is_on_right)) == vertex(path, bend))
+    std::size_t i = bend.portal;
+    while(i > 0 && path.geometry().tail(path.outgoing_halfedge(i - 1, bend.is_on_right)) == vertex(path, bend))
       --i;
     return i;
   }
@@ -153,10 +154,11 @@ private:
       const Point in = bend.position - (b == 0 ? m_source : m_bends[b - 1].position);
       const Point out = (b + 1 == m_bends.size() ? m_target : m_bends[b + 1].position) - bend.position;
       const double turn = std::abs(std::arg(out * std::conj(in)));
-      const double other = path.geometry().total_angle(path.spoke(bend.gate, bend.is_on_right)) - pi - turn;
+      const double other =
+          path.geometry().total_angle(path.outgoing_halfedge(bend.portal, bend.is_on_right)) - pi - turn;
       if(!(other < pi - angle_tolerance))
         continue;
-      const std::size_t first = first_gate_at_vertex(path, bend), last = gate_after_vertex(path, bend) - 1;
+      const std::size_t first = first_portal_at_vertex(path, bend), last = portal_after_vertex(path, bend) - 1;
       path.replace(first, last, path.other_side(first, last, bend.is_on_right));
       has_moved = true;
     }
@@ -169,23 +171,23 @@ private:
   void place_points(Path& path) const
   {
     std::size_t b = 0;
-    for(std::size_t i = 0; i < path.gates.size(); ++i) {
-      while(b < m_bends.size() && i >= gate_after_vertex(path, m_bends[b]))
+    for(std::size_t i = 0; i < path.portals.size(); ++i) {
+      while(b < m_bends.size() && i >= portal_after_vertex(path, m_bends[b]))
         ++b;
-      auto& gate = path.gates[i];
-      if(b < m_bends.size() && i >= first_gate_at_vertex(path, m_bends[b])) {
-        gate.t = m_bends[b].is_on_right ? 0 : 1;
+      auto& portal = path.portals[i];
+      if(b < m_bends.size() && i >= first_portal_at_vertex(path, m_bends[b])) {
+        portal.t = m_bends[b].is_on_right ? 0 : 1;
         continue;
       }
       const Point from = b == 0 ? m_source : m_bends[b - 1].position;
       const Point to = b == m_bends.size() ? m_target : m_bends[b].position;
-      const double right = std::abs(cross(to - from, m_gates[i].right - from));
-      const double left = std::abs(cross(to - from, m_gates[i].left - from));
-      gate.t = right + left > 0 ? right / (right + left) : 0.5;
+      const double right = std::abs(cross(to - from, m_portals[i].right - from));
+      const double left = std::abs(cross(to - from, m_portals[i].left - from));
+      portal.t = right + left > 0 ? right / (right + left) : 0.5;
     }
   }
 
-  std::vector<Unfolded_gate> m_gates;
+  std::vector<Unfolded_portal> m_portals;
   std::vector<Bend> m_bends;
   Point m_source, m_target;
 };

@@ -51,7 +51,7 @@ public:
         m_longest = h;
     });
     for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(1000))
-      if(m_tight_triangulation.is_flippable(e.halfedge()) && m_tight.stack(e).empty())
+      if(m_tight_triangulation.is_flippable(e.halfedge()) && m_tight.bundle(e).empty())
         m_flippable.push_back(e.halfedge());
   }
 
@@ -101,9 +101,9 @@ private:
   std::size_t strip()
   {
     const FG::internal::Strip<Triangulation> strip(m_tight_triangulation,
-                                                   m_tight_triangulation.crossing_word(m_longest));
+                                                   m_tight_triangulation.edge_sequence(m_longest));
     benchmark::DoNotOptimize(strip.end());
-    return strip.gates().size();
+    return strip.portals().size();
   }
 
   std::size_t shorten_and_undo()

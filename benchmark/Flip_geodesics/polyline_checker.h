@@ -134,10 +134,10 @@ std::vector<Vector_2<NT>> unfolded_points(const Mesh& mesh, const Polyline& curv
 {
   std::vector<Vector_2<NT>> result;
   for(std::size_t i = 0; i < segment.strip.crossed.size(); ++i) {
-    const auto& gate = unfolded.gates()[i];
+    const auto& portal = unfolded.portals()[i];
     const Polyline_point& point = curve.points[segment.first + 1 + i];
     const bool from_right = point.a == mesh.vertex(segment.strip.crossed[i]);
-    result.push_back(from_right ? gate.right + gate.edge * NT(point.t) : gate.left - gate.edge * NT(point.t));
+    result.push_back(from_right ? portal.right + portal.edge * NT(point.t) : portal.left - portal.edge * NT(point.t));
   }
   return result;
 }
@@ -151,7 +151,7 @@ long double largest_deviation(const Unfolded_strip<NT>& unfolded, const std::vec
   const NT line = length(unfolded.target());
   for(std::size_t i = 0; i < points.size(); ++i) {
     const NT distance = cross(unfolded.target(), points[i]) / line;
-    const NT rounding = NT(4 * unit_roundoff) * length(unfolded.gates()[i].edge) + NT(unfolded.uncertainty_of_line());
+    const NT rounding = NT(4 * unit_roundoff) * length(unfolded.portals()[i].edge) + NT(unfolded.uncertainty_of_line());
     const NT deviation = ((distance < 0 ? NT(-distance) : distance) - rounding) / line;
     result = (std::max)(result, static_cast<long double>(deviation));
   }
@@ -163,8 +163,8 @@ template <class NT>
 long double largest_turn(const Unfolded_strip<NT>& unfolded, const std::vector<Vector_2<NT>>& points)
 {
   NT scale = length(unfolded.target());
-  for(const auto& gate : unfolded.gates())
-    scale = (std::max)(scale, length(gate.edge));
+  for(const auto& portal : unfolded.portals())
+    scale = (std::max)(scale, length(portal.edge));
   const auto is_far = [&](const Vector_2<NT>& v) { return length(v) > NT(merge_distance) * scale; };
 
   long double result = 0;
@@ -302,7 +302,7 @@ Traced_curve trace_curve(const Mesh& mesh, const Polyline& curve)
 // ------------------------------------------------------------------------------------------------------- joints --
 
 /// Adds the ends of the segments of a curve: number 2i is the source of segment i, 2i + 1 its target.
-inline void add_strand_ends(const Traced_curve& traced, std::size_t curve, Strand_ends& ends)
+inline void add_segment_ends(const Traced_curve& traced, std::size_t curve, Segment_ends& ends)
 {
   for(std::size_t i = 0; i < traced.segments.size(); ++i) {
     const Segment& segment = traced.segments[i];
@@ -312,13 +312,13 @@ inline void add_strand_ends(const Traced_curve& traced, std::size_t curve, Stran
 }
 
 /// Measures the joint where segment `x` of the curve ends and segment `y` begins.
-inline void measure_joint(const Mesh& mesh, const Strand_ends& ends, std::size_t curve, std::size_t x, std::size_t y,
+inline void measure_joint(const Mesh& mesh, const Segment_ends& ends, std::size_t curve, std::size_t x, std::size_t y,
                           Traced_curve& traced, const Tolerances& tolerances)
 {
   const Direction& incoming = traced.segments[x].at_target;
   const Direction& outgoing = traced.segments[y].at_source;
   std::vector<Direction> others;
-  for(const Strand_end& end : ends.at(traced.segments[y].strip.source))
+  for(const Segment_end& end : ends.at(traced.segments[y].strip.source))
     if(end.curve != curve || (end.number != 2 * x + 1 && end.number != 2 * y))
       others.push_back(end.direction);
   const Joint_angles angles = joint_angles(mesh, incoming, outgoing, others);
@@ -330,7 +330,7 @@ inline void measure_joint(const Mesh& mesh, const Strand_ends& ends, std::size_t
 }
 
 /// Measures the joints of an unbroken curve; `ends` are those of all curves that may block it, itself included.
-inline void measure_joints(const Mesh& mesh, const Strand_ends& ends, std::size_t curve, Traced_curve& traced,
+inline void measure_joints(const Mesh& mesh, const Segment_ends& ends, std::size_t curve, Traced_curve& traced,
                            const Joint_options& options, const Tolerances& tolerances, bool may_bend_inside)
 {
   const std::size_t n = traced.segments.size();
@@ -384,18 +384,18 @@ inline std::vector<Curve_report> check_curves(const Mesh& mesh, const std::vecto
                                               const Tolerances& tolerances = Tolerances())
 {
   std::vector<Traced_curve> traced;
-  Strand_ends all_ends;
+  Segment_ends all_ends;
   for(std::size_t i = 0; i < curves.size(); ++i) {
     traced.push_back(trace_curve_reliably(mesh, curves[i], tolerances));
     if(options.curves_block_each_other)
-      add_strand_ends(traced[i], i, all_ends);
+      add_segment_ends(traced[i], i, all_ends);
   }
   std::vector<Curve_report> reports;
   for(std::size_t i = 0; i < curves.size(); ++i) {
-    Strand_ends own_ends;
+    Segment_ends own_ends;
     if(!options.curves_block_each_other)
-      add_strand_ends(traced[i], i, own_ends);
-    const Strand_ends& ends = options.curves_block_each_other ? all_ends : own_ends;
+      add_segment_ends(traced[i], i, own_ends);
+    const Segment_ends& ends = options.curves_block_each_other ? all_ends : own_ends;
     measure_joints(mesh, ends, i, traced[i], options, tolerances, curves[i].may_bend_inside);
     reports.push_back(traced[i].report);
   }

@@ -80,7 +80,7 @@ private:
 /// A point of a path on an edge: the halfedge is a side of the face that is left, its tail is on the right; the point
 /// is (1 - t) tail + t head.
 template <class Halfedge>
-struct Gate
+struct Portal
 {
   Halfedge crossed;
   double t;
@@ -92,16 +92,16 @@ struct Gate
 
 /// A path from vertex to vertex through gates.
 template <class Mesh>
-class Gate_path
+class Portal_path
 {
 public:
   using Geometry = Surface_geometry<Mesh>;
   using Vertex = typename Geometry::Vertex;
   using Halfedge = typename Geometry::Halfedge;
-  using Gates = std::vector<Gate<Halfedge>>;
+  using Portals = std::vector<Portal<Halfedge>>;
 
   /// The gates on the side of the smaller angle at each vertex of an edge path, all points at the path's vertices.
-  Gate_path(const Geometry& geometry, const std::vector<Halfedge>& path)
+  Portal_path(const Geometry& geometry, const std::vector<Halfedge>& path)
     : m_geometry(geometry)
     , m_source(geometry.tail(path.front()))
     , m_target(geometry.head(path.back()))
@@ -110,8 +110,8 @@ public:
     for(std::size_t i = 0; i + 1 < path.size(); ++i) {
       const bool is_left = angle_left(path[i], path[i + 1]) <= angle_left_of_reverse(path[i], path[i + 1]);
       if(i > 0 && was_left != is_left)
-        gates.push_back(was_left ? Gate<Halfedge>{path[i], 1} : Gate<Halfedge>{geometry.twin(path[i]), 0});
-      add_spokes(path[i], path[i + 1], is_left);
+        portals.push_back(was_left ? Portal<Halfedge>{path[i], 1} : Portal<Halfedge>{geometry.twin(path[i]), 0});
+      add_outgoing_halfedges(path[i], path[i + 1], is_left);
       was_left = is_left;
     }
     simplify();
@@ -122,17 +122,17 @@ public:
   Vertex target() const { return m_target; }
 
   /// The halfedge of gate `i` that starts at its right or left vertex.
-  Halfedge spoke(std::size_t i, bool is_on_right) const
+  Halfedge outgoing_halfedge(std::size_t i, bool is_on_right) const
   {
-    return is_on_right ? gates[i].crossed : m_geometry.twin(gates[i].crossed);
+    return is_on_right ? portals[i].crossed : m_geometry.twin(portals[i].crossed);
   }
 
   /// The gates that pass the vertex of gates `first` to `last` on its other side, with points at the vertex.
   /// \pre the border is not there
-  Gates other_side(std::size_t first, std::size_t last, bool is_on_right) const
+  Portals other_side(std::size_t first, std::size_t last, bool is_on_right) const
   {
-    Gates result;
-    const Halfedge from = spoke(first, is_on_right), to = spoke(last, is_on_right);
+    Portals result;
+    const Halfedge from = outgoing_halfedge(first, is_on_right), to = outgoing_halfedge(last, is_on_right);
     if(is_on_right) {
       const Halfedge end = m_geometry.clockwise(to);
       for(Halfedge s = m_geometry.counterclockwise(from);; s = m_geometry.counterclockwise(s)) {
@@ -149,22 +149,22 @@ public:
     }
   }
 
-  void replace(std::size_t first, std::size_t last, const Gates& replacement)
+  void replace(std::size_t first, std::size_t last, const Portals& replacement)
   {
-    const auto begin = gates.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto after = gates.erase(begin, gates.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-    gates.insert(after, replacement.begin(), replacement.end());
+    const auto begin = portals.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto after = portals.erase(begin, portals.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    portals.insert(after, replacement.begin(), replacement.end());
   }
 
   /// Takes out what goes to and fro, and gates at the ends of the path.
   void simplify()
   {
-    Gates result;
-    for(const Gate<Halfedge>& gate : gates) {
-      if(!result.empty() && result.back().crossed == m_geometry.twin(gate.crossed))
+    Portals result;
+    for(const Portal<Halfedge>& portal : portals) {
+      if(!result.empty() && result.back().crossed == m_geometry.twin(portal.crossed))
         result.pop_back();
-      else if(!result.empty() || !touches(gate, m_source))
-        result.push_back(gate);
+      else if(!result.empty() || !touches(portal, m_source))
+        result.push_back(portal);
     }
     while(!result.empty() && touches(result.back(), m_target))
       result.pop_back();
@@ -172,15 +172,15 @@ public:
     while(start < result.size() && touches(result[start], m_source))
       ++start;
     result.erase(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(start));
-    gates = std::move(result);
+    portals = std::move(result);
   }
 
-  Gates gates;
+  Portals portals;
 
 private:
-  bool touches(const Gate<Halfedge>& gate, Vertex v) const
+  bool touches(const Portal<Halfedge>& portal, Vertex v) const
   {
-    return m_geometry.tail(gate.crossed) == v || m_geometry.head(gate.crossed) == v;
+    return m_geometry.tail(portal.crossed) == v || m_geometry.head(portal.crossed) == v;
   }
 
   // The angle between two consecutive halfedges of a path on its left; infinite past the border.
@@ -201,15 +201,15 @@ private:
     return angle_left(m_geometry.twin(out), m_geometry.twin(in));
   }
 
-  void add_spokes(Halfedge in, Halfedge out, bool is_left)
+  void add_outgoing_halfedges(Halfedge in, Halfedge out, bool is_left)
   {
     const Halfedge from = m_geometry.twin(in);
     if(is_left)
       for(Halfedge s = m_geometry.clockwise(from); s != out; s = m_geometry.clockwise(s))
-        gates.push_back({s, 0});
+        portals.push_back({s, 0});
     else
       for(Halfedge s = m_geometry.counterclockwise(from); s != out; s = m_geometry.counterclockwise(s))
-        gates.push_back({m_geometry.twin(s), 1});
+        portals.push_back({m_geometry.twin(s), 1});
   }
 
   const Geometry& m_geometry;

@@ -23,7 +23,7 @@ class Curve_network_archetype
   using Halfedge_index = CGAL::Flip_geodesics::Halfedge_index;
   using Edge_index = CGAL::Flip_geodesics::Edge_index;
   using Joint = CGAL::Flip_geodesics::Joint;
-  using Strand_end = CGAL::Flip_geodesics::Strand_end;
+  using Segment_end = CGAL::Flip_geodesics::Segment_end;
 
 public:
   using Triangulation = typename Network::Triangulation;
@@ -55,10 +55,10 @@ public:
   Segment_index next(Segment_index s) const { return m_network.next(s); }
   bool is_head_fixed(Segment_index s) const { return m_network.is_head_fixed(s); }
   bool is_occupied(Halfedge_index h) const { return m_network.is_occupied(h); }
-  std::vector<Segment_index> stack(Edge_index e) const { return m_network.stack(e); }
+  std::vector<Segment_index> bundle(Edge_index e) const { return m_network.bundle(e); }
 
-  std::pair<Strand_end, Strand_end> ends(const Joint& joint) const { return m_network.ends(joint); }
-  Strand_end next_clockwise(const Strand_end& end) const { return m_network.next_clockwise(end); }
+  std::pair<Segment_end, Segment_end> ends(const Joint& joint) const { return m_network.ends(joint); }
+  Segment_end next_clockwise(const Segment_end& end) const { return m_network.next_clockwise(end); }
   bool is_turning_back(const Joint& joint) const { return m_network.is_turning_back(joint); }
 
 private:

@@ -52,8 +52,8 @@ template <class Network>
 void check_links(const Network& network, const Curve_system& system)
 {
   std::vector<int> listed(system.segments.size(), 0), chained(system.segments.size(), 0);
-  for(int e = 0; e < static_cast<int>(system.stacks.size()); ++e)
-    for(int s : system.stacks[e]) {
+  for(int e = 0; e < static_cast<int>(system.bundles.size()); ++e)
+    for(int s : system.bundles[e]) {
       require(system.segments[s].halfedge / 2 == e && system.segments[s].halfedge >= 0, "a stack lists a stranger");
       ++listed[s];
     }
@@ -93,7 +93,7 @@ inline void check_matching(const Curve_system& system)
   for(const std::vector<int>& star : system.stars()) {
     std::vector<std::pair<int, int>> ends, mates; // halfedge, segment; {-1, -1} for none, and for the border itself
     for(int h : star)
-      for(int s : system.stack_along(h)) {
+      for(int s : system.bundle_along(h)) {
         const Curve_system::Segment& x = system.segments[s];
         const int other = h == x.halfedge ? x.previous : x.next;
         const bool is_fixed = other < 0 || (h == x.halfedge ? system.segments[other].is_head_fixed : x.is_head_fixed);
@@ -164,12 +164,12 @@ std::vector<Free_side> free_sides(const Network& network)
     struct End
     {
       int halfedge, segment;
-      std::size_t spoke;
+      std::size_t outgoing_halfedge;
     };
     std::vector<End> ends;
     std::vector<double> angle_before = {0}; // of spoke i, from spoke 0
     for(std::size_t i = 0; i < star.size(); ++i) {
-      for(int s : system.stack_along(star[i]))
+      for(int s : system.bundle_along(star[i]))
         ends.push_back({star[i], s, i});
       if(system.clockwise(star[i]) != -1)
         angle_before.push_back(angle_before.back() +
@@ -189,7 +189,7 @@ std::vector<Free_side> free_sides(const Network& network)
         const bool is_next = (i + 1) % ends.size() == k, is_past_border = k <= i && has_border;
         if(!is_next || is_past_border)
           continue;
-        double angle = angle_before[ends[k].spoke] - angle_before[ends[i].spoke];
+        double angle = angle_before[ends[k].outgoing_halfedge] - angle_before[ends[i].outgoing_halfedge];
         if(k <= i)
           angle += whole;
         if(is_left)
@@ -248,12 +248,12 @@ class Edge_path_graph_archetype
   using Curve_index = CGAL::Flip_geodesics::Curve_index;
   using Joint = CGAL::Flip_geodesics::Joint;
   using Side = CGAL::Flip_geodesics::Side;
-  using Strand_end = CGAL::Flip_geodesics::Strand_end;
+  using Segment_end = CGAL::Flip_geodesics::Segment_end;
 
 public:
   using Triangulation = typename Network_::Triangulation;
   using Wedge = typename Network_::Wedge;
-  using Stack_place = typename Network_::Stack_place;
+  using Bundle_place = typename Network_::Bundle_place;
 
   explicit Edge_path_graph_archetype(Network_& network)
     : m_network(network)
@@ -287,10 +287,10 @@ public:
   Segment_index next(Segment_index s) const { return m_network.next(s); }
   bool is_head_fixed(Segment_index s) const { return m_network.is_head_fixed(s); }
   bool is_occupied(Halfedge_index h) const { return m_network.is_occupied(h); }
-  std::vector<Segment_index> stack(CGAL::Flip_geodesics::Edge_index e) const { return m_network.stack(e); }
+  std::vector<Segment_index> bundle(CGAL::Flip_geodesics::Edge_index e) const { return m_network.bundle(e); }
 
-  std::pair<Strand_end, Strand_end> ends(const Joint& joint) const { return m_network.ends(joint); }
-  Strand_end next_clockwise(const Strand_end& end) const { return m_network.next_clockwise(end); }
+  std::pair<Segment_end, Segment_end> ends(const Joint& joint) const { return m_network.ends(joint); }
+  Segment_end next_clockwise(const Segment_end& end) const { return m_network.next_clockwise(end); }
   Wedge wedge(const Joint& joint) const
   {
     if(m_network.next(joint.incoming) == CGAL::Flip_geodesics::null_index)
@@ -319,9 +319,9 @@ public:
     return arriving;
   }
 
-  Stack_place stack_place(Segment_index s) const { return m_network.stack_place(s); }
+  Bundle_place bundle_place(Segment_index s) const { return m_network.bundle_place(s); }
 
-  Segment_index restore_loop(Curve_index curve, const Stack_place& place)
+  Segment_index restore_loop(Curve_index curve, const Bundle_place& place)
   {
     ++m_counts.restorations;
     if(m_contracted.erase(curve.idx()) != 0)
@@ -347,8 +347,8 @@ private:
     ++(arc.empty() ? m_counts.cancellations : m_counts.moves);
     m_counts.full_stars += !arc.empty() && a.halfedge == b.halfedge ? 1 : 0;
     m_counts.own_edge_moves += a.halfedge == Triangulation::twin(b.halfedge) ? 1 : 0;
-    const std::size_t at_a = m_network.stack(Triangulation::edge(a.halfedge)).size();
-    const std::size_t at_b = m_network.stack(Triangulation::edge(b.halfedge)).size();
+    const std::size_t at_a = m_network.bundle(Triangulation::edge(a.halfedge)).size();
+    const std::size_t at_b = m_network.bundle(Triangulation::edge(b.halfedge)).size();
     m_counts.stacked_moves += at_a + at_b > 2 ? 1 : 0;
   }
 

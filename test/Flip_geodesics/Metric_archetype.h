@@ -19,7 +19,7 @@ class Metric_archetype
   using Index = CGAL::Flip_geodesics::Index;
   using Vertex_index = CGAL::Flip_geodesics::Vertex_index;
   using Halfedge_index = CGAL::Flip_geodesics::Input_halfedge_index;
-  using Word = CGAL::Flip_geodesics::Crossing_word;
+  using Word = CGAL::Flip_geodesics::Edge_sequence;
 
 public:
   using Mesh = typename Metric::Mesh;

@@ -98,7 +98,7 @@ public:
   const Metric& metric() const { return m_triangulation.metric(); }
   const Traits& traits() const { return m_triangulation.traits(); }
   int crossings(CGAL::Flip_geodesics::Edge_index e) const { return m_triangulation.crossings(e); }
-  decltype(auto) crossing_word(Halfedge_index h) const { return m_triangulation.crossing_word(h); }
+  decltype(auto) edge_sequence(Halfedge_index h) const { return m_triangulation.edge_sequence(h); }
   Vertex_index tail(Halfedge_index h) const { return m_triangulation.tail(h); }
   bool is_inserted(Vertex_index v) const { return m_triangulation.is_inserted(v); }
   auto location(Vertex_index v) const { return m_triangulation.location(v); }

@@ -145,7 +145,7 @@ class Referee
   using Input_halfedge_index = CGAL::Flip_geodesics::Input_halfedge_index;
 
 public:
-  using Word = decltype(std::declval<const Triangulation&>().crossing_word(Halfedge_index()));
+  using Word = decltype(std::declval<const Triangulation&>().edge_sequence(Halfedge_index()));
 
   Referee(const Triangulation& triangulation, const Shape& shape)
     : m_triangulation(triangulation)
@@ -178,7 +178,7 @@ public:
   bool is_straight(const Word& word)
   {
     const Layout strip = layout(word);
-    for(const auto& [right, left] : strip.gates)
+    for(const auto& [right, left] : strip.portals)
       if(turning(strip.end, left) <= 0 || turning(right, strip.end) <= 0)
         return false;
     return true;
@@ -190,7 +190,7 @@ public:
     if(word.along.is_valid())
       return length_of(word.along.idx());
     const Layout strip = layout(word);
-    return boost::multiprecision::sqrt(squared_norm(strip.end)) * length_of(strip.right_spoke);
+    return boost::multiprecision::sqrt(squared_norm(strip.end)) * length_of(strip.right_outgoing_halfedge);
   }
 
 private:
@@ -199,9 +199,9 @@ private:
   struct Layout
   {
     bool is_edge;
-    int right_spoke, left_spoke;
+    int right_outgoing_halfedge, left_outgoing_halfedge;
     Real_vector left, end;
-    std::vector<std::pair<Real_vector, Real_vector>> gates; // right and left ends
+    std::vector<std::pair<Real_vector, Real_vector>> portals; // right and left ends
   };
 
   // A sum of angles between 0 and pi each, which is followed as far as pi.
@@ -238,8 +238,8 @@ private:
   // The wedge in parts of at most pi: up to the first spoke, from spoke to spoke, from the last.
   std::vector<Real_vector> angles(Halfedge_index from, Halfedge_index to)
   {
-    const Layout a = layout(m_triangulation.crossing_word(from)), b = layout(m_triangulation.crossing_word(to));
-    if(!a.is_edge && !b.is_edge && a.right_spoke == b.right_spoke && from != to) {
+    const Layout a = layout(m_triangulation.edge_sequence(from)), b = layout(m_triangulation.edge_sequence(to));
+    if(!a.is_edge && !b.is_edge && a.right_outgoing_halfedge == b.right_outgoing_halfedge && from != to) {
       const int order = turning(b.end, a.end); // positive: b comes soon after a
       if(order == 0)
         throw No_order("two directions in one corner are equal");
@@ -249,13 +249,14 @@ private:
     std::vector<Real_vector> result;
     if(!a.is_edge)
       result.push_back(a.end);
-    int spoke = a.right_spoke;
+    int outgoing_halfedge = a.right_outgoing_halfedge;
     const bool goes_round = from == to && a.is_edge;
-    for(bool is_first = true; spoke != b.left_spoke || (is_first && goes_round); is_first = false) {
-      const int t = spoke ^ 1;
+    for(bool is_first = true; outgoing_halfedge != b.left_outgoing_halfedge || (is_first && goes_round);
+        is_first = false) {
+      const int t = outgoing_halfedge ^ 1;
       const Real_vector r = ratio(t);
       result.push_back({-r.x, r.y});
-      spoke = next_of(t);
+      outgoing_halfedge = next_of(t);
     }
     if(!b.is_edge)
       result.push_back(b.left * conjugate(b.end));
@@ -282,13 +283,13 @@ private:
     Layout result;
     const int first = word.crossed.front().idx(), left_side = next_of(first);
     result.is_edge = false;
-    result.left_spoke = left_side ^ 1;
-    result.right_spoke = next_of(left_side);
+    result.left_outgoing_halfedge = left_side ^ 1;
+    result.right_outgoing_halfedge = next_of(left_side);
     Real_vector right = {1, 0};
-    Real_vector left = right + ratio(result.right_spoke);
+    Real_vector left = right + ratio(result.right_outgoing_halfedge);
     result.left = left;
     for(std::size_t i = 0; i < word.crossed.size(); ++i) {
-      result.gates.emplace_back(right, left);
+      result.portals.emplace_back(right, left);
       const int entered = word.crossed[i].idx() ^ 1; // from left to right
       result.end = right + (right - left) * ratio(entered);
       if(i + 1 == word.crossed.size())

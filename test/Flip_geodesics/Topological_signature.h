@@ -31,8 +31,8 @@ struct Curve_system
 
   std::vector<int> next; // of halfedges, -1 on the border; twin(h) == h ^ 1
   std::vector<int> tail;
-  std::vector<std::vector<int>> stacks; // of segments, per edge, from left to right along halfedge 2e
-  std::vector<Segment> segments;        // by id; halfedge -1 for those that are gone
+  std::vector<std::vector<int>> bundles; // of segments, per edge, from left to right along halfedge 2e
+  std::vector<Segment> segments;         // by id; halfedge -1 for those that are gone
 
   Curve_system() = default;
 
@@ -48,9 +48,9 @@ struct Curve_system
       tail.push_back(triangulation.tail(h).idx());
     }
     for(int e = 0; e < triangulation.number_of_edges(); ++e) {
-      stacks.emplace_back();
-      for(Segment_index s : network.stack(Edge_index(e)))
-        stacks.back().push_back(s.idx());
+      bundles.emplace_back();
+      for(Segment_index s : network.bundle(Edge_index(e)))
+        bundles.back().push_back(s.idx());
     }
     for(Segment_index s(0); s.idx() < network.end_of_segment_ids(); ++s)
       segments.push_back(s.idx() == 0 || !network.is_alive(s)
@@ -65,9 +65,9 @@ struct Curve_system
   int counterclockwise(int h) const { return is_border(h) ? -1 : (previous(h) ^ 1); }
 
   /// The stack of the edge of `h` from left to right as seen along `h`.
-  std::vector<int> stack_along(int h) const
+  std::vector<int> bundle_along(int h) const
   {
-    std::vector<int> result = stacks[h / 2];
+    std::vector<int> result = bundles[h / 2];
     if(h % 2 == 1)
       std::reverse(result.begin(), result.end());
     return result;
@@ -77,8 +77,8 @@ struct Curve_system
   template <class Predicate>
   void drop(const Predicate& is_dropped)
   {
-    for(std::vector<int>& stack : stacks)
-      stack.erase(std::remove_if(stack.begin(), stack.end(), is_dropped), stack.end());
+    for(std::vector<int>& bundle : bundles)
+      bundle.erase(std::remove_if(bundle.begin(), bundle.end(), is_dropped), bundle.end());
   }
 
   /// Numbers the arcs that fixed nodes cut the curves into: for each segment the first one of its arc.
@@ -182,13 +182,13 @@ public:
     return std::any_of(m_regions.begin(), m_regions.end(), [curve](const Region& region) {
       return region.euler_characteristic == 1 && !region.marks.empty() &&
              std::all_of(region.marks.begin(), region.marks.end(), [curve](const Mark& mark) {
-               return (mark[0] == strand && mark[1] == curve) || (mark[0] == end && mark[1] / 2 == curve);
+               return (mark[0] == segment && mark[1] == curve) || (mark[0] == end && mark[1] / 2 == curve);
              });
     });
   }
 
 private:
-  enum { strand, border, end, fixed_node };
+  enum { segment, border, end, fixed_node };
 
   // A disk with one side of one arc on its border, and nodes.
   std::vector<Region>::const_iterator find_spur() const
@@ -198,7 +198,7 @@ private:
       const auto count = [&](int kind) {
         return std::count_if(marks.begin(), marks.end(), [kind](const Mark& m) { return m[0] == kind; });
       };
-      return region.euler_characteristic == 1 && count(strand) == 1 && count(border) == 0 &&
+      return region.euler_characteristic == 1 && count(segment) == 1 && count(border) == 0 &&
              count(fixed_node) + count(end) > 0;
     });
   }
@@ -208,7 +208,7 @@ private:
   {
     std::vector<Mark>& marks = region.marks;
     for(Mark& mark : marks)
-      if(mark[0] == strand)
+      if(mark[0] == segment)
         mark[1] = system.segments[mark[1]].curve;
     if(has_fixed_nodes)
       marks.erase(
@@ -227,16 +227,16 @@ private:
     {
       const int halfedges = static_cast<int>(system.next.size());
       for(int h = 0; h < halfedges; ++h) {
-        stack.push_back(system.stack_along(h));
+        bundle.push_back(system.bundle_along(h));
         first_place.push_back(static_cast<int>(parent.size()));
-        for(std::size_t i = 0; i <= stack[h].size(); ++i)
+        for(std::size_t i = 0; i <= bundle[h].size(); ++i)
           parent.push_back(static_cast<int>(parent.size()));
       }
     }
 
     // Places are the ends of slots at vertices: place i of spoke h is to the left of its strand i.
     int place(int h, std::size_t i) const { return first_place[h] + static_cast<int>(i); }
-    int last_place(int h) const { return place(h, stack[h].size()); }
+    int last_place(int h) const { return place(h, bundle[h].size()); }
 
     int find(int i)
     {
@@ -304,8 +304,8 @@ private:
       std::vector<End> ends;
       for(std::size_t i = 0; i < star.size(); ++i) {
         const int h = star[i];
-        for(std::size_t k = 0; k < stack[h].size(); ++k)
-          ends.push_back({h, stack[h][k], place(h, k), place(h, k + 1)});
+        for(std::size_t k = 0; k < bundle[h].size(); ++k)
+          ends.push_back({h, bundle[h][k], place(h, k), place(h, k + 1)});
         const int g = system.clockwise(h);
         if(g != -1)
           unite(last_place(h), place(g, 0));
@@ -344,15 +344,15 @@ private:
     void glue(std::vector<int>& slots, std::vector<int>& faces)
     {
       for(int h = 0; h < static_cast<int>(system.next.size()); ++h) {
-        const std::size_t k = stack[h].size();
+        const std::size_t k = bundle[h].size();
         if(h % 2 == 0)
           for(std::size_t i = 0; i <= k; ++i) {
             slots.push_back(place(h, i));
             unite(place(h, i), place(h ^ 1, k - i));
             if(i > 0)
-              mark_strand(place(h, i), stack[h][i - 1], h, false);
+              mark_segment(place(h, i), bundle[h][i - 1], h, false);
             if(i < k)
-              mark_strand(place(h, i), stack[h][i], h, true);
+              mark_segment(place(h, i), bundle[h][i], h, true);
           }
         if(system.is_border(h)) {
           marks.push_back({place(h, 0), {border, h / 2, 0}});
@@ -365,15 +365,15 @@ private:
       }
     }
 
-    void mark_strand(int where, int s, int h, bool is_left_of_h)
+    void mark_segment(int where, int s, int h, bool is_left_of_h)
     {
       const bool is_left = is_left_of_h == (system.segments[s].halfedge == h);
-      marks.push_back({where, {strand, arcs[s], is_left ? 0 : 1}});
+      marks.push_back({where, {segment, arcs[s], is_left ? 0 : 1}});
     }
 
     const Curve_system& system;
     const std::vector<int>& arcs;
-    std::vector<std::vector<int>> stack; // per halfedge, from left to right
+    std::vector<std::vector<int>> bundle; // per halfedge, from left to right
     std::vector<int> first_place, parent;
     std::vector<std::pair<int, Mark>> marks;
   };

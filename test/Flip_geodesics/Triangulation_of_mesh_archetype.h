@@ -156,7 +156,7 @@ public:
   bool is_inserted(Vertex_index v) const { return m_model.is_inserted(v); }
   Location location(Vertex_index v) const { return m_model.location(v); }
   Index crossings(Edge_index e) const { return m_model.crossings(e); }
-  CGAL::Flip_geodesics::Crossing_word crossing_word(Halfedge_index h) const { return m_model.crossing_word(h); }
+  CGAL::Flip_geodesics::Edge_sequence edge_sequence(Halfedge_index h) const { return m_model.edge_sequence(h); }
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
   {
     return m_model.input_edges_in_wedge(from, to);

@@ -93,7 +93,7 @@ Outcome outcome(Setting& setting)
     result.statuses.push_back(report.curves[c.idx()].status);
     result.crossed.emplace_back();
     setting.network.for_each_segment(c, [&](CGAL::Flip_geodesics::Segment_index s) {
-      const auto word = setting.triangulation.crossing_word(setting.network.halfedge(s));
+      const auto word = setting.triangulation.edge_sequence(setting.network.halfedge(s));
       if(word.along.is_valid())
         result.crossed.back().push_back(-1 - word.along.idx());
       for(const auto h : word.crossed)

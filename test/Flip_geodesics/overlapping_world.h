@@ -53,10 +53,10 @@ struct Overlapping_world
   }
 
   /// The segments on the edge from v to w, from left to right as seen that way.
-  Segment_list stack(Vertex_index v, Vertex_index w) const
+  Segment_list bundle(Vertex_index v, Vertex_index w) const
   {
     const Halfedge_index h = CGAL::Flip_geodesics::internal::halfedge_between(triangulation, v, w);
-    Segment_list result = network.stack(Triangulation::edge(h));
+    Segment_list result = network.bundle(Triangulation::edge(h));
     if(!CGAL::Flip_geodesics::internal::is_first_side(h))
       std::reverse(result.begin(), result.end());
     return result;
@@ -66,7 +66,7 @@ struct Overlapping_world
   Curve_list curves(Vertex_index v, Vertex_index w) const
   {
     Curve_list result;
-    for(Segment_index s : stack(v, w))
+    for(Segment_index s : bundle(v, w))
       result.push_back(network.curve(s));
     return result;
   }

@@ -47,7 +47,7 @@ int flip_at_random(Triangulation& triangulation, int attempts, Random_numbers& r
 
 /// The halfedges that start where `h` starts, in some order.
 template <class Triangulation>
-Halfedge_sequence spokes_at_tail(const Triangulation& triangulation, CGAL::Flip_geodesics::Halfedge_index h)
+Halfedge_sequence outgoing_halfedges_at_tail(const Triangulation& triangulation, CGAL::Flip_geodesics::Halfedge_index h)
 {
   using CGAL::Flip_geodesics::null_index;
   Halfedge_sequence result = {h};
@@ -79,10 +79,10 @@ Halfedge_sequence random_walk(const Triangulation& triangulation, int steps, boo
       return is_closed ? Halfedge_sequence() : walk;
     is_visited[triangulation.head(walk.back())] = true;
     const Halfedge_index back = Triangulation::twin(walk.back());
-    const Halfedge_sequence spokes = spokes_at_tail(triangulation, back);
+    const Halfedge_sequence outgoing_halfedges = outgoing_halfedges_at_tail(triangulation, back);
     Halfedge_index h = back;
     for(int i = 0; i < 6; ++i) {
-      const Halfedge_index g = spokes[random.below(static_cast<int>(spokes.size()))];
+      const Halfedge_index g = outgoing_halfedges[random.below(static_cast<int>(outgoing_halfedges.size()))];
       if(g == back && i < 5)
         continue;
       h = g;
@@ -115,11 +115,11 @@ bool order_at_random(Network& network, const Halfedge_sequence& walk, int attemp
       return true;
     for(const auto h : walk) {
       const auto e = Network::Triangulation::edge(h);
-      auto stack = network.stack(e);
-      for(std::size_t k = stack.size(); k > 1; --k)
-        std::swap(stack[k - 1], stack[random.below(static_cast<int>(k))]);
-      if(stack.size() > 1)
-        network.set_stack(e, stack);
+      auto bundle = network.bundle(e);
+      for(std::size_t k = bundle.size(); k > 1; --k)
+        std::swap(bundle[k - 1], bundle[random.below(static_cast<int>(k))]);
+      if(bundle.size() > 1)
+        network.set_bundle(e, bundle);
     }
   }
   return network.is_valid();

@@ -46,16 +46,16 @@ class Planted_triangulation : public Double_triangulation<Surface>
 public:
   using Base::Base;
 
-  void plant(Halfedge_index h, const FG::Crossing_word& word) { m_planted = {h, word}; }
+  void plant(Halfedge_index h, const FG::Edge_sequence& word) { m_planted = {h, word}; }
   void uproot() { m_planted.reset(); }
 
-  FG::Crossing_word crossing_word(Halfedge_index h) const
+  FG::Edge_sequence edge_sequence(Halfedge_index h) const
   {
-    return m_planted && m_planted->first == h ? m_planted->second : Base::crossing_word(h);
+    return m_planted && m_planted->first == h ? m_planted->second : Base::edge_sequence(h);
   }
 
 private:
-  std::optional<std::pair<Halfedge_index, FG::Crossing_word>> m_planted;
+  std::optional<std::pair<Halfedge_index, FG::Edge_sequence>> m_planted;
 };
 
 using Setting = Basic_curve_setting<Planted_triangulation>;
@@ -157,7 +157,7 @@ int orientation(const Place& p, const Place& q, const Place& r)
 }
 
 // Does the segment with a word stay in its strip?
-bool is_straight(const Setting& setting, const Screen& screen, const FG::Crossing_word& word)
+bool is_straight(const Setting& setting, const Screen& screen, const FG::Edge_sequence& word)
 {
   const Place p = place(setting, screen, word.tail), q = place(setting, screen, word.head);
   const auto& input = setting.triangulation.input();
@@ -219,7 +219,7 @@ void move_across(const Screen& screen, int inserted, Vertex_index from, Vertex_i
   for(int units : {-1000000000, -2, -1, 0, 1, 2, 1000000000}) {
     Setting setting(screen.soup()); // afresh, for what is known of the input's faces is kept
     BOOST_REQUIRE(add_segment(setting, inserted, from, to));
-    const FG::Crossing_word word = setting.triangulation.crossing_word(setting.network.halfedges(0_c).front());
+    const FG::Edge_sequence word = setting.triangulation.edge_sequence(setting.network.halfedges(0_c).front());
     Screen moved = screen;
     for(int round = 0; round < 3; ++round) { // the ends may move along
       const Place p = place(setting, moved, word.tail), q = place(setting, moved, word.head);
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(a_segment_that_leaves_its_strip_is_bent)
             Setting setting(screen.soup());
             if(!add_segment(setting, inserted, from, to))
               continue;
-            const FG::Crossing_word word = setting.triangulation.crossing_word(setting.network.halfedges(0_c).front());
+            const FG::Edge_sequence word = setting.triangulation.edge_sequence(setting.network.halfedges(0_c).front());
             const auto& input = setting.triangulation.input();
             for(std::size_t i = 1; i + 1 < word.crossed.size(); ++i)
               for(Vertex_index v : {input.tail(word.crossed[i]), input.tail(FG::internal::twin_index(word.crossed[i]))})
@@ -277,12 +277,12 @@ BOOST_AUTO_TEST_CASE(a_segment_that_leaves_its_strip_is_bent)
 namespace {
 
 // All words that differ by a letter: one left out, put in, replaced, two swapped.
-std::vector<FG::Crossing_word> words_changed_by_a_letter(const Setting& setting, const FG::Crossing_word& word,
+std::vector<FG::Edge_sequence> words_changed_by_a_letter(const Setting& setting, const FG::Edge_sequence& word,
                                                          Random_numbers& random)
 {
   const auto& input = setting.triangulation.input();
-  std::vector<FG::Crossing_word> result;
-  const auto add = [&](const FG::Crossing_word& changed) {
+  std::vector<FG::Edge_sequence> result;
+  const auto add = [&](const FG::Edge_sequence& changed) {
     if(changed.crossed != word.crossed || changed.along != word.along)
       result.push_back(changed);
   };
@@ -298,7 +298,7 @@ std::vector<FG::Crossing_word> words_changed_by_a_letter(const Setting& setting,
     return letters;
   };
   for(std::size_t i = 0; i < word.crossed.size(); ++i) {
-    FG::Crossing_word changed = word;
+    FG::Edge_sequence changed = word;
     changed.crossed.erase(changed.crossed.begin() + static_cast<std::ptrdiff_t>(i));
     add(changed);
     changed = word;
@@ -317,13 +317,13 @@ std::vector<FG::Crossing_word> words_changed_by_a_letter(const Setting& setting,
     }
   }
   for(Input_halfedge_index letter : beside(word.along != FG::null_index ? word.along : word.crossed.front())) {
-    FG::Crossing_word changed = word;
+    FG::Edge_sequence changed = word;
     changed.crossed.clear();
     changed.along = letter;
     add(changed);
   }
   for(Vertex_index v : {word.tail, word.head}) { // and of another edge
-    FG::Crossing_word changed = word;
+    FG::Edge_sequence changed = word;
     (v == word.tail ? changed.tail : changed.head) = Vertex_index((v.idx() + 1) % input.number_of_vertices());
     result.push_back(changed);
   }
@@ -335,10 +335,10 @@ int plant_falsehoods(Setting& setting, Random_numbers& random)
   int result = 0;
   setting.network.for_each_segment(0_c, [&](FG::Segment_index s) {
     const Halfedge_index h = setting.network.halfedge(s);
-    const FG::Crossing_word word = setting.triangulation.crossing_word(h);
+    const FG::Edge_sequence word = setting.triangulation.edge_sequence(h);
     if(word.along == FG::null_index && word.crossed.empty())
       return;
-    for(const FG::Crossing_word& changed : words_changed_by_a_letter(setting, word, random)) {
+    for(const FG::Edge_sequence& changed : words_changed_by_a_letter(setting, word, random)) {
       setting.triangulation.plant(h, changed);
       const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
       setting.triangulation.uproot();
@@ -513,7 +513,7 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_counted_in_what_is_told_from_them)
         continue;
       const auto& triangulation = setting.triangulation;
       const Halfedge_index h = setting.network.halfedges(0_c).front();
-      const FG::Crossing_word word = triangulation.crossing_word(h);
+      const FG::Edge_sequence word = triangulation.edge_sequence(h);
       if(word.crossed.empty())
         continue;
       ++strips;
@@ -534,7 +534,7 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_counted_in_what_is_told_from_them)
       if(g == FG::null_index)
         continue;
       const FG::internal::Strip<Planted_triangulation> from(triangulation, word);
-      const FG::internal::Strip<Planted_triangulation> to(triangulation, triangulation.crossing_word(g));
+      const FG::internal::Strip<Planted_triangulation> to(triangulation, triangulation.edge_sequence(g));
       const double corners = static_cast<double>(triangulation.input_edges_in_wedge(h, g) + 4);
       BOOST_TEST(FG::internal::wedge_angle(triangulation, h, g).error >=
                  from.relative_error() + to.relative_error() + corners * FG::internal::input_corner_error);

@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(error_bounds_hold)
         const FG::Halfedge_index hn = triangulation.next(h);
         const auto in = triangulation.geometry(h), out = triangulation.geometry(hn);
         const Real length =
-            referee.length(triangulation.crossing_word(h)) * referee.length(triangulation.crossing_word(hn));
+            referee.length(triangulation.edge_sequence(h)) * referee.length(triangulation.edge_sequence(hn));
         Real_vector exact = referee.rotation(Triangulation::twin(h), hn);
         const Real factor = length / boost::multiprecision::sqrt(squared_norm(exact));
         exact = exact * Real_vector{factor, 0};
@@ -249,9 +249,9 @@ BOOST_AUTO_TEST_CASE(error_bounds_of_precise_edges_hold)
           ++unbounded;
           continue;
         }
-        const FG::Crossing_word word = triangulation.crossing_word(h);
+        const FG::Edge_sequence word = triangulation.edge_sequence(h);
         if(!word.crossed.empty()) { // derived from other edges only where that is accurate, else unfolded from an end
-          const auto error = [&](const FG::Crossing_word& way) {
+          const auto error = [&](const FG::Edge_sequence& way) {
             return FG::internal::Precise_strip<Triangulation>(triangulation, way, false).edge().end_error;
           };
           const double unfolded = (std::max)(error(word), error(word.reversed()));

@@ -346,9 +346,9 @@ BOOST_AUTO_TEST_CASE(by_its_own_end)
   BOOST_TEST(report.bent_vertices == 3u);
   BOOST_TEST(std::fabs(report.min_unblocked_angle - pi / 4) < 1e-14L); // at (3,3); that at (2,2) is blocked
 
-  Strand_ends ends;
+  Segment_ends ends;
   Traced_curve traced = trace_curve(grid.mesh(), curve);
-  add_strand_ends(traced, 0, ends);
+  add_segment_ends(traced, 0, ends);
   traced.report.min_unblocked_angle = infinite_angle;
   measure_joint(grid.mesh(), ends, 0, 2, 3, traced, Tolerances());
   BOOST_TEST(std::fabs(traced.report.min_unblocked_angle - 3 * pi / 2) < 1e-14L);

@@ -417,8 +417,8 @@ BOOST_AUTO_TEST_CASE(angles_from_leg_to_leg_go_round_their_vertex)
   Curve_setting s(flat_grid(7, 7, Diagonal_rule::RISING));
   struct Seen
   {
-    FG::Crossing_word word;
-    FG::internal::Word_angle angle;
+    FG::Edge_sequence word;
+    FG::internal::Edge_sequence_angle angle;
   };
   const auto seen = [&](int x, int y) { // from the vertex (2, 2)
     s.network.clear();
@@ -427,16 +427,16 @@ BOOST_AUTO_TEST_CASE(angles_from_leg_to_leg_go_round_their_vertex)
     FG::shorten(s.network);
     Seen result;
     s.network.for_each_segment(0_c, [&](FG::Segment_index segment) {
-      result.word = s.triangulation.crossing_word(s.network.halfedge(segment));
+      result.sequence = s.triangulation.edge_sequence(s.network.halfedge(segment));
     });
-    const FG::internal::Strip<Curve_setting::Triangulation> strip(s.triangulation, result.word);
+    const FG::internal::Strip<Curve_setting::Triangulation> strip(s.triangulation, result.sequence);
     result.angle = FG::internal::tail_angle(strip);
     return result;
   };
   FG::Decision_statistics statistics;
   const auto compare = [&](const Seen& a, const Seen& b) {
-    return FG::internal::compare_clockwise(s.triangulation, statistics, {a.word, true, a.angle},
-                                           {b.word, true, b.angle});
+    return FG::internal::compare_clockwise(s.triangulation, statistics, {a.sequence, true, a.angle},
+                                           {b.sequence, true, b.angle});
   };
   const Seen low = seen(5, 3), high = seen(4, 3), left = seen(1, 4); // the first two in one corner
   s.network.clear();

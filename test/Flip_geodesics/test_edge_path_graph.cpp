@@ -211,7 +211,7 @@ void add_parallel_copy(Network& network, FG::Curve_index curve)
   for(FG::Halfedge_index h : halfedges) {
     const FG::Edge_index e = Triangulation::edge(h);
     std::vector<FG::Segment_index> order;
-    for(FG::Segment_index s : network.stack(e)) {
+    for(FG::Segment_index s : network.bundle(e)) {
       const bool is_original = copy_of.count(s) != 0;
       if(!is_original && s >= copy_of.begin()->second)
         continue;
@@ -221,7 +221,7 @@ void add_parallel_copy(Network& network, FG::Curve_index curve)
       if(is_original && FG::internal::is_first_side(network.halfedge(s)))
         order.push_back(copy_of[s]);
     }
-    network.set_stack(e, order);
+    network.set_bundle(e, order);
   }
 }
 
@@ -342,9 +342,9 @@ BOOST_AUTO_TEST_CASE(the_signature_tells_classes_apart)
   BOOST_TEST(before.has_disk_inside(2));
   for(FG::Halfedge_index h : network.halfedges(0_c)) {
     const FG::Edge_index e = Triangulation::edge(h);
-    std::vector<FG::Segment_index> order = network.stack(e);
+    std::vector<FG::Segment_index> order = network.bundle(e);
     std::swap(order[0], order[1]); // in each edge, so that curves change places, or two cross
-    network.set_stack(e, order);
+    network.set_bundle(e, order);
   }
   BOOST_TEST((!network.is_valid() || Topological_signature{Curve_system(network)} != before));
 }

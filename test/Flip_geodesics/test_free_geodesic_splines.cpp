@@ -221,11 +221,11 @@ BOOST_AUTO_TEST_CASE(legs_within_a_face_and_legs_that_contract)
 
   FG::internal::Surface_polyline round; // about a vertex, from an edge to the same place
   const auto start = t.outgoing(FG::Vertex_index(grid_vertex(4, 2, 2)));
-  auto spoke = start;
+  auto outgoing_halfedge = start;
   do {
-    round.push_back({FG::internal::as_input(spoke), {{1, 3, 0}}}); // nearer to the other end
-    spoke = t.clockwise(spoke);
-  } while(spoke != start);
+    round.push_back({FG::internal::as_input(outgoing_halfedge), {{1, 3, 0}}}); // nearer to the other end
+    outgoing_halfedge = t.clockwise(outgoing_halfedge);
+  } while(outgoing_halfedge != start);
   round.push_back(round.front());
   BOOST_TEST(straightener.straightened(round).size() == 2u);
   BOOST_TEST(t.log_position() == 0u);

@@ -55,10 +55,10 @@ using Graph = boost::graph_traits<Triangulation>;
 void bare(Triangulation& t, FG::Vertex_index v)
 {
   for(int i = 0; i < 100; ++i) {
-    const auto spokes = FG::internal::spokes(t, v);
-    const auto found = std::find_if(spokes.begin(), spokes.end(),
+    const auto outgoing_halfedges = FG::internal::outgoing_halfedges(t, v);
+    const auto found = std::find_if(outgoing_halfedges.begin(), outgoing_halfedges.end(),
                                     [&](FG::Halfedge_index h) { return !t.is_border(h) && t.is_flippable(h); });
-    if(found == spokes.end())
+    if(found == outgoing_halfedges.end())
       return;
     t.flip(*found);
   }
@@ -133,7 +133,7 @@ std::vector<double> plain_distances(const Triangulation& t, FG::Vertex_index fro
     queue.pop();
     if(d > distance[static_cast<std::size_t>(v.idx())])
       continue;
-    for(FG::Halfedge_index h : FG::internal::spokes(t, v)) {
+    for(FG::Halfedge_index h : FG::internal::outgoing_halfedges(t, v)) {
       const double length = t.length((std::min)(h, t.twin(h))); // the other side may be rounded otherwise
       double& there = distance[static_cast<std::size_t>(t.head(h).idx())];
       if(d + length < there) {
@@ -238,8 +238,8 @@ BOOST_AUTO_TEST_CASE(elements_are_linked)
         }
         for(FG::Edge_index e : CGAL::make_range(in_edges(v, t)))
           BOOST_TEST(target(e, t) == v);
-        const auto spokes = FG::internal::spokes(t, v);
-        wanted.insert(spokes.begin(), spokes.end());
+        const auto outgoing_halfedges = FG::internal::outgoing_halfedges(t, v);
+        wanted.insert(outgoing_halfedges.begin(), outgoing_halfedges.end());
         BOOST_TEST((outgoing == wanted));
         BOOST_TEST(degree(v, t) == wanted.size());
         BOOST_TEST(out_degree(v, t) == wanted.size());
@@ -248,7 +248,8 @@ BOOST_AUTO_TEST_CASE(elements_are_linked)
           BOOST_TEST(target(halfedge(v, t), t) == v);
         for(FG::Vertex_index u : {0_v, 1_v, 2_v}) {
           const auto [h, is_linked] = halfedge(u, v, t);
-          const bool is_neighbor = std::any_of(spokes.begin(), spokes.end(), [&](auto g) { return t.head(g) == u; });
+          const bool is_neighbor =
+              std::any_of(outgoing_halfedges.begin(), outgoing_halfedges.end(), [&](auto g) { return t.head(g) == u; });
           BOOST_TEST(is_linked == is_neighbor);
           BOOST_TEST((edge(u, v, t) == std::make_pair(FG::Edge_index(h), is_neighbor)));
         }

@@ -280,7 +280,7 @@ BOOST_AUTO_TEST_CASE(edge_paths_are_the_shortest_of_all)
   }
 }
 
-BOOST_AUTO_TEST_CASE(isolated_vertices_have_no_spokes)
+BOOST_AUTO_TEST_CASE(isolated_vertices_have_no_outgoing_halfedges)
 {
   const Mesh mesh = to_mesh<Mesh>(with_isolated_vertices(octahedron(1), 2, 1));
   const Triangulation t(mesh);

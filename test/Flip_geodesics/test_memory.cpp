@@ -92,7 +92,7 @@ std::size_t longest_word(const Setting& setting)
 {
   std::size_t longest = 0;
   setting.network.for_each_segment(0_c, [&](FG::Segment_index s) {
-    longest = std::max(longest, setting.triangulation.crossing_word(setting.network.halfedge(s)).crossed.size());
+    longest = std::max(longest, setting.triangulation.edge_sequence(setting.network.halfedge(s)).crossed.size());
   });
   return longest;
 }
@@ -332,11 +332,11 @@ BOOST_AUTO_TEST_CASE(an_insertion_under_curves_without_memory_changes_nothing)
     for(int i = 0; i < curves; ++i)
       setting.add_path(Vertex_index(grid_vertex(4, 1, 2)), Vertex_index(grid_vertex(4, 2, 2)));
     const Halfedge_index h = setting.network.halfedge(setting.network.first_segment(0_c));
-    const std::vector<FG::Segment_index> stack = setting.network.stack(Triangulation::edge(h));
+    const std::vector<FG::Segment_index> stack = setting.network.bundle(Triangulation::edge(h));
     BOOST_TEST_REQUIRE(stack.size() == static_cast<std::size_t>(curves));
     const auto is_as_before = [&] {
       BOOST_TEST_REQUIRE(setting.triangulation.log_position() == 0u);
-      BOOST_TEST_REQUIRE((setting.network.stack(Triangulation::edge(h)) == stack));
+      BOOST_TEST_REQUIRE((setting.network.bundle(Triangulation::edge(h)) == stack));
       BOOST_TEST_REQUIRE(setting.network.is_valid());
     };
     const FG::Surface_location location = {FG::internal::as_input(h), {{0.25, 0.75, 0}}};

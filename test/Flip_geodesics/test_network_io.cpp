@@ -58,7 +58,7 @@ std::string description(const Setting& setting)
     if(!t.is_border(h))
       out << ' ' << t.next(h) << ' ' << t.geometry(h).x << ' ' << t.geometry(h).y;
     out << ' ' << t.version(t.edge(h)) << ' ' << t.crossings(t.edge(h));
-    const FG::Crossing_word word = t.crossing_word(h);
+    const FG::Edge_sequence word = t.edge_sequence(h);
     out << " [" << word.along;
     for(FG::Input_halfedge_index letter : word.crossed)
       out << ' ' << letter;
@@ -71,7 +71,7 @@ std::string description(const Setting& setting)
     out << '\n';
   }
   for(Edge_index e : descriptors<Edge_index>(t.number_of_edges()))
-    for(Segment_index s : n.stack(e))
+    for(Segment_index s : n.bundle(e))
       out << e << '/' << s << ' ';
   out << n.end_of_segment_ids() << '\n';
   for(Halfedge_index h : setting.flips())
@@ -207,8 +207,8 @@ BOOST_AUTO_TEST_CASE(paths_with_fixed_nodes_and_contracted_loops)
   setting.add_path_through({3_v, 60_v, 100_v});
   setting.network.fix_nodes_at(60_v);
   Curve_setting::Search search(setting.triangulation);
-  const std::vector<Halfedge_index> spoke = search(3_v, 60_v);
-  const Halfedge_index h = spoke.front();
+  const std::vector<Halfedge_index> outgoing_halfedge = search(3_v, 60_v);
+  const Halfedge_index h = outgoing_halfedge.front();
   setting.network.add_curve(std::vector<Halfedge_index>{h, setting.triangulation.twin(h)}, true); // to and fro
   FG::order_overlapping_curves(setting.network);
   setting.pull();
@@ -671,7 +671,7 @@ BOOST_AUTO_TEST_CASE(forged_states)
   setting.add({vertex(3, 3), vertex(4, 3), vertex(4, 4)}, true);
   BOOST_REQUIRE(setting.network.is_valid());
   const State state = FG::internal::network_state(setting.network);
-  BOOST_REQUIRE_EQUAL(state.stacks.size(), 1u);
+  BOOST_REQUIRE_EQUAL(state.bundles.size(), 1u);
   const Index halfedges = setting.triangulation.number_of_halfedges();
   const std::vector<std::function<void(State&)>> forgeries = {
       [](State& s) { s.curves[0].segments[1].id = s.curves[0].segments[0].id; },
@@ -683,10 +683,10 @@ BOOST_AUTO_TEST_CASE(forged_states)
       [](State& s) { s.curves[0].segments[0].halfedge = FG::null_index; },
       [](State& s) { s.curves[0].segments[1].halfedge = s.curves[2].segments[1].halfedge; },
       [](State& s) { s.curves[0].is_closed = true; },
-      [halfedges](State& s) { s.stacks[0].edge = Edge_index(halfedges / 2); },
-      [](State& s) { s.stacks[0].edge = FG::null_index; },
-      [](State& s) { s.stacks[0].segments[0] = s.curves[2].segments[0].id; },
-      [](State& s) { s.stacks[0].segments.pop_back(); }};
+      [halfedges](State& s) { s.bundles[0].edge = Edge_index(halfedges / 2); },
+      [](State& s) { s.bundles[0].edge = FG::null_index; },
+      [](State& s) { s.bundles[0].segments[0] = s.curves[2].segments[0].id; },
+      [](State& s) { s.bundles[0].segments.pop_back(); }};
   using Internals = FG::internal::Internals<decltype(setting.network)>;
   setting.network.clear();
   for(std::size_t i = 0; i < forgeries.size(); ++i) {
@@ -696,10 +696,11 @@ BOOST_AUTO_TEST_CASE(forged_states)
     BOOST_TEST(setting.network.number_of_curves() == 0);
     BOOST_TEST(setting.triangulation.number_of_holds() == 0u);
     for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
-      BOOST_REQUIRE(setting.network.stack(e).empty());
+      BOOST_REQUIRE(setting.network.bundle(e).empty());
   }
   BOOST_REQUIRE(Internals::restore(setting.network, state));
-  BOOST_TEST(setting.network.stack(state.stacks[0].edge) == state.stacks[0].segments, boost::test_tools::per_element());
+  BOOST_TEST(setting.network.bundle(state.bundles[0].edge) == state.bundles[0].segments,
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(another_mesh)

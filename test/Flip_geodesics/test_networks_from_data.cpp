@@ -122,9 +122,9 @@ BOOST_AUTO_TEST_CASE(boundaries_with_free_junctions)
       for(FG::Halfedge_index h : setting.network.halfedges(c)) {
         on_left.insert(regions[setting.mesh.face(setting.triangulation.input_halfedge(h))]);
         const FG::Edge_index e = setting.triangulation.edge(h);
-        const std::vector<FG::Segment_index> stack = setting.network.stack(e);
-        BOOST_TEST(stack.size() == 2u);
-        BOOST_TEST(setting.network.halfedge(stack.front()) == FG::internal::first_side(e));
+        const std::vector<FG::Segment_index> bundle = setting.network.bundle(e);
+        BOOST_TEST(bundle.size() == 2u);
+        BOOST_TEST(setting.network.halfedge(bundle.front()) == FG::internal::first_side(e));
       }
       BOOST_TEST(on_left.size() == 1u);
       const FG::Halfedge_index first = setting.network.halfedges(c).front();
@@ -217,18 +217,19 @@ BOOST_AUTO_TEST_CASE(no_seams_without_jumps)
   BOOST_TEST(FG::add_seams(setting.network, setting.mesh, texture) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(spokes_start_at_the_first_halfedge_or_the_border)
+BOOST_AUTO_TEST_CASE(outgoing_halfedges_start_at_the_first_halfedge_or_the_border)
 {
   const Setting setting(flat_grid(3, 3, Diagonal_rule::RISING));
   const auto& triangulation = setting.triangulation;
   for(FG::Vertex_index v : descriptors<FG::Vertex_index>(triangulation.number_of_vertices())) {
-    const std::vector<FG::Halfedge_index> spokes = FG::internal::spokes(triangulation, v);
-    BOOST_REQUIRE(!spokes.empty());
-    const bool is_at_border = triangulation.counterclockwise(spokes.front()) == FG::null_index;
-    BOOST_TEST((is_at_border || spokes.front() == triangulation.outgoing(v)));
-    for(std::size_t i = 0; i + 1 < spokes.size(); ++i)
-      BOOST_TEST(triangulation.clockwise(spokes[i]) == spokes[i + 1]);
-    BOOST_TEST(triangulation.clockwise(spokes.back()) == (is_at_border ? FG::null_index : spokes.front()));
+    const std::vector<FG::Halfedge_index> outgoing_halfedges = FG::internal::outgoing_halfedges(triangulation, v);
+    BOOST_REQUIRE(!outgoing_halfedges.empty());
+    const bool is_at_border = triangulation.counterclockwise(outgoing_halfedges.front()) == FG::null_index;
+    BOOST_TEST((is_at_border || outgoing_halfedges.front() == triangulation.outgoing(v)));
+    for(std::size_t i = 0; i + 1 < outgoing_halfedges.size(); ++i)
+      BOOST_TEST(triangulation.clockwise(outgoing_halfedges[i]) == outgoing_halfedges[i + 1]);
+    BOOST_TEST(triangulation.clockwise(outgoing_halfedges.back()) ==
+               (is_at_border ? FG::null_index : outgoing_halfedges.front()));
   }
 }
 
@@ -243,7 +244,7 @@ BOOST_AUTO_TEST_CASE(of_equally_long_edges_the_first_is_taken)
     auto& triangulation = setting.triangulation;
     triangulation.flip(FG::internal::halfedge_between(triangulation, 1_v, 3_v));
     std::vector<FG::Halfedge_index> diagonals;
-    for(FG::Halfedge_index h : FG::internal::spokes(triangulation, 0_v))
+    for(FG::Halfedge_index h : FG::internal::outgoing_halfedges(triangulation, 0_v))
       if(triangulation.head(h) == 2_v)
         diagonals.push_back(h);
     BOOST_REQUIRE(diagonals.size() == 2u);

@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(run_along_the_border)
   check_equal(world.curves(at(3, 0), at(4, 0)), {2_c, 0_c});
 }
 
-BOOST_AUTO_TEST_CASE(a_strand_between_an_end_and_the_border)
+BOOST_AUTO_TEST_CASE(a_segment_between_an_end_and_the_border)
 {
   Overlapping_world world(plane());
   world.add({at(1, 0), at(2, 0), at(3, 0)});
@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(to_and_fro)
   Overlapping_world world(plane());
   world.add({at(2, 2), at(3, 2), at(2, 2)});
   world.order();
-  check_equal(world.stack(at(2, 2), at(3, 2)), {1_s, 2_s});
+  check_equal(world.bundle(at(2, 2), at(3, 2)), {1_s, 2_s});
 }
 
 BOOST_AUTO_TEST_CASE(to_and_fro_and_on)
@@ -304,22 +304,22 @@ BOOST_AUTO_TEST_CASE(to_and_fro_and_on)
   Overlapping_world world(plane());
   world.add({at(2, 2), at(3, 2), at(2, 2), at(2, 3)});
   world.order();
-  check_equal(world.stack(at(2, 2), at(3, 2)), {1_s, 2_s});
+  check_equal(world.bundle(at(2, 2), at(3, 2)), {1_s, 2_s});
 
   Overlapping_world held(plane()); // an end at the node, on the left of the curve where it turns from E to N
   held.add({at(2, 2), at(3, 2), at(2, 2), at(2, 3)});
   held.add({at(3, 3), at(2, 2)}); // NE
   held.order();
-  check_equal(held.stack(at(2, 2), at(3, 2)), {1_s, 2_s});
+  check_equal(held.bundle(at(2, 2), at(3, 2)), {1_s, 2_s});
 
   Overlapping_world other(plane()); // and on the right
   other.add({at(2, 2), at(3, 2), at(2, 2), at(2, 3)});
   other.add({at(1, 2), at(2, 2)});
   other.order();
-  check_equal(other.stack(at(2, 2), at(3, 2)), {2_s, 1_s});
+  check_equal(other.bundle(at(2, 2), at(3, 2)), {2_s, 1_s});
 }
 
-BOOST_AUTO_TEST_CASE(turning_back_beside_a_strand)
+BOOST_AUTO_TEST_CASE(turning_back_beside_a_segment)
 {
   Overlapping_world world(plane());
   world.add(run(0, 1, 0, 1));
@@ -375,9 +375,9 @@ BOOST_AUTO_TEST_CASE(spirals)
     path.push_back(10_v);           // ... upwards
     world.add(path);
     world.order();
-    const Segment_list stack = world.stack(5_v, 6_v);
-    BOOST_TEST(stack.size() == std::size_t(turns));
-    BOOST_TEST(std::is_sorted(stack.rbegin(), stack.rend())); // counterclockwise: up is left
+    const Segment_list bundle = world.bundle(5_v, 6_v);
+    BOOST_TEST(bundle.size() == std::size_t(turns));
+    BOOST_TEST(std::is_sorted(bundle.rbegin(), bundle.rend())); // counterclockwise: up is left
   }
 }
 
@@ -387,8 +387,8 @@ BOOST_AUTO_TEST_CASE(a_spiral_with_free_ends)
     Overlapping_world world(cylinder(5, 2, 1, 1));
     world.add(ring_path(5, 1, turns, 3)); // both ends at one vertex would be on different sides of the strands between
     world.order();
-    const Segment_list stack = world.stack(5_v, 6_v);
-    BOOST_TEST((std::is_sorted(stack.begin(), stack.end()) || std::is_sorted(stack.rbegin(), stack.rend())));
+    const Segment_list bundle = world.bundle(5_v, 6_v);
+    BOOST_TEST((std::is_sorted(bundle.begin(), bundle.end()) || std::is_sorted(bundle.rbegin(), bundle.rend())));
   }
 }
 
@@ -427,9 +427,9 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_given_up)
 {
   Overlapping_world world(cylinder(5, 2, 1, 1));
   world.add(ring_path(5, 1, 3), true);
-  const CGAL::Flip_geodesics::internal::Stack_pairs<Network> pairs(world.network);
+  const CGAL::Flip_geodesics::internal::Bundle_pairs<Network> pairs(world.network);
   CGAL::Flip_geodesics::internal::Crossing_equations<Network> equations(pairs);
-  CGAL::Flip_geodesics::internal::Stack_order_search<Network> search(equations, 0);
+  CGAL::Flip_geodesics::internal::Bundle_order_search<Network> search(equations, 0);
   BOOST_CHECK_EXCEPTION(search.run().raise(), Ambiguous_order_error, [&](const Ambiguous_order_error& error) {
     return error.elements().size() == 2 && error.elements()[0] / 5 == 1 && error.elements()[1] / 5 == 1;
   });
@@ -447,8 +447,8 @@ BOOST_AUTO_TEST_CASE(a_long_spiral)
   path.push_back(10_v);
   world.add(path);
   order_overlapping_curves(world.network);
-  const Segment_list stack = world.stack(5_v, 6_v);
-  BOOST_TEST(std::is_sorted(stack.rbegin(), stack.rend()));
+  const Segment_list bundle = world.bundle(5_v, 6_v);
+  BOOST_TEST(std::is_sorted(bundle.rbegin(), bundle.rend()));
 }
 
 // Paths along a line that turn back here and there, and each end at other vertices: one above the other they do not

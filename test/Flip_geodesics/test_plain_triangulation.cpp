@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(overlapping_curves_are_ordered_alike)
   FG::order_overlapping_curves(plain.network);
   FG::order_overlapping_curves(fast.network);
   for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(fast.triangulation.number_of_edges()))
-    BOOST_TEST((plain.network.stack(e) == fast.network.stack(e)));
+    BOOST_TEST((plain.network.bundle(e) == fast.network.bundle(e)));
   plain.pull();
   fast.pull();
   BOOST_TEST((plain.flips.flips == fast.flips.flips));

@@ -7,8 +7,8 @@
 
 #include "overlapping_world.h"
 
+#include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
-#include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
@@ -62,7 +62,7 @@ public:
   {
     double count = 1;
     for(Edge_index e : descriptors<Edge_index>(m_world.triangulation.number_of_edges()))
-      for(std::size_t k = m_world.network.stack(e).size(); k > 1; --k)
+      for(std::size_t k = m_world.network.bundle(e).size(); k > 1; --k)
         count *= static_cast<double>(k);
     return count <= 2000;
   }
@@ -72,13 +72,13 @@ public:
     if(first == m_world.triangulation.number_of_edges())
       return network().is_valid();
     const Edge_index e(first);
-    Segment_list stack = network().stack(e);
-    std::sort(stack.begin(), stack.end());
+    Segment_list bundle = network().bundle(e);
+    std::sort(bundle.begin(), bundle.end());
     do {
-      network().set_stack(e, stack);
+      network().set_bundle(e, bundle);
       if(has_order(first + 1))
         return true;
-    } while(std::next_permutation(stack.begin(), stack.end()));
+    } while(std::next_permutation(bundle.begin(), bundle.end()));
     return false;
   }
 
@@ -91,13 +91,13 @@ private:
     const int length = 1 + below(m_walks.most_steps);
     Halfedge_list walk = {Halfedge_index(below(triangulation.number_of_halfedges()))};
     while(static_cast<int>(walk.size()) < length) {
-      const Halfedge_list spokes =
-          CGAL::Flip_geodesics::internal::spokes(triangulation, triangulation.head(walk.back()));
-      const Halfedge_index h = spokes[below(static_cast<int>(spokes.size()))];
+      const Halfedge_list outgoing_halfedges =
+          CGAL::Flip_geodesics::internal::outgoing_halfedges(triangulation, triangulation.head(walk.back()));
+      const Halfedge_index h = outgoing_halfedges[below(static_cast<int>(outgoing_halfedges.size()))];
       const bool is_kept = h != Triangulation::twin(walk.back()) || below(m_walks.kept_turns) == 0;
       if(is_kept)
         walk.push_back(h);
-      else if(spokes.size() == 1)
+      else if(outgoing_halfedges.size() == 1)
         break;
     }
     const bool can_close = triangulation.head(walk.back()) == triangulation.tail(walk.front());
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(no_sum_of_long_equations_is_short)
   std::size_t rows = 0;
   for(unsigned seed = 1; seed <= 2000; ++seed) {
     Tiny_network tiny(tiny_soups()[seed % tiny_soups().size()], {1, 60, 1}, seed);
-    const CGAL::Flip_geodesics::internal::Stack_pairs<Network> pairs(tiny.network());
+    const CGAL::Flip_geodesics::internal::Bundle_pairs<Network> pairs(tiny.network());
     if(pairs.conflict())
       continue;
     CGAL::Flip_geodesics::internal::Crossing_equations<Network> equations(pairs);
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(no_sum_of_long_equations_is_short)
 namespace {
 
 /// A segment, and whether it is followed from its head to its tail.
-struct Strand
+struct Segment
 {
   Segment_index segment;
   bool is_reversed;
@@ -237,23 +237,23 @@ public:
   }
 
 private:
-  Halfedge_index halfedge(const Strand& strand) const
+  Halfedge_index halfedge(const Segment& segment) const
   {
-    const Halfedge_index h = m_network.halfedge(strand.segment);
-    return strand.is_reversed ? Triangulation::twin(h) : h;
+    const Halfedge_index h = m_network.halfedge(segment.segment);
+    return segment.is_reversed ? Triangulation::twin(h) : h;
   }
 
-  bool advance(Strand& strand) const
+  bool advance(Segment& segment) const
   {
-    const Segment_index previous = m_network.previous(strand.segment);
-    const Segment_index incoming = strand.is_reversed ? previous : strand.segment;
+    const Segment_index previous = m_network.previous(segment.segment);
+    const Segment_index incoming = segment.is_reversed ? previous : segment.segment;
     if(incoming == null_index || m_network.is_head_fixed(incoming))
       return false;
-    strand.segment = strand.is_reversed ? previous : m_network.next(strand.segment);
+    segment.segment = segment.is_reversed ? previous : m_network.next(segment.segment);
     return true;
   }
 
-  int side_ahead(Strand s, Strand t) const
+  int side_ahead(Segment s, Segment t) const
   {
     for(Index i = 0; i < m_network.end_of_segment_ids(); ++i) {
       const Halfedge_index back = Triangulation::twin(halfedge(s));
@@ -267,9 +267,12 @@ private:
 
   std::ptrdiff_t clockwise_distance(Halfedge_index from, Halfedge_index to) const
   {
-    const Halfedge_list spokes = CGAL::Flip_geodesics::internal::spokes(m_triangulation, m_triangulation.tail(from));
-    const auto position = [&](Halfedge_index h) { return std::find(spokes.begin(), spokes.end(), h) - spokes.begin(); };
-    const auto size = static_cast<std::ptrdiff_t>(spokes.size());
+    const Halfedge_list outgoing_halfedges =
+        CGAL::Flip_geodesics::internal::outgoing_halfedges(m_triangulation, m_triangulation.tail(from));
+    const auto position = [&](Halfedge_index h) {
+      return std::find(outgoing_halfedges.begin(), outgoing_halfedges.end(), h) - outgoing_halfedges.begin();
+    };
+    const auto size = static_cast<std::ptrdiff_t>(outgoing_halfedges.size());
     return (position(to) - position(from) + size) % size;
   }
 
@@ -283,11 +286,11 @@ int check_decided_pairs(const Network& network)
   const Walker walker(network);
   int decided = 0;
   for(Edge_index e : descriptors<Edge_index>(network.triangulation().number_of_edges())) {
-    const Segment_list stack = network.stack(e);
-    for(std::size_t i = 0; i < stack.size(); ++i)
-      for(std::size_t j = i + 1; j < stack.size(); ++j) {
-        const int side = walker.side(stack[i], stack[j]);
-        const bool is_along = network.halfedge(stack[i]) == CGAL::Flip_geodesics::internal::first_side(e);
+    const Segment_list bundle = network.bundle(e);
+    for(std::size_t i = 0; i < bundle.size(); ++i)
+      for(std::size_t j = i + 1; j < bundle.size(); ++j) {
+        const int side = walker.side(bundle[i], bundle[j]);
+        const bool is_along = network.halfedge(bundle[i]) == CGAL::Flip_geodesics::internal::first_side(e);
         BOOST_TEST(side != (is_along ? -1 : 1));
         decided += side != 0 ? 1 : 0;
       }

@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(wrong_flips_between_points_of_one_edge_are_told)
   const Halfedge_index middle = halfedge(points[1], points[2]);
   const auto check_words = [&] {
     for(FG::Edge_index f : descriptors<FG::Edge_index>(s.triangulation.number_of_edges()))
-      BOOST_CHECK_EQUAL(s.triangulation.crossing_word(FG::internal::first_side(f)).crossed.size(),
+      BOOST_CHECK_EQUAL(s.triangulation.edge_sequence(FG::internal::first_side(f)).crossed.size(),
                         static_cast<std::size_t>((std::max)(s.triangulation.crossings(f), 0)));
   };
   const std::size_t before = s.triangulation.log_position();
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(wrong_flips_between_points_of_one_edge_are_told)
   check_words();
   s.triangulation.flip(middle); // from the first to the last, across the edge between the others
   BOOST_CHECK_EQUAL(s.triangulation.crossings(s.triangulation.edge(middle)), 1);
-  BOOST_CHECK_THROW(s.triangulation.crossing_word(middle), FG::Insertion_error);
+  BOOST_CHECK_THROW(s.triangulation.edge_sequence(middle), FG::Insertion_error);
   s.triangulation.rollback(before);
   check_words();
 }

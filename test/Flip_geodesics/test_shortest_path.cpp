@@ -494,7 +494,7 @@ BOOST_AUTO_TEST_CASE(a_field_and_a_search_say_the_same_of_last_legs)
         continue;
       const FG::internal::Last_leg leg = FG::internal::last_leg(t, field, v), other = last_leg(t, search, v);
       BOOST_TEST(std::abs(field.distance(leg.from) + leg.length - field.distance(v)) <= tolerance * leg.length);
-      if(leg.from != other.from || search.leg(v).word.crossed.empty() != (leg.angle == 0))
+      if(leg.from != other.from || search.leg(v).sequence.crossed.empty() != (leg.angle == 0))
         continue; // two paths of one length
       const FG::internal::Vertex_directions<Triangulation> directions(t, v);
       const double difference = directions.of_input(leg.halfedge) + leg.angle - directions.of_input(other.halfedge);

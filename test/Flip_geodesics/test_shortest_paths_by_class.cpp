@@ -193,10 +193,10 @@ BOOST_AUTO_TEST_CASE(along_walls)
   check_classes(wall, source, target, out, around.report);
   out.clear();
   // From the border to a wall across, with a gap from (6, 1) to (6, 2): a single way.
-  const World gate(grid, nothing, [](const Point& p, const Point& q) {
+  const World portal(grid, nothing, [](const Point& p, const Point& q) {
     return p.x() == 6 && q.x() == 6 && ((p.y() <= 1 && q.y() <= 1) || (p.y() >= 2 && q.y() >= 2));
   });
-  const auto through = gate.paths(source, target, 2, out);
+  const auto through = portal.paths(source, target, 2, out);
   BOOST_TEST((through.status() == FG::Class_search_status::NO_MORE_CLASSES));
   BOOST_TEST_REQUIRE(out.size() == 1u);
   const Place post = {6, 2};

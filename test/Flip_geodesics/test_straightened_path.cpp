@@ -199,7 +199,7 @@ std::pair<std::size_t, std::size_t> flips_and_crossings(Setting& setting, Vertex
   const std::size_t flips = FG::add_straightened_path(setting.network, search(source, target));
   std::size_t crossings = 0;
   for(Halfedge_index h : setting.network.halfedges(0_c))
-    crossings += setting.triangulation.crossing_word(h).crossed.size();
+    crossings += setting.triangulation.edge_sequence(h).crossed.size();
   setting.network.clear();
   setting.triangulation.rollback();
   return {flips, crossings};

@@ -31,7 +31,7 @@ using namespace Flip_geodesics_test;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Vertex = Mesh::Vertex_index;
-using Path = opponents::Gate_path<Mesh>;
+using Path = opponents::Portal_path<Mesh>;
 using Triangulation = Double_triangulation<Mesh>;
 using Search = FG::Shortest_edge_path<Triangulation>;
 
@@ -39,9 +39,9 @@ double length(const Mesh& mesh, const Path& path)
 {
   double sum = 0;
   auto previous = mesh.point(path.source());
-  for(const auto& gate : path.gates) {
-    const auto a = mesh.point(mesh.source(gate.crossed)), b = mesh.point(mesh.target(gate.crossed));
-    const auto p = a + gate.t * (b - a);
+  for(const auto& portal : path.portals) {
+    const auto a = mesh.point(mesh.source(portal.crossed)), b = mesh.point(mesh.target(portal.crossed));
+    const auto p = a + portal.t * (b - a);
     sum += std::sqrt(CGAL::squared_distance(previous, p));
     previous = p;
   }

@@ -8,7 +8,7 @@
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_point_on_the_edge_to_a_vertex_of_degree_one)
       const FG::Halfedge_index h = t.outgoing(0_v);
       if(t.next(t.twin(h)) == h && t.crossings(t.edge(h)) < 0) {
         const bool is_first = random.below(2) == 0;
-        const auto word = t.crossing_word(is_first ? h : t.twin(h));
+        const auto word = t.edge_sequence(is_first ? h : t.twin(h));
         const FG::Vertex_index v = t.insert({word.along, {{1, 2, 0}}});
         BOOST_TEST(v.idx() == static_cast<int>(mesh.number_of_vertices()));
         BOOST_TEST(t.is_valid());
@@ -62,8 +62,8 @@ BOOST_AUTO_TEST_CASE(a_point_on_the_edge_to_a_vertex_of_degree_one)
         ++splits;
         break;
       }
-      const auto spokes = spokes_at_tail(t, h);
-      const FG::Halfedge_index g = spokes[random.below(static_cast<int>(spokes.size()))];
+      const auto outgoing_halfedges = outgoing_halfedges_at_tail(t, h);
+      const FG::Halfedge_index g = outgoing_halfedges[random.below(static_cast<int>(outgoing_halfedges.size()))];
       if(t.is_flippable(g))
         t.flip(g);
     }
@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE(paths_in_a_face_are_shortest)
     FG::internal::Indexed_by<FG::Vertex_index, std::vector<Row>> length(
         n, Row(n, std::numeric_limits<double>::infinity()));
     for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
-      const FG::Crossing_word word = t.crossing_word(h);
+      const FG::Edge_sequence word = t.edge_sequence(h);
       bool is_inside = false;
       FG::Input_halfedge_index side = face;
       for(int i = 0; i < 3; ++i, side = t.input().next(side))

@@ -63,7 +63,7 @@ std::vector<double> all_of(const Triangulation& t, FG::Halfedge_index h)
   const auto walker = t.walker(h);
   result.push_back(walker.twin().tail().idx());
   result.push_back(walker.length());
-  const FG::Crossing_word word = t.crossing_word(h);
+  const FG::Edge_sequence word = t.edge_sequence(h);
   for(FG::Input_halfedge_index crossed : word.crossed)
     result.push_back(crossed.idx());
   // A decision that is open wherever angles are straight.

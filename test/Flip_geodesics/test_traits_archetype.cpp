@@ -54,7 +54,7 @@ Curve pulled(Setting& setting)
                FG::to_string(report.curves[0].status),
                report.curves[0].length};
   for(FG::Halfedge_index h : result.halfedges)
-    for(FG::Input_halfedge_index c : setting.triangulation.crossing_word(h).crossed)
+    for(FG::Input_halfedge_index c : setting.triangulation.edge_sequence(h).crossed)
       result.crossed.push_back(c);
   return result;
 }

@@ -121,7 +121,7 @@ public:
   }
 
   // Does the line between the ends of a word pass between those of each crossed edge?
-  bool is_line(const FG::Crossing_word& word) const
+  bool is_line(const FG::Edge_sequence& word) const
   {
     const Place tail = (*this)(word.tail), head = (*this)(word.head);
     for(const FG::Input_halfedge_index h : word.crossed)
@@ -153,7 +153,7 @@ void check_curves(const Setting& s)
     BOOST_TEST((curve.verdict == FG::Verdict::PROVEN));
   for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(s.network.number_of_curves()))
     for(FG::Halfedge_index h : s.network.halfedges(c))
-      BOOST_TEST(plane.is_line(s.triangulation.crossing_word(h)));
+      BOOST_TEST(plane.is_line(s.triangulation.edge_sequence(h)));
 }
 
 void check_delaunay(const Setting& s)
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(inserted_points)
         s.triangulation.flip(h);
         const FG::Vertex_index v = s.triangulation.insert({rising, {{1 + more, 1, 0}}});
         BOOST_TEST((plane(v)[0] + plane(v)[1] < i + j + 1) == (more > 0));
-        ++(spokes_at_tail(s.triangulation, s.triangulation.outgoing(v)).size() == 4 ? on_edges : in_faces);
+        ++(outgoing_halfedges_at_tail(s.triangulation, s.triangulation.outgoing(v)).size() == 4 ? on_edges : in_faces);
       }
     plane.for_each_face([](int sign) { BOOST_TEST(sign > 0); });
   }

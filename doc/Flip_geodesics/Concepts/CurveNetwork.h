@@ -79,7 +79,7 @@ public:
   bool is_occupied(Halfedge_index h) const;
 
   /// The segments on an edge, from left to right as seen along its first halfedge.
-  std::vector<Segment_index> stack(Edge_index e) const;
+  std::vector<Segment_index> bundle(Edge_index e) const;
 
   /// @}
   /// \name Joints
@@ -88,11 +88,11 @@ public:
 
   /// The two ends of segments that meet in a joint, ordered so that the wedge on the joint's side lies clockwise from
   /// the first to the second.
-  std::pair<Strand_end, Strand_end> ends(const Joint& joint) const;
+  std::pair<Segment_end, Segment_end> ends(const Joint& joint) const;
 
   /// The next end of a segment clockwise about the same vertex, maybe after a whole turn the end itself. It is
-  /// `Strand_end::is_none()` if the border of the surface, or an edge that only other networks hold, comes first.
-  Strand_end next_clockwise(const Strand_end& end) const;
+  /// `Segment_end::is_none()` if the border of the surface, or an edge that only other networks hold, comes first.
+  Segment_end next_clockwise(const Segment_end& end) const;
 
   /// Do the two ends lie side by side on one edge, with no face between them on the joint's side? The wedge of such a
   /// joint has the angle zero. The one that goes all the way round the vertex has the same edge on both sides, too, but

@@ -33,8 +33,8 @@ public:
   /// which is read if `state` is `Wedge_state::FREE` and then is the angle of the wedge.
   typedef unspecified_type Wedge;
 
-  /// What `stack_place()` returns; copyable.
-  typedef unspecified_type Stack_place;
+  /// What `bundle_place()` returns; copyable.
+  typedef unspecified_type Bundle_place;
 
   /// @}
   /// \name Curves
@@ -90,12 +90,12 @@ public:
   Segment_index perturb_loop(Segment_index segment, Halfedge_index h);
 
   /// Where the segment of a closed curve of one segment lies: what is needed to put it back.
-  Stack_place stack_place(Segment_index segment) const;
+  Bundle_place bundle_place(Segment_index segment) const;
 
   /// Replaces whatever a closed curve is now by the one segment that it was when `place` was taken.
   /// \return that segment, with a new index
   /// \pre all flips since then have been taken back, and no other curve has changed
-  Segment_index restore_loop(Curve_index curve, const Stack_place& place);
+  Segment_index restore_loop(Curve_index curve, const Bundle_place& place);
 
   /// @}
 };

@@ -78,7 +78,7 @@ public:
   /// that of word `b`. This is for faces that lie unfolded in one plane of space, or bend along parallel edges only.
   /// `flat_edges` keeps from call to call which edges lie between faces in one plane.
   /// \return do they? If not, `sine` says nothing; a metric without points answers `false`
-  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
+  bool sine_in_plane(const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,
                      unspecified_type& flat_edges, Sign& sine) const;
 
   /// Optional. Returns whether numbers that define the metric, such as coordinates or lengths, are rounded to double by

@@ -64,7 +64,7 @@ public:
   Index crossings(Edge_index e) const;
 
   /// The input edges that a halfedge crosses, from its tail to its head.
-  Crossing_word crossing_word(Halfedge_index h) const;
+  Edge_sequence edge_sequence(Halfedge_index h) const;
 
   /// How many input edges start strictly inside the wedge from halfedge `from` clockwise to halfedge `to` of one
   /// vertex; `from == to` means all the way round. At an inserted vertex on an input edge, that edge starts twice.

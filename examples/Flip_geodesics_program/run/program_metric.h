@@ -22,7 +22,7 @@ class Program_metric
       CGAL::Flip_geodesics::Embedded_metric<program::Mesh,
                                             program::Mesh::Property_map<program::Mesh::Vertex_index, program::Point_3>>;
   using Mollified = CGAL::Flip_geodesics::Mollified_metric<Embedded>;
-  using Word = CGAL::Flip_geodesics::Crossing_word;
+  using Word = CGAL::Flip_geodesics::Edge_sequence;
 
 public:
   using Mesh = Embedded::Mesh;

@@ -9,7 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Leg_mover.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 

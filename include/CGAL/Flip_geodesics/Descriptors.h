@@ -294,7 +294,7 @@ namespace Flip_geodesics {
  * inserted vertex. Otherwise, `crossed` contains the crossed input halfedges, each as a side of the face that is left
  * through it, and `along` and `face` are `null_index`.
  */
-struct Crossing_word
+struct Edge_sequence
 {
   Input_halfedge_index along = null_index;   ///< the input halfedge that the edge lies along, if any
   std::vector<Input_halfedge_index> crossed; ///< the crossed edges in order; empty if nothing is crossed
@@ -313,9 +313,9 @@ struct Crossing_word
   }
 
   /// Returns the edge sequence in the opposite direction.
-  Crossing_word reversed() const
+  Edge_sequence reversed() const
   {
-    Crossing_word result = *this;
+    Edge_sequence result = *this;
     result.reverse();
     return result;
   }
@@ -345,7 +345,7 @@ struct Joint
 /// \ingroup PkgFlipGeodesicsCurves
 /// Identifies the end of a segment at a node by an outgoing halfedge, which distinguishes the ends of a loop edge, and
 /// the segment.
-struct Strand_end
+struct Segment_end
 {
   Halfedge_index halfedge = null_index; ///< outgoing at the node; null if this is not an end
   Segment_index segment = null_index;   ///< starts or ends there along `halfedge`
@@ -353,9 +353,9 @@ struct Strand_end
   /// Returns whether this is not an end.
   bool is_none() const { return halfedge == null_index; }
   /// Returns whether the ends are the same.
-  bool operator==(const Strand_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
+  bool operator==(const Segment_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
   /// Returns whether the ends differ.
-  bool operator!=(const Strand_end& other) const { return !(*this == other); }
+  bool operator!=(const Segment_end& other) const { return !(*this == other); }
 };
 
 /// \ingroup PkgFlipGeodesicsCurves

@@ -6,14 +6,14 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
+#include <CGAL/Flip_geodesics/internal/network/Bundle_order_search.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
-#include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
-#include <CGAL/Flip_geodesics/internal/network/Stack_order_search.h>
 #include <CGAL/Flip_geodesics/internal/network/network_parts.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
 #include <CGAL/assertions.h>
 
@@ -38,7 +38,7 @@ namespace Flip_geodesics {
  *
  * A curve is a chain of *segments*, each on a halfedge. The node between two segments is a *joint*, which is fixed or
  * free; the end points of an open path are always fixed. Each edge keeps the bundle of its overlapping segments
- * (`stack()`), ordered from left to right as seen along its first halfedge. Around a vertex, the segment ends have a
+ * (`bundle()`), ordered from left to right as seen along its first halfedge. Around a vertex, the segment ends have a
  * cyclic order: clockwise by incident edge, and on each edge from left to right as seen from the vertex.
  *
  * The network satisfies an invariant that `is_valid()` checks. Curves are chains, and each bundle contains exactly the
@@ -178,8 +178,8 @@ public:
   /// Sets the initial length of a curve that had already been shortened when it was added.
   void set_initial_length(Curve_index curve, double length) { m_segments.set_initial_length(curve, length); }
 
-  /// Reorders the segments on edge `e`. \pre `order` is a permutation of `stack(e)`
-  void set_stack(Edge_index e, const std::vector<Segment_index>& order) { m_segments.set_stack(e, order); }
+  /// Reorders the segments on edge `e`. \pre `order` is a permutation of `bundle(e)`
+  void set_bundle(Edge_index e, const std::vector<Segment_index>& order) { m_segments.set_bundle(e, order); }
 
   /*!
    * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()` does. Each
@@ -275,7 +275,7 @@ public:
   bool is_occupied(Halfedge_index h) const { return m_segments.is_occupied(h); }
 
   /// Returns the segments on edge `e`, from left to right as seen along halfedge `2e`.
-  std::vector<Segment_index> stack(Edge_index e) const { return m_segments.stack(e); }
+  std::vector<Segment_index> bundle(Edge_index e) const { return m_segments.bundle(e); }
 
   /// Returns the outermost segment on a side of the edge of `h`, as seen along `h`. \pre `is_occupied(h)`
   Segment_index outermost(Halfedge_index h, Side side) const { return m_segments.outermost(h, side); }
@@ -285,23 +285,23 @@ public:
   /// @{
 
   /// Returns the two ends at a joint. The wedge on the side of the joint lies clockwise from the first to the second.
-  std::pair<Strand_end, Strand_end> ends(const Joint& joint) const
+  std::pair<Segment_end, Segment_end> ends(const Joint& joint) const
   {
     const Segment_index x = joint.incoming, y = next(x);
-    const Strand_end at_x = {Triangulation::twin(halfedge(x)), x}, at_y = {halfedge(y), y};
+    const Segment_end at_x = {Triangulation::twin(halfedge(x)), x}, at_y = {halfedge(y), y};
     return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
   }
 
   /// Returns the next end clockwise around the node, or no end if the border, or an edge held only by other networks,
   /// comes first. Linear in the number of incident edges passed.
-  Strand_end next_clockwise(const Strand_end& end) const
+  Segment_end next_clockwise(const Segment_end& end) const
   {
     return next_end(end, Side::RIGHT, [](const Walker& h) { return h.is_held(); });
   }
 
   /// Returns the next end counterclockwise around the node, or no end if the border, or an edge held only by other
   /// networks, comes first. Linear in the number of incident edges passed.
-  Strand_end next_counterclockwise(const Strand_end& end) const
+  Segment_end next_counterclockwise(const Segment_end& end) const
   {
     return next_end(end, Side::LEFT, [](const Walker& h) { return h.is_held(); });
   }
@@ -309,7 +309,7 @@ public:
   /// Returns the next end of this network around the node, clockwise if `side` is `Side::RIGHT` and otherwise
   /// counterclockwise, regardless of edges that other networks hold in between. Returns no end if the border comes
   /// first. Linear in the number of incident edges passed.
-  Strand_end next_beyond_others(const Strand_end& end, Side side) const
+  Segment_end next_beyond_others(const Segment_end& end, Side side) const
   {
     return next_end(end, side, [this](const Walker& h) { return h.is_held() && m_segments.leftmost(h) != no_segment; });
   }
@@ -362,17 +362,17 @@ public:
 
 #ifdef DOXYGEN_RUNNING
   /// Stores the position of a segment among the segments on its edge, so that another one can be put there.
-  using Stack_place = unspecified_type;
+  using Bundle_place = unspecified_type;
 #else
-  using Stack_place = internal::Stack_place;
+  using Bundle_place = internal::Bundle_place;
 #endif
 
   /// Returns the position of segment `s` on its edge, to be passed to `restore_loop()`.
-  Stack_place stack_place(Segment_index s) const { return m_segments.stack_place(s); }
+  Bundle_place bundle_place(Segment_index s) const { return m_segments.bundle_place(s); }
 
   /// Replaces a closed curve by the single segment that it had when `place` was taken. \pre all later flips have been
   /// undone
-  Segment_index restore_loop(Curve_index curve, const Stack_place& place)
+  Segment_index restore_loop(Curve_index curve, const Bundle_place& place)
   {
     return m_segments.restore_loop(curve, place);
   }
@@ -386,7 +386,7 @@ public:
    * Returns whether the ends around the vertex of `end` form a non-crossing matching, and all ends of curves, fixed
    * nodes and the border lie in one of its regions.
    */
-  bool is_non_crossing_at(const Strand_end& end) const
+  bool is_non_crossing_at(const Segment_end& end) const
   {
     return internal::Network_validity<Edge_path_network>(*this).is_non_crossing_at(end);
   }
@@ -401,7 +401,7 @@ private:
   // Returns the outermost segment on the first edge for which `is_end(h)` holds, or no end if only other networks hold
   // that edge.
   template <class IsEnd>
-  Strand_end next_end(const Strand_end& end, Side side, const IsEnd& is_end) const
+  Segment_end next_end(const Segment_end& end, Side side, const IsEnd& is_end) const
   {
     const Segment_index inner = m_segments.neighbor(end.segment, end.halfedge, side);
     if(inner != null_index)
@@ -417,10 +417,10 @@ private:
 
   // Returns the outermost segment on an edge, on the given side as seen from the node, or no end if only other networks
   // hold it.
-  Strand_end end_on(const Walker& h, Side side) const
+  Segment_end end_on(const Walker& h, Side side) const
   {
     const Segment_index first = m_segments.leftmost(h);
-    return first == no_segment ? Strand_end{} : Strand_end{h.index(), m_segments.outermost(h.index(), first, side)};
+    return first == no_segment ? Segment_end{} : Segment_end{h.index(), m_segments.outermost(h.index(), first, side)};
   }
 
   Wedge look_into_wedge(const Joint& joint) const
@@ -603,7 +603,7 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
   const auto next_open = [&](Halfedge_index h) -> Halfedge_index {
     if(is_node(triangulation.head(h)))
       return null_index;
-    for(Halfedge_index g : spokes(triangulation, triangulation.head(h)))
+    for(Halfedge_index g : outgoing_halfedges(triangulation, triangulation.head(h)))
       if(is_open[Network::Triangulation::edge(g)] != 0)
         return g;
     return null_index;
@@ -665,19 +665,19 @@ namespace internal {
 
 /* Orders the segments on each edge. Returns the conflict, if one exists; the order is meaningless then. */
 template <class Network>
-Order_conflict order_stacks(Network& network)
+Order_conflict order_bundles(Network& network)
 {
-  const Stack_pairs<Network> pairs(network);
-  if(pairs.conflict() || pairs.number_of_stacks() == 0)
+  const Bundle_pairs<Network> pairs(network);
+  if(pairs.conflict() || pairs.number_of_bundles() == 0)
     return pairs.conflict();
   Crossing_equations<Network> equations(pairs);
   if(equations.conflict())
     return equations.conflict();
-  Stack_order_search<Network> search(equations);
+  Bundle_order_search<Network> search(equations);
   if(const Order_conflict conflict = search.run())
     return conflict;
-  for(Index i = 0; i < pairs.number_of_stacks(); ++i)
-    network.set_stack(pairs.edge(i), search.order(i));
+  for(Index i = 0; i < pairs.number_of_bundles(); ++i)
+    network.set_bundle(pairs.edge(i), search.order(i));
   return {};
 }
 
@@ -685,7 +685,7 @@ Order_conflict order_stacks(Network& network)
 template <class Network>
 Order_conflict order_if_possible(Network& network)
 {
-  Order_conflict conflict = order_stacks(network);
+  Order_conflict conflict = order_bundles(network);
   if(conflict)
     return conflict;
   const auto& triangulation = network.triangulation();

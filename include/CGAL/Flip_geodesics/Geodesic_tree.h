@@ -12,7 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -72,7 +72,7 @@ struct Geodesic_tree_report
 template <class Triangulation_>
 class Geodesic_tree
 {
-  static_assert(internal::Has_words<Triangulation_>::value || !Triangulation_::Traits::Has_drift::value,
+  static_assert(internal::Has_edge_sequences<Triangulation_>::value || !Triangulation_::Traits::Has_drift::value,
                 "decisions that can err are measured from the input, with which the triangulation does not correspond");
 
 public:
@@ -267,9 +267,9 @@ private:
       return;
     m_labels.settle(v);
     ++m_accepted;
-    internal::collect_spokes(*m_triangulation, v, m_spokes);
-    for(const Walker& spoke : m_spokes)
-      relax(spoke);
+    internal::collect_outgoing_halfedges(*m_triangulation, v, m_outgoing_halfedges);
+    for(const Walker& outgoing_halfedge : m_outgoing_halfedges)
+      relax(outgoing_halfedge);
   }
 
   /*
@@ -309,16 +309,16 @@ private:
     m_orphans = {v};
     m_flipped.clear();
     ++m_idle;
-    const auto flip = [&](Halfedge_index spoke) {
-      const Vertex_index w = m_triangulation->head(spoke);
-      if(m_labels.is_offered(w) && m_labels.incoming(w) == spoke)
+    const auto flip = [&](Halfedge_index outgoing_halfedge) {
+      const Vertex_index w = m_triangulation->head(outgoing_halfedge);
+      if(m_labels.is_offered(w) && m_labels.incoming(w) == outgoing_halfedge)
         m_orphans.push_back(w);
-      m_flipped.push_back(spoke);
-      m_hindered.forget(*m_triangulation, spoke);
-      m_triangulation->flip(spoke);
+      m_flipped.push_back(outgoing_halfedge);
+      m_hindered.forget(*m_triangulation, outgoing_halfedge);
+      m_triangulation->flip(outgoing_halfedge);
       ++m_report.flips;
       m_idle = 0;
-      visitor.on_flip(*m_triangulation, spoke);
+      visitor.on_flip(*m_triangulation, outgoing_halfedge);
     };
     constexpr std::size_t any = (std::numeric_limits<std::size_t>::max)(); // the remaining edges are offered, too
     const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, flip, any);
@@ -357,13 +357,14 @@ private:
     for(Vertex_index v : m_orphans)
       m_labels.forget(v);
     for(Vertex_index v : m_orphans) {
-      internal::collect_spokes(*m_triangulation, v, m_spokes);
+      internal::collect_outgoing_halfedges(*m_triangulation, v, m_outgoing_halfedges);
       double least = infinity;
       Halfedge_index best = null_index;
-      for(const Walker& spoke : m_spokes) {
-        const Walker h = spoke.twin();
+      for(const Walker& outgoing_halfedge : m_outgoing_halfedges) {
+        const Walker h = outgoing_halfedge.twin();
         const Vertex_index u = h.tail();
-        if(!is_reached(u) || u == v || m_labels.distance(u) >= least || Triangulation::edge(spoke.index()) == edge)
+        if(!is_reached(u) || u == v || m_labels.distance(u) >= least ||
+           Triangulation::edge(outgoing_halfedge.index()) == edge)
           continue;
         const double distance = m_labels.distance(u) + h.length();
         best = distance < least ? h.index() : best;
@@ -411,8 +412,8 @@ private:
   {
     Default_shortening_visitor visitor;
     for(Vertex_index v : taken_off)
-      for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
-        relax_forward(Triangulation::twin(spoke));
+      for(Halfedge_index outgoing_halfedge : internal::outgoing_halfedges(*m_triangulation, v))
+        relax_forward(Triangulation::twin(outgoing_halfedge));
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(
             m_triangulation->number_of_halfedges())) // new edges can be shorter paths to other vertices
       relax(m_triangulation->walker(h));
@@ -425,9 +426,9 @@ private:
     std::vector<Vertex_index> subtree = {v};
     m_labels.forget(v);
     for(std::size_t i = 0; i < subtree.size(); ++i)
-      for(Halfedge_index spoke : internal::spokes(*m_triangulation, subtree[i])) {
-        const Vertex_index w = m_triangulation->head(spoke);
-        if(m_labels.is_unknown(w) || m_labels.incoming(w) != spoke)
+      for(Halfedge_index outgoing_halfedge : internal::outgoing_halfedges(*m_triangulation, subtree[i])) {
+        const Vertex_index w = m_triangulation->head(outgoing_halfedge);
+        if(m_labels.is_unknown(w) || m_labels.incoming(w) != outgoing_halfedge)
           continue;
         m_report.reopened += is_reached(w) ? 1 : 0;
         m_labels.forget(w);
@@ -435,8 +436,8 @@ private:
       }
     ++m_report.reopened;
     for(Vertex_index w : subtree)
-      for(Halfedge_index spoke : internal::spokes(*m_triangulation, w))
-        relax_forward(Triangulation::twin(spoke));
+      for(Halfedge_index outgoing_halfedge : internal::outgoing_halfedges(*m_triangulation, w))
+        relax_forward(Triangulation::twin(outgoing_halfedge));
   }
 
   // Relaxes h if its head is not accepted.
@@ -510,7 +511,7 @@ private:
   internal::Hindered_joints m_hindered;
   std::vector<Halfedge_index> m_arc, m_flipped;
   std::vector<Vertex_index> m_orphans;
-  std::vector<Walker> m_spokes;
+  std::vector<Walker> m_outgoing_halfedges;
 };
 
 /// \ingroup PkgFlipGeodesicsTree
@@ -568,9 +569,10 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
   if(triangulation.outgoing(source) == null_index)
     return;
   Measured_legs measured(static_cast<std::size_t>(triangulation.number_of_vertices()));
-  const std::vector<Halfedge_index> around = triangulation.is_inserted(source)
-                                                 ? spokes(triangulation, source)
-                                                 : spokes_beside(triangulation, triangulation.input().outgoing(source));
+  const std::vector<Halfedge_index> around =
+      triangulation.is_inserted(source)
+          ? outgoing_halfedges(triangulation, source)
+          : outgoing_halfedges_beside(triangulation, triangulation.input().outgoing(source));
   Tree_straightness<Tree> straightness(tree, measured);
   for(const Fan_leg& leg : straightness.legs(around, Edge_end()))
     function(leg.head, leg.is_found ? directions.of_input(leg.reference()) + leg.start.direction.angle

@@ -690,7 +690,7 @@ public:
    *
    * \param h a side of the edge
    * \param gap the position of the input face of the point along the edge, that is, the number of crossed edges of
-   *        `crossing_word(h)` before it
+   *        `edge_sequence(h)` before it
    * \param location a point of that face, not on its boundary unless the edge lies on the boundary
    * \param on_split as for `insert()`
    * \return the new vertex
@@ -712,7 +712,7 @@ public:
    * Splits the face on the left of `h` at a point inside it.
    *
    * \param h a side of the face
-   * \param gap the number of crossed edges of `crossing_word(h)` before the input face that contains the point
+   * \param gap the number of crossed edges of `edge_sequence(h)` before the input face that contains the point
    * \param location a point of that input face
    * \return the new vertex
    * \throws Insertion_error as `insert()` does
@@ -741,7 +741,7 @@ public:
    * points have been inserted, or if no input edge remains at either end, it is derived from the flip log, which takes
    * about as many sequences as the history of the edge has joints in total.
    */
-  Crossing_word crossing_word(Halfedge_index h) const { return m_history.word(*this, h); }
+  Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 
   /// Returns the version of an edge: 0 for an edge of the input, otherwise one more than the position of its last flip
   /// in the log.

@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
@@ -56,7 +56,7 @@ bool is_next_to_start(const Triangulation& triangulation, Vertex_index v, Input_
  *     c  q--p
  */
 template <class Triangulation>
-void append_input_edges(const Triangulation& triangulation, const Crossing_word& word,
+void append_input_edges(const Triangulation& triangulation, const Edge_sequence& word,
                         std::vector<Input_halfedge_index>& result)
 {
   const auto& input = triangulation.input();
@@ -366,7 +366,7 @@ private:
     std::vector<Input_halfedge_index> result;
     Vertex_index start = null_index, end = null_index;
     network.for_each_segment(curve, [&](Segment_index s) {
-      const Crossing_word word = triangulation.crossing_word(network.halfedge(s));
+      const Edge_sequence word = triangulation.edge_sequence(network.halfedge(s));
       start = start == null_index ? word.tail : start;
       end = word.head;
       internal::append_input_edges(triangulation, word, result);

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Transport_sleeve.h>
 
 #include <cmath>
 #include <vector>
@@ -69,16 +69,16 @@ public:
   Surface_direction operator()(const LocationRange& locations, const Surface_direction& direction,
                                Input_halfedge_index halfedge = null_index) const
   {
-    const internal::Corridor<Triangulation> corridor(m_triangulation, locations);
+    const internal::Transport_sleeve<Triangulation> sleeve(m_triangulation, locations);
     if(!std::isfinite(direction.angle))
       throw Invalid_parameter_error("the angle of a direction is no finite number");
     Surface_location last;
     for(const Surface_location& location : locations)
       last = location;
-    const double position = corridor.frame(0).position(direction.halfedge) + direction.angle;
-    const auto frame = corridor.frame(corridor.legs().size());
+    const double position = sleeve.frame(0).position(direction.halfedge) + direction.angle;
+    const auto frame = sleeve.frame(sleeve.legs().size());
     const Input_halfedge_index reference = halfedge == null_index ? frame.reference(last) : halfedge;
-    return {reference, frame.angle(corridor.transported(position), reference)};
+    return {reference, frame.angle(sleeve.transported(position), reference)};
   }
 
 private:

@@ -150,7 +150,7 @@ public:
       if(m_record.counts[i] > 0)
         result.push_back(describe(static_cast<Repair>(i), m_record.counts[i]));
     if(m_record.near_border_edges > 0)
-      result.push_back(near_border_edges_in_words());
+      result.push_back(near_border_edges_in_sequences());
     return result;
   }
 
@@ -174,7 +174,7 @@ public:
   Elements faces_of_polygon(std::size_t polygon) const { return elements(m_record.faces_of_polygons, polygon); }
 
 private:
-  std::string near_border_edges_in_words() const
+  std::string near_border_edges_in_sequences() const
   {
     std::ostringstream text;
     text.precision(2);

@@ -8,12 +8,12 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Words_of_places.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Edge_sequences_of_places.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_angle.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Word_angle.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -98,7 +98,7 @@ public:
     : m_triangulation(triangulation)
     , m_mesh(mesh)
     , m_places(triangulation)
-    , m_words(m_places)
+    , m_sequences(m_places)
   {
   }
 
@@ -121,16 +121,16 @@ public:
       if(is_end || kind(at) == Location_kind::VERTEX)
         arrive(m_places.add(at), i, i > 0 && i + 1 == given.size() && !is_closed);
       else if(kind(at) == Location_kind::EDGE)
-        m_words.cross(side_of_edge(at), i);
+        m_sequences.cross(side_of_edge(at), i);
       else
         throw Invalid_curve_error("place " + std::to_string(i) + " of the curve, in between, is inside a face", {i});
     }
     if(is_closed)
-      m_words.arrive(m_first, given.size());
+      m_sequences.arrive(m_first, given.size());
   }
 
   const Places_on_input<Triangulation>& places() const { return m_places; }
-  const std::vector<Segment_of_places>& segments() const { return m_words.segments(); }
+  const std::vector<Segment_of_places>& segments() const { return m_sequences.segments(); }
 
 private:
   template <class Place>
@@ -156,7 +156,7 @@ private:
   {
     if(number == 0)
       m_first = v;
-    is_last ? m_words.arrive(v, number) : m_words.pass(v, number);
+    is_last ? m_sequences.arrive(v, number) : m_sequences.pass(v, number);
   }
 
   Input_halfedge_index halfedge(typename Graph::halfedge_descriptor given, std::size_t number) const
@@ -191,7 +191,7 @@ private:
   const Triangulation& m_triangulation;
   const Mesh& m_mesh;
   Places_on_input<Triangulation> m_places;
-  Words_of_places<Triangulation> m_words;
+  Edge_sequences_of_places<Triangulation> m_sequences;
   Vertex_index m_first = null_index;
 };
 
@@ -217,7 +217,7 @@ public:
     // The angle at a joint is that between its edge sequences, which are known to be straight now.
     if(m_result.is_locally_shortest())
       for(std::size_t i = is_closed ? 0 : 1; i < segments.size(); ++i)
-        look_at_joint(segments[i == 0 ? segments.size() - 1 : i - 1].word, segments[i]);
+        look_at_joint(segments[i == 0 ? segments.size() - 1 : i - 1].sequence, segments[i]);
     if(m_result.verdict == Verdict::PROVEN && m_result.statistics.unproven_zeros > 0)
       m_result.verdict = Verdict::PROBABLE;
     if(m_result.is_locally_shortest())
@@ -231,18 +231,18 @@ private:
   void look_at_segment(const Segment_of_places& segment)
   {
     Strip_obstacle obstacle;
-    if(Straight_strip<Places>(m_curve.places(), m_result.statistics)(segment.word, obstacle))
+    if(Straight_strip<Places>(m_curve.places(), m_result.statistics)(segment.sequence, obstacle))
       return;
-    const auto& crossed = segment.word.crossed;
+    const auto& crossed = segment.sequence.crossed;
     Portal_turn turn;
     if(obstacle.missing_angle > 0 || crossed.empty()) {
       turn.angle = obstacle.missing_angle;
       while(turn.portal < crossed.size() && !has_end(crossed[turn.portal], obstacle.vertex))
         ++turn.portal;
     } else {
-      turn = largest_turn(m_curve.places(), Strip<Places>(m_curve.places(), segment.word));
+      turn = largest_turn(m_curve.places(), Strip<Places>(m_curve.places(), segment.sequence));
       if(turn.angle == 0) // rounded
-        turn.portal = obstacle.gate;
+        turn.portal = obstacle.portal;
       else
         obstacle.vertex = tail(turn.side == LEFT_END ? twin_index(crossed[turn.portal]) : crossed[turn.portal]);
     }
@@ -252,22 +252,24 @@ private:
          is_on_left ? Side::LEFT : Side::RIGHT);
   }
 
-  void look_at_joint(const Crossing_word& before, const Segment_of_places& segment)
+  void look_at_joint(const Edge_sequence& before, const Segment_of_places& segment)
   {
-    const Crossing_word back = before.reversed();
-    const Seen_word in = {back, true, tail_angle(Strip<Places>(m_curve.places(), back))},
-                    out = {segment.word, true, tail_angle(Strip<Places>(m_curve.places(), segment.word))};
+    const Edge_sequence back = before.reversed();
+    const Seen_edge_sequence in = {back, true, tail_angle(Strip<Places>(m_curve.places(), back))},
+                             out = {segment.sequence, true,
+                                    tail_angle(Strip<Places>(m_curve.places(), segment.sequence))};
     look_at_side(in, out, segment, Side::LEFT);
     look_at_side(out, in, segment, Side::RIGHT);
   }
 
   // Considers the angle on one side of the tail of a segment, clockwise.
-  void look_at_side(const Seen_word& from, const Seen_word& to, const Segment_of_places& segment, Side side)
+  void look_at_side(const Seen_edge_sequence& from, const Seen_edge_sequence& to, const Segment_of_places& segment,
+                    Side side)
   {
     constexpr double pi = boost::math::constants::pi<double>();
     const Compared_angle angle = compared_angle_clockwise(m_curve.places(), m_result.statistics, from, to);
     if(angle.with_straight == SMALLER)
-      note(Verdict::BENT_JOINT, (std::max)(pi - angle.value, 0.0), segment.word.tail, segment.start, side);
+      note(Verdict::BENT_JOINT, (std::max)(pi - angle.value, 0.0), segment.sequence.tail, segment.start, side);
   }
 
   // Records the first bend, and each larger one.
@@ -286,8 +288,8 @@ private:
   {
     m_result.places.assign(number_of_places, 0);
     for(const Segment_of_places& segment : m_curve.segments()) {
-      const Strip<Places> strip(m_curve.places(), segment.word);
-      for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+      const Strip<Places> strip(m_curve.places(), segment.sequence);
+      for(std::size_t i = 0; i < strip.portals().size(); ++i) {
         const double place = strip.crossing(i);
         m_result.places[segment.start + 1 + i] = segment.is_as_given[i] ? place : 1 - place;
       }

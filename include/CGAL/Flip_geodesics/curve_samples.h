@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Transport_sleeve.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
@@ -58,11 +58,11 @@ public:
   template <class LocationRange>
   Located_curve(const Triangulation& triangulation, const LocationRange& locations)
     : m_triangulation(triangulation)
-    , m_corridor(triangulation, locations)
+    , m_sleeve(triangulation, locations)
     , m_lengths(1, 0.0)
   {
-    for(std::size_t i = 0; i < m_corridor.legs().size(); ++i) {
-      m_starts.push_back(m_corridor.start(i));
+    for(std::size_t i = 0; i < m_sleeve.legs().size(); ++i) {
+      m_starts.push_back(m_sleeve.start(i));
       m_lengths.push_back(m_lengths.back() + std::abs(m_starts.back().vector));
     }
   }
@@ -71,7 +71,7 @@ public:
   double length() const { return m_lengths.back(); }
 
   /// Returns the locations of the curve; of consecutive equal points, only the first is included.
-  const std::vector<Surface_location>& locations() const { return m_corridor.places(); }
+  const std::vector<Surface_location>& locations() const { return m_sleeve.places(); }
 
   /*!
    * Returns the number \f$i\f$ of the piece that contains the point at a length from the start. It leads from
@@ -96,9 +96,9 @@ public:
   Surface_location location(double length) const
   {
     if(m_starts.empty())
-      return m_corridor.places().front();
+      return m_sleeve.places().front();
     const auto [leg, part] = place(length);
-    const Input_halfedge_index h = m_corridor.legs()[leg].face;
+    const Input_halfedge_index h = m_sleeve.legs()[leg].face;
     const auto from = weights(leg, h), to = weights(leg + 1, h);
     Surface_location result = {h, {}};
     for(std::size_t i = 0; i < 3; ++i) {
@@ -120,13 +120,13 @@ public:
     if(m_starts.empty())
       throw Invalid_curve_error("a curve that is a point has no direction");
     const auto [leg, part] = place(length);
-    const Input_halfedge_index h = m_corridor.legs()[leg].face;
+    const Input_halfedge_index h = m_sleeve.legs()[leg].face;
     if(part == 0)
-      return {h, m_corridor.frame(leg, h).angle(m_starts[leg].position, h)};
+      return {h, m_sleeve.frame(leg, h).angle(m_starts[leg].position, h)};
     if(part < 1)
       return {h, std::arg(m_starts[leg].vector)};
-    const auto end = m_corridor.frame(leg + 1, m_corridor.legs()[leg].last_face());
-    const double on = m_corridor.start_backward(leg).position + boost::math::constants::pi<double>() / end.stretch();
+    const auto end = m_sleeve.frame(leg + 1, m_sleeve.legs()[leg].last_face());
+    const double on = m_sleeve.start_backward(leg).position + boost::math::constants::pi<double>() / end.stretch();
     return {h, end.angle(on, h)};
   }
 
@@ -152,7 +152,7 @@ private:
 
   std::array<double, 3> weights(std::size_t place, Input_halfedge_index h) const
   {
-    auto result = internal::weights_told_from(m_triangulation.input(), m_corridor.places()[place], h);
+    auto result = internal::weights_seen_from(m_triangulation.input(), m_sleeve.places()[place], h);
     const double sum = result[0] + result[1] + result[2];
     for(double& weight : result)
       weight /= sum;
@@ -160,9 +160,9 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  internal::Corridor<Triangulation> m_corridor;
-  std::vector<typename internal::Corridor<Triangulation>::Start> m_starts; // of the geodesic segments
-  std::vector<double> m_lengths;                                           // up to each location
+  internal::Transport_sleeve<Triangulation> m_sleeve;
+  std::vector<typename internal::Transport_sleeve<Triangulation>::Start> m_starts; // of the geodesic segments
+  std::vector<double> m_lengths;                                                   // up to each location
 };
 
 /*!

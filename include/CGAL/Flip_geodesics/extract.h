@@ -33,8 +33,8 @@ OutputIterator write_surface_points(const Triangulation& triangulation, Halfedge
 {
   if(has_tail)
     *out++ = surface_point_at_vertex(triangulation, triangulation.tail(h));
-  for(std::size_t i = 0; i < strip.gates().size(); ++i)
-    *out++ = surface_point_on_edge(triangulation, strip.gates()[i].crossed, strip.crossing(i));
+  for(std::size_t i = 0; i < strip.portals().size(); ++i)
+    *out++ = surface_point_on_edge(triangulation, strip.portals()[i].crossed, strip.crossing(i));
   *out++ = surface_point_at_vertex(triangulation, triangulation.head(h));
   return out;
 }
@@ -50,15 +50,15 @@ OutputIterator write_surface_points(const Triangulation& triangulation, Halfedge
 template <class Triangulation, class OutputIterator>
 OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_index h, OutputIterator out)
 {
-  const internal::Strip<Triangulation> strip(triangulation, triangulation.crossing_word(h));
+  const internal::Strip<Triangulation> strip(triangulation, triangulation.edge_sequence(h));
   return internal::write_surface_points(triangulation, h, strip, true, out);
 }
 
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Reads curves of a network off on the input mesh, by unfolding the words of their segments: which edges are crossed,
- * and in which order, is exact; where they are crossed is rounded to double.
+ * Reads curves of a network off on the input mesh, by unfolding the edge sequences of their segments: which edges are
+ * crossed, and in which order, is exact; where they are crossed is rounded to double.
  *
  * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there in space.
  * The edges then tell on which side the curve passes, and `Surface_point::t` is not zero.
@@ -98,8 +98,8 @@ public:
     std::vector<Surface_point> result;
     m_network.for_each_segment(curve, [&](Segment_index s) {
       const Halfedge_index h = m_network.halfedge(s);
-      const Strip strip(m_triangulation, m_triangulation.crossing_word(h));
-      make_room(result, strip.gates().size() + 2);
+      const Strip strip(m_triangulation, m_triangulation.edge_sequence(h));
+      make_room(result, strip.portals().size() + 2);
       internal::write_surface_points(m_triangulation, h, strip, result.empty(), std::back_inserter(result));
     });
     return result;
@@ -128,7 +128,7 @@ public:
   OutputIterator crossed_halfedges(Curve_index curve, OutputIterator out)
   {
     m_network.for_each_segment(curve, [&](Segment_index s) {
-      for(Input_halfedge_index h : m_triangulation.crossing_word(m_network.halfedge(s)).crossed)
+      for(Input_halfedge_index h : m_triangulation.edge_sequence(m_network.halfedge(s)).crossed)
         *out++ = m_triangulation.input().halfedge(h);
     });
     return out;
@@ -164,8 +164,8 @@ public:
   /// Returns the point in space. Only available with `Embedded_metric`.
   auto point(const Surface_point& p) const { return point_in_space(m_triangulation, p); }
 
-  /// The word of a segment of the network.
-  Crossing_word word(Segment_index segment) { return m_triangulation.crossing_word(m_network.halfedge(segment)); }
+  /// The edge sequence of a segment of the network.
+  Edge_sequence sequence(Segment_index segment) { return m_triangulation.edge_sequence(m_network.halfedge(segment)); }
 
 private:
   using Strip = internal::Strip<Triangulation>;
@@ -185,13 +185,13 @@ private:
     return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
   }
 
-  // The direction of a straight line in the face between gates i - 1 and i of its strip.
+  // The direction of a straight line in the face between portals i - 1 and i of its strip.
   Direction direction_in_face(const Strip& strip, std::size_t i) const
   {
     const auto& input = m_triangulation.input();
-    const bool is_last = i == strip.gates().size();
+    const bool is_last = i == strip.portals().size();
     const Input_halfedge_index h =
-        is_last ? internal::twin_index(strip.gates()[i - 1].crossed) : strip.gates()[i].crossed;
+        is_last ? internal::twin_index(strip.portals()[i - 1].crossed) : strip.portals()[i].crossed;
     const auto corners = strip.face(i);
     const auto u = corners[1].position - corners[0].position, v = corners[2].position - corners[0].position;
     const double area = internal::cross(u, v), to_u = internal::cross(strip.end(), v) / area,
@@ -210,19 +210,19 @@ private:
   void append_segment(const internal::Form_converter<Triangulation, Form>& convert, Halfedge_index h,
                       std::vector<Form>& result) const
   {
-    const Strip strip(m_triangulation, m_triangulation.crossing_word(h));
+    const Strip strip(m_triangulation, m_triangulation.edge_sequence(h));
     std::vector<Surface_point> points;
-    points.reserve(strip.gates().size() + 2);
+    points.reserve(strip.portals().size() + 2);
     internal::write_surface_points(m_triangulation, h, strip, true, std::back_inserter(points));
     for(std::size_t i = result.empty() ? 0 : 1; i < points.size(); ++i)
       result.push_back(convert(points[i]));
     if constexpr(internal::Has_points<typename Triangulation::Metric>::value)
       for(std::size_t i = 0; i < points.size(); ++i) { // the end gets its own tangent if another segment follows
         Form& p = result[result.size() - points.size() + i];
-        if(strip.gates().empty())
+        if(strip.portals().empty())
           internal::set_tangent(p, result[result.size() - 2].point, result.back().point);
         else
-          internal::set_tangent(p, direction_in_face(strip, (std::min)(i, strip.gates().size())));
+          internal::set_tangent(p, direction_in_face(strip, (std::min)(i, strip.portals().size())));
       }
   }
 

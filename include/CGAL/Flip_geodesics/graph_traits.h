@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Iterator_range.h>
@@ -327,7 +327,7 @@ Halfedge_index next(Halfedge_index h, const Intrinsic_triangulation<M, T, E>& t)
   if(!t.is_border(h))
     return t.next(h);
   if(!t.is_inserted(t.head(h))) // the border leads to the next umbrella, if there are several
-    return internal::first_spoke(t, t.input().next(t.crossing_word(h).along));
+    return internal::first_outgoing_halfedge(t, t.input().next(t.edge_sequence(h).along));
   Halfedge_index along_border = internal::twin_index(h);
   while(!t.is_border(along_border))
     along_border = t.counterclockwise(along_border);
@@ -341,7 +341,7 @@ Halfedge_index prev(Halfedge_index h, const Intrinsic_triangulation<M, T, E>& t)
     return t.previous(h);
   Halfedge_index last = h;
   if(!t.is_inserted(t.tail(h))) // from the previous umbrella, if there are several
-    last = internal::first_spoke(t, internal::previous_umbrella(t.input(), t.crossing_word(h).along));
+    last = internal::first_outgoing_halfedge(t, internal::previous_umbrella(t.input(), t.edge_sequence(h).along));
   for(Halfedge_index g = last; g != null_index; g = t.clockwise(g))
     last = g;
   return internal::twin_index(last);

@@ -10,7 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
 #include <cmath>
 #include <cstddef>
@@ -58,7 +58,7 @@ public:
       return;
     for(h = m_triangulation.clockwise(start); h != null_index; h = m_triangulation.clockwise(h))
       function(h);
-    for_each_spoke_of_other_umbrellas(m_triangulation, first, function);
+    for_each_outgoing_halfedge_of_other_umbrellas(m_triangulation, first, function);
   }
 
   Vertex_index head(Halfedge_index h) const { return m_triangulation.head(h); }

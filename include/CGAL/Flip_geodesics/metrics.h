@@ -222,16 +222,16 @@ public:
    * `flat_edges` keeps what is found out of edges.
    * \return do they?
    */
-  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
+  bool sine_in_plane(const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,
                      internal::Flat_edges& flat_edges, Sign& sine) const
   {
     const auto place_of = [&](Vertex_index v) { return exact_place(mesh, v); };
     return internal::Planar_sine<Mesh, decltype(place_of)>(mesh, place_of, flat_edges)(a, b, steps, sine);
   }
 
-  /// Returns whether a coordinate of the mesh is rounded: it is not a double, and its type does not give the exact value
-  /// as a fraction. Then nothing is certified, since decisions refer to the rounded coordinates. Linear in the mesh when
-  /// it is first called, if the number type of the kernel allows such coordinates.
+  /// Returns whether a coordinate of the mesh is rounded: it is not a double, and its type does not give the exact
+  /// value as a fraction. Then nothing is certified, since decisions refer to the rounded coordinates. Linear in the
+  /// mesh when it is first called, if the number type of the kernel allows such coordinates.
   bool is_rounded(const Mesh& mesh) const
   {
     if constexpr(is_rational || internal::is_within_double<internal::Coordinate<Point_3>>)
@@ -340,7 +340,7 @@ public:
   }
 
   template <class Mesh>
-  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, Flat_edges&, Sign&) const
+  bool sine_in_plane(const Mesh&, const Edge_sequence&, const Edge_sequence&, Index, Flat_edges&, Sign&) const
   {
     return false; // lengths do not determine which faces lie in one plane
   }
@@ -429,7 +429,8 @@ public:
     }
   }
 
-  /// The same face in exact numbers; lengths are taken as they are, or as the doubles they round to, see `is_rounded()`.
+  /// The same face in exact numbers; lengths are taken as they are, or as the doubles they round to, see
+  /// `is_rounded()`.
   internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
     if constexpr(is_rational)
@@ -439,8 +440,8 @@ public:
   }
 
   /// Returns whether a length is rounded: it is not a double, and its type does not give the exact value as a fraction.
-  /// Then nothing is certified, since decisions refer to the rounded lengths. Linear in the mesh when it is first called,
-  /// if the type allows such lengths.
+  /// Then nothing is certified, since decisions refer to the rounded lengths. Linear in the mesh when it is first
+  /// called, if the type allows such lengths.
   bool is_rounded(const Mesh&) const
   {
     if constexpr(is_rational || internal::is_within_double<Length>)

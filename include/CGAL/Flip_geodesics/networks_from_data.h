@@ -190,10 +190,10 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
         [&](const std::vector<Halfedge_index>& chain, bool is_closed) { network.add_curve(chain, is_closed); });
     for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
     { // each segment on the side of its region
-      std::vector<Segment_index> stack = network.stack(e);
-      if(stack.size() == 2 && network.halfedge(stack.front()) != internal::first_side(e)) {
-        std::swap(stack.front(), stack.back());
-        network.set_stack(e, stack);
+      std::vector<Segment_index> bundle = network.bundle(e);
+      if(bundle.size() == 2 && network.halfedge(bundle.front()) != internal::first_side(e)) {
+        std::swap(bundle.front(), bundle.back());
+        network.set_bundle(e, bundle);
       }
     }
   });

@@ -22,7 +22,7 @@
 #include <CGAL/Flip_geodesics/internal/shortest/Split_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
@@ -90,8 +90,8 @@ std::vector<Halfedge_index> insert_path(Triangulation& triangulation, const Wind
     const auto leg = search.leg(v);
     legs.emplace_back();
     const std::vector<Crossed_edge> crossed =
-        leg.word.along == null_index ? crossed_edges(triangulation, leg.word) : std::vector<Crossed_edge>();
-    if(!insert_leg(triangulation, leg.word.along, crossed, legs.back(), flips))
+        leg.sequence.along == null_index ? crossed_edges(triangulation, leg.sequence) : std::vector<Crossed_edge>();
+    if(!insert_leg(triangulation, leg.sequence.along, crossed, legs.back(), flips))
       return {};
     v = leg.from;
   }

@@ -9,7 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
 #include <CGAL/assertions.h>
 
@@ -103,7 +103,7 @@ private:
 
     const Iterative_unfolding<Triangulation>& unfolding;
 
-    const std::vector<Bend>& bends(const Crossing_word&) const { return unfolding.sleeve().bends(); }
+    const std::vector<Bend>& bends(const Edge_sequence&) const { return unfolding.sleeve().bends(); }
   };
 
   struct Side_of_fewer_faces : Rounded_bends

@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
@@ -662,18 +662,18 @@ public:
   }
 
   /* Considers the faces along an edge; `along` is the vector in units of the edge itself. */
-  void look_along(const Crossing_word& word, const Vector& along)
+  void look_along(const Edge_sequence& sequence, const Vector& along)
   {
-    if(word.crossed.empty())
-      return look_in_one_face(word, along);
-    const Strip<Triangulation> strip(m_triangulation, word);
+    if(sequence.crossed.empty())
+      return look_in_one_face(sequence, along);
+    const Strip<Triangulation> strip(m_triangulation, sequence);
     const Vector point = along * strip.end();
-    for(std::size_t gap = 0; gap <= word.crossed.size(); ++gap) {
+    for(std::size_t gap = 0; gap <= sequence.crossed.size(); ++gap) {
       const auto corners = strip.face(gap);
       std::array<double, 3> weights;
       for(int i = 0; i < 3; ++i)
         weights[i] = cross(corners[(i + 1) % 3].position - point, corners[(i + 2) % 3].position - point);
-      note(face_of_gap(word, gap), weights);
+      note(face_of_gap(sequence, gap), weights);
     }
   }
 
@@ -714,38 +714,39 @@ private:
   }
 
   // Considers the face on the left of an edge along an input edge, or the face that contains the edge.
-  void look_in_one_face(const Crossing_word& word, const Vector& along)
+  void look_in_one_face(const Edge_sequence& sequence, const Vector& along)
   {
-    const Input_halfedge_index h = face_of_gap(word, 0);
+    const Input_halfedge_index h = face_of_gap(sequence, 0);
     const auto& input = m_triangulation.input();
-    const auto from = vertex_weights(m_triangulation, word.tail, input.is_border(h) ? twin_index(h) : h);
-    const auto to = vertex_weights(m_triangulation, word.head, input.is_border(h) ? twin_index(h) : h);
+    const auto from = vertex_weights(m_triangulation, sequence.tail, input.is_border(h) ? twin_index(h) : h);
+    const auto to = vertex_weights(m_triangulation, sequence.head, input.is_border(h) ? twin_index(h) : h);
     const double from_sum = from[0] + from[1] + from[2], to_sum = to[0] + to[1] + to[2];
     std::array<double, 3> weights;
     for(int i = 0; i < 3; ++i)
       weights[i] = (1 - along.real()) * (from[i] / from_sum) + along.real() * (to[i] / to_sum);
     if(along.imag() != 0)
-      add_height(word, h, along.imag(), weights);
+      add_height(sequence, h, along.imag(), weights);
     note(input.is_border(h) ? twin_index(h) : h, weights);
   }
 
   // Moves weights to the left of the edge by a fraction of its length.
-  void add_height(const Crossing_word& word, Input_halfedge_index h, double height,
+  void add_height(const Edge_sequence& sequence, Input_halfedge_index h, double height,
                   std::array<double, 3>& weights) const
   {
     const auto f = input_face_geometry(m_triangulation, h);
     const Vector u(f[0].x, f[0].y), v(-f[2].x, -f[2].y); // the two sides at the tail of h
-    const Vector left = height * Vector(0, 1) * barycentric_vector(word, h, u, v);
+    const Vector left = height * Vector(0, 1) * barycentric_vector(sequence, h, u, v);
     const double area = cross(u, v), at_head = cross(left, v) / area, at_apex = cross(u, left) / area;
     weights[0] -= at_head + at_apex;
     weights[1] += at_head;
     weights[2] += at_apex;
   }
 
-  Vector barycentric_vector(const Crossing_word& word, Input_halfedge_index h, const Vector& u, const Vector& v) const
+  Vector barycentric_vector(const Edge_sequence& sequence, Input_halfedge_index h, const Vector& u,
+                            const Vector& v) const
   {
-    const auto d = barycentric_difference(vertex_weights(m_triangulation, word.tail, h),
-                                          vertex_weights(m_triangulation, word.head, h));
+    const auto d = barycentric_difference(vertex_weights(m_triangulation, sequence.tail, h),
+                                          vertex_weights(m_triangulation, sequence.head, h));
     return d[1] * u + d[2] * v;
   }
 
@@ -768,9 +769,9 @@ template <class Triangulation>
 Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_index h, double t)
 {
   internal::Location_finder<Triangulation> finder(triangulation);
-  const Crossing_word word = triangulation.crossing_word(h);
-  finder.look_along(word, t);
-  return internal::canonical_location(triangulation.input(), finder.result_inside(word.along != null_index));
+  const Edge_sequence sequence = triangulation.edge_sequence(h);
+  finder.look_along(sequence, t);
+  return internal::canonical_location(triangulation.input(), finder.result_inside(sequence.along != null_index));
 }
 
 /*!
@@ -794,7 +795,7 @@ Surface_location location_in_face(const Triangulation& triangulation, Halfedge_i
                  c = triangulation.length(triangulation.previous(h));
     const double x = ((a - b) * (a + b) + c * c) / (2 * a), y = std::sqrt((std::max)((c - x) * (c + x), 0.0));
     const std::complex<double> apex(x / a, y / a);
-    finder.look_along(triangulation.crossing_word(h), coordinates[(i + 1) % 3] + coordinates[(i + 2) % 3] * apex);
+    finder.look_along(triangulation.edge_sequence(h), coordinates[(i + 1) % 3] + coordinates[(i + 2) % 3] * apex);
   }
   return finder.result();
 }

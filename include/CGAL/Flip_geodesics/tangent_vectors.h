@@ -9,8 +9,8 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Transport_sleeve.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
@@ -65,7 +65,7 @@ namespace Flip_geodesics {
 template <class Triangulation>
 class Logarithmic_map
 {
-  using Corridor = internal::Corridor<Triangulation>;
+  using Transport_sleeve = internal::Transport_sleeve<Triangulation>;
 
 public:
   using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the mesh
@@ -131,7 +131,7 @@ public:
    */
   Polar_coordinates operator()(const Surface_location& location) const
   {
-    const std::optional<Corridor> path = path_to(location);
+    const std::optional<Transport_sleeve> path = path_to(location);
     if(!path)
       return {};
     if(path->legs().empty())
@@ -182,7 +182,7 @@ public:
   {
     if(!(part >= 0 && part <= 1))
       throw Invalid_parameter_error("the part of a path is not between 0 and 1");
-    const std::optional<Corridor> path = path_to(location);
+    const std::optional<Transport_sleeve> path = path_to(location);
     if(!path)
       throw_no_path(location);
     double length = part * path_length(*path);
@@ -212,14 +212,14 @@ public:
     const internal::Place_frame<Triangulation> frame(m_triangulation,
                                                      internal::canonical_location(m_triangulation.input(), location));
     const Input_halfedge_index h = frame.reference(location);
-    const std::optional<Corridor> path = path_to(location);
+    const std::optional<Transport_sleeve> path = path_to(location);
     if(!path)
       return {h, std::numeric_limits<double>::quiet_NaN()};
     return {h, frame.angle(path->transported(m_frame.position(m_halfedge) + angle), h)};
   }
 
 private:
-  static double path_length(const Corridor& path)
+  static double path_length(const Transport_sleeve& path)
   {
     double length = 0;
     for(std::size_t i = path.legs().size(); i-- > 0;)
@@ -228,7 +228,7 @@ private:
   }
 
   // Traces on from the start of a geodesic segment along it.
-  Surface_location traced(const Corridor& path, std::size_t leg, double position, double length) const
+  Surface_location traced(const Transport_sleeve& path, std::size_t leg, double position, double length) const
   {
     const Surface_location& place = path.places()[leg];
     const Input_halfedge_index face = path.legs()[leg].face;
@@ -250,7 +250,7 @@ private:
   }
 
   // Returns the shortest path as a sleeve, with the exact shortest path in it.
-  std::optional<Corridor> path_to(const Surface_location& location) const
+  std::optional<Transport_sleeve> path_to(const Surface_location& location) const
   {
     std::vector<Surface_location> locations;
     for(const Surface_point& p : m_field.surface_points(location))
@@ -259,7 +259,7 @@ private:
       return std::nullopt;
     locations.front() = location; // unrounded
     locations.back() = m_place;
-    Corridor path(m_triangulation, locations);
+    Transport_sleeve path(m_triangulation, locations);
     path.reverse();
     path.straighten();
     return path;

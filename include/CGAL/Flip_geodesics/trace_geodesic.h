@@ -162,15 +162,15 @@ private:
   bool go_straight(Ray_start& start)
   {
     Ray ray(m_triangulation, m_exact_faces, start.place, start.direction, m_trace.statistics);
-    bool is_at_gate = ray.leave_first_face();
-    CGAL_assertion_code(const bool is_inside =) is_at_gate || ray.reach_first_corner();
+    bool is_at_portal = ray.leave_first_face();
+    CGAL_assertion_code(const bool is_inside =) is_at_portal || ray.reach_first_corner();
     CGAL_assertion(is_inside);
     for(;;) {
-      while(is_at_gate) {
-        if(ends_at_gate(ray))
+      while(is_at_portal) {
+        if(ends_at_portal(ray))
           return false;
         ++m_trace.edges;
-        is_at_gate = ray.pass_gate();
+        is_at_portal = ray.pass_portal();
       }
       if(ends_at_corner(ray))
         return false;
@@ -181,36 +181,36 @@ private:
         start = m_directions.at_vertex(ray.corner(), straight_on(ray));
         return true;
       }
-      is_at_gate = ray.pass_corner();
+      is_at_portal = ray.pass_corner();
     }
   }
 
-  bool ends_at_gate(const Ray& ray)
+  bool ends_at_portal(const Ray& ray)
   {
-    const double length = m_trace.length + ray.distance_of_gate();
+    const double length = m_trace.length + ray.distance_of_portal();
     if(length >= m_limits.length)
       return end_inside(ray, true);
-    const Input_halfedge_index h = ray.gate();
+    const Input_halfedge_index h = ray.portal();
     const bool is_border = m_triangulation.input().is_border(twin_index(h));
     if(is_border || m_limits.is_constrained(h))
-      return end_on_gate(ray, length, is_border ? Trace_status::BORDER : Trace_status::CONSTRAINED_EDGE);
+      return end_on_portal(ray, length, is_border ? Trace_status::BORDER : Trace_status::CONSTRAINED_EDGE);
     if(m_trace.edges + m_trace.vertices >= m_limits.most_crossings)
-      return end_on_gate(ray, length, Trace_status::CROSSING_LIMIT);
-    if(!ray.starts_on_gate())
-      m_visitor(surface_point_on_edge(m_triangulation, h, ray.place_on_gate()));
+      return end_on_portal(ray, length, Trace_status::CROSSING_LIMIT);
+    if(!ray.starts_on_portal())
+      m_visitor(surface_point_on_edge(m_triangulation, h, ray.place_on_portal()));
     return false;
   }
 
-  bool end_inside(const Ray& ray, bool is_at_gate)
+  bool end_inside(const Ray& ray, bool is_at_portal)
   {
-    m_trace.location = ray.location_at(m_limits.length - m_trace.length, is_at_gate);
+    m_trace.location = ray.location_at(m_limits.length - m_trace.length, is_at_portal);
     return finish(ray, m_limits.length, Trace_status::LENGTH);
   }
 
-  bool end_on_gate(const Ray& ray, double length, Trace_status end)
+  bool end_on_portal(const Ray& ray, double length, Trace_status end)
   {
-    const double place = (std::min)((std::max)(ray.place_on_gate(), least_weight), largest_below_one);
-    m_trace.location = {ray.gate(), {{1 - place, place, 0}}};
+    const double place = (std::min)((std::max)(ray.place_on_portal(), least_weight), largest_below_one);
+    m_trace.location = {ray.portal(), {{1 - place, place, 0}}};
     return finish(ray, length, end);
   }
 

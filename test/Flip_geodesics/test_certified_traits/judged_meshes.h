@@ -120,7 +120,7 @@ public:
     ++decisions;
     filtered += decision.is_filtered ? 1 : 0;
     for(FG::Halfedge_index h : {decision.from, decision.to})
-      bent_edges += m_referee.is_straight(m_triangulation.crossing_word(h)) ? 0 : 1;
+      bent_edges += m_referee.is_straight(m_triangulation.edge_sequence(h)) ? 0 : 1;
     try {
       const int comparison = m_referee.compare_wedge(decision.from, decision.to);
       ties += comparison == 0 ? 1 : 0;

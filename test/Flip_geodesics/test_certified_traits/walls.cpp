@@ -35,7 +35,7 @@ CGAL::Comparison_result compared_with_pi(const std::vector<Coordinates>& rim)
     soup.triangles.push_back({0, i, i + 1});
   const Surface mesh = to_mesh<Surface>(soup);
   const Triangulation triangulation(mesh);
-  const auto spoke = [&](int i) {
+  const auto outgoing_halfedge = [&](int i) {
     for(FG::Index h = 0; h < 2 * triangulation.number_of_edges(); ++h)
       if(triangulation.tail(FG::Halfedge_index(h)) == FG::Vertex_index(0) &&
          triangulation.head(FG::Halfedge_index(h)) == FG::Vertex_index(i))
@@ -43,7 +43,8 @@ CGAL::Comparison_result compared_with_pi(const std::vector<Coordinates>& rim)
     return FG::Halfedge_index();
   };
   FG::Decision_statistics statistics;
-  return FG::internal::Wedge_comparison<Triangulation>(triangulation, statistics)(spoke(last), spoke(1));
+  return FG::internal::Wedge_comparison<Triangulation>(triangulation, statistics)(outgoing_halfedge(last),
+                                                                                  outgoing_halfedge(1));
 }
 
 // Is the edge from the first to the third of four points Delaunay, as seen from both of its sides?

@@ -61,7 +61,7 @@ Places places_of(const Setting& setting, FG::Curve_index curve, Random_numbers& 
 {
   Places result;
   for(const auto h : setting.network.halfedges(curve)) {
-    const FG::Crossing_word word = setting.triangulation.crossing_word(h);
+    const FG::Edge_sequence word = setting.triangulation.edge_sequence(h);
     if(result.empty())
       result.push_back(place_of(setting.mesh, setting.triangulation, word.tail));
     for(const auto c : word.crossed)
@@ -98,7 +98,7 @@ Surface hexagon()
   return to_mesh<Surface>(soup);
 }
 
-Halfedge spoke(const Surface& mesh, int rim) { return mesh.halfedge(vertex(0), vertex(rim)); }
+Halfedge outgoing_halfedge(const Surface& mesh, int rim) { return mesh.halfedge(vertex(0), vertex(rim)); }
 
 void check_bend(const Certificate& certificate, Verdict verdict, double bend, int v, std::size_t number, FG::Side side)
 {
@@ -263,22 +263,24 @@ BOOST_AUTO_TEST_CASE(ends_are_exactly_where_their_weights_say)
 BOOST_AUTO_TEST_CASE(ends_on_one_edge_and_in_one_face)
 {
   const auto mesh = hexagon();
-  const Halfedge h = spoke(mesh, 1);
+  const Halfedge h = outgoing_halfedge(mesh, 1);
   BOOST_TEST(certified(mesh, {crossing(h, 0.25), crossing(mesh.opposite(h), 0.25)}).is_locally_shortest());
   BOOST_TEST(certified(mesh, {crossing(h, 0.75), place(0)}).is_locally_shortest());
   const Places round_a_corner = {crossing(h, 0.75), place(1), crossing(mesh.halfedge(vertex(1), vertex(2)))};
   BOOST_TEST((certified(mesh, round_a_corner).verdict == Verdict::BENT_JOINT));
-  BOOST_TEST(certified(mesh, {crossing(h), crossing(spoke(mesh, 2))}).is_locally_shortest()); // over their face
+  BOOST_TEST(
+      certified(mesh, {crossing(h), crossing(outgoing_halfedge(mesh, 2))}).is_locally_shortest()); // over their face
   BOOST_TEST(certified(mesh, {crossing(h), place(2)}).is_locally_shortest());
   BOOST_TEST(certified(mesh, {place(1), place(2)}).is_locally_shortest());
-  BOOST_TEST(certified(mesh, {crossing(h, 1), crossing(spoke(mesh, 2), 1)}).is_locally_shortest()); // vertices
+  BOOST_TEST(
+      certified(mesh, {crossing(h, 1), crossing(outgoing_halfedge(mesh, 2), 1)}).is_locally_shortest()); // vertices
   for(std::size_t i = 0; i < 3; ++i) {
     std::array<double, 3> weights = {1, 1, 1};
     const Place centre = std::make_pair(mesh.face(h), weights);
     weights[i] = 2;
     BOOST_TEST(certified(mesh, {centre, std::make_pair(mesh.face(h), weights)}).is_locally_shortest());
   }
-  const auto bent = certified(mesh, {crossing(h), place(0), crossing(spoke(mesh, 2))});
+  const auto bent = certified(mesh, {crossing(h), place(0), crossing(outgoing_halfedge(mesh, 2))});
   check_bend(bent, Verdict::BENT_JOINT, 2 * pi / 3, 0, 1, FG::Side::RIGHT);
 }
 
@@ -286,17 +288,17 @@ BOOST_AUTO_TEST_CASE(ends_on_one_edge_and_in_one_face)
 BOOST_AUTO_TEST_CASE(the_bend_of_a_segment_is_told)
 {
   const auto mesh = hexagon();
-  const auto chord = certified(mesh, {place(1), crossing(spoke(mesh, 2)), place(3)});
+  const auto chord = certified(mesh, {place(1), crossing(outgoing_halfedge(mesh, 2)), place(3)});
   BOOST_TEST(chord.is_locally_shortest());
   BOOST_TEST(chord.places.size() == 3u);
   BOOST_TEST(std::abs(chord.places[1] - 0.5) < 1e-12); // hexagons have it so
-  Places round = {place(1), crossing(mesh.opposite(spoke(mesh, 2))), crossing(spoke(mesh, 3)), crossing(spoke(mesh, 4)),
-                  place(5)};
+  Places round = {place(1), crossing(mesh.opposite(outgoing_halfedge(mesh, 2))), crossing(outgoing_halfedge(mesh, 3)),
+                  crossing(outgoing_halfedge(mesh, 4)), place(5)};
   check_bend(certified(mesh, round), Verdict::BENT_SEGMENT, pi / 3, 0, 1, FG::Side::LEFT);
   Places with_joint = round; // of joints nothing is said where segments are bent
   with_joint.insert(with_joint.end(), {place(4), place(5)});
   check_bend(certified(mesh, with_joint), Verdict::BENT_SEGMENT, pi / 3, 0, 1, FG::Side::LEFT);
-  round.back() = crossing(spoke(mesh, 5));
+  round.back() = crossing(outgoing_halfedge(mesh, 5));
   round.push_back(place(6));
   check_bend(certified(mesh, round), Verdict::BENT_SEGMENT, 2 * pi / 3, 0, 1, FG::Side::LEFT);
   std::reverse(round.begin(), round.end());
@@ -346,10 +348,10 @@ BOOST_AUTO_TEST_CASE(closed_curves_have_a_joint_at_their_start)
   const auto mesh = hexagon();
   const auto bent = certified(mesh, {place(0), place(1), place(2)}, true);
   check_bend(bent, Verdict::BENT_JOINT, 2 * pi / 3, 0, 0, FG::Side::LEFT);
-  const auto loop = certified(
-      mesh,
-      {place(1), crossing(spoke(mesh, 2)), place(3), crossing(spoke(mesh, 4)), place(5), crossing(spoke(mesh, 6))},
-      true);
+  const auto loop = certified(mesh,
+                              {place(1), crossing(outgoing_halfedge(mesh, 2)), place(3),
+                               crossing(outgoing_halfedge(mesh, 4)), place(5), crossing(outgoing_halfedge(mesh, 6))},
+                              true);
   BOOST_TEST((loop.verdict == Verdict::BENT_JOINT));
   BOOST_TEST(std::abs(loop.bend - 2 * pi / 3) < 1e-12);
 }
@@ -388,9 +390,10 @@ BOOST_AUTO_TEST_CASE(what_is_no_curve_is_refused)
 {
   const auto mesh = hexagon();
   const Halfedge rim = mesh.halfedge(vertex(2), vertex(3));
-  const Place on_2 = crossing(spoke(mesh, 2)), on_3 = crossing(spoke(mesh, 3)), on_4 = crossing(spoke(mesh, 4));
+  const Place on_2 = crossing(outgoing_halfedge(mesh, 2)), on_3 = crossing(outgoing_halfedge(mesh, 3)),
+              on_4 = crossing(outgoing_halfedge(mesh, 4));
   const auto in_face = [&](double a) {
-    return Place(std::make_pair(mesh.face(spoke(mesh, 1)), std::array<double, 3>{{a, 1, 1}}));
+    return Place(std::make_pair(mesh.face(outgoing_halfedge(mesh, 1)), std::array<double, 3>{{a, 1, 1}}));
   };
   using Curve_error = FG::Invalid_curve_error;
   check_refused<Curve_error>(mesh, {place(1), crossing(rim), place(3)}, {1}); // on the border
@@ -419,7 +422,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_curve_is_refused)
   for(double weight : {-1e-17, std::nan(""), 1e-120})
     BOOST_CHECK_THROW(certified(mesh, {in_face(weight), place(0)}), FG::Invalid_location_error);
   for(double t : {-1e-17, 1.5, std::nan("")})
-    BOOST_CHECK_THROW(certified(mesh, {crossing(spoke(mesh, 1), t), place(2)}), FG::Invalid_location_error);
+    BOOST_CHECK_THROW(certified(mesh, {crossing(outgoing_halfedge(mesh, 1), t), place(2)}), FG::Invalid_location_error);
   const Place no_face = std::make_pair(Surface::Face_index(), std::array<double, 3>{{1, 1, 1}});
   BOOST_CHECK_THROW(certified(mesh, {no_face, place(0)}), FG::Invalid_location_error);
 }

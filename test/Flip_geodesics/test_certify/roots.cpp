@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
 
   std::vector<FG::Given_place<Surface>> places;
   for(const auto h : many.network.halfedges(0_c)) {
-    const FG::Crossing_word word = many.triangulation.crossing_word(h);
+    const FG::Edge_sequence word = many.triangulation.edge_sequence(h);
     if(places.empty())
       places.emplace_back(Surface::Vertex_index(static_cast<unsigned>(word.tail.idx())));
     for(const auto c : word.crossed)

@@ -79,7 +79,7 @@ public:
   {
     bool result = true;
     m_network.for_each_segment(curve, [&](FG::Segment_index s) {
-      result = result && m_referee.is_straight(m_network.triangulation().crossing_word(m_network.halfedge(s))) &&
+      result = result && m_referee.is_straight(m_network.triangulation().edge_sequence(m_network.halfedge(s))) &&
                !is_bent({s, FG::Side::LEFT}) && !is_bent({s, FG::Side::RIGHT});
     });
     return result;

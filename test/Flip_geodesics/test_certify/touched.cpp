@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_segment_that_touches_a_cone_is_bent)
 
 // The line from 0 to 1 touches 2, an end of the only edge that it crosses, at a right angle to that edge. The angle on
 // the other side is pi, or a unit in the last place more or less, or there is the border.
-BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_gate_has_a_full_angle_or_is_told)
+BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_portal_has_a_full_angle_or_is_told)
 {
   using Lengths = std::map<boost::graph_traits<Surface>::edge_descriptor, double>;
   using Metric = FG::Edge_length_metric<Surface, boost::const_associative_property_map<Lengths>>;

@@ -71,11 +71,11 @@ inline Mesh_soup split_at_random(Mesh_soup soup, int count, unsigned seed)
   Random_numbers random(seed);
   while(count > 0) {
     const int v = random.below(static_cast<int>(soup.points.size()));
-    std::vector<int> spokes;
-    for(const auto& spoke : ring(soup, v))
-      spokes.push_back(spoke.first);
-    const int c = spokes[random.below(static_cast<int>(spokes.size()))];
-    const int d = spokes[random.below(static_cast<int>(spokes.size()))];
+    std::vector<int> outgoing_halfedges;
+    for(const auto& outgoing_halfedge : ring(soup, v))
+      outgoing_halfedges.push_back(outgoing_halfedge.first);
+    const int c = outgoing_halfedges[random.below(static_cast<int>(outgoing_halfedges.size()))];
+    const int d = outgoing_halfedges[random.below(static_cast<int>(outgoing_halfedges.size()))];
     if(c == d)
       continue;
     split_vertex(soup, v, c, d);

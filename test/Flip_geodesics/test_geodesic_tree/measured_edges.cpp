@@ -55,7 +55,7 @@ Index for_each_fan(const Mesh_soup& soup, const Visit& visit)
     const auto [u, arrival] = open.back();
     open.pop_back();
     const FG::internal::Vertex_directions<Triangulation> directions(t, u);
-    const std::vector<Halfedge_index> around = FG::internal::spokes(t, u);
+    const std::vector<Halfedge_index> around = FG::internal::outgoing_halfedges(t, u);
     const std::vector<FG::internal::Fan_leg> legs = straightness.legs(around, arrival);
     for(const FG::internal::Fan_leg& leg : legs)
       open.emplace_back(leg.head, leg.arrival);
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
       ++all;
       if(!leg.is_found)
         continue;
-      const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(leg.start.halfedge));
+      const FG::internal::Strip<Triangulation> strip(t, t.edge_sequence(leg.start.halfedge));
       BOOST_TEST(strip.bend() == 0);
       const double direction = fan.directions.of_input(leg.reference()) + leg.start.direction.angle;
       BOOST_TEST(is_same_angle(direction, fan.directions(strip), fan.directions.total()));

@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(paths_in_doubles_are_measured_in_each_umbrella)
 }
 
 // Each halfedge is one of the vertex at which it starts, also beside points that are inserted on the border.
-BOOST_AUTO_TEST_CASE(spokes_are_those_of_all_umbrellas)
+BOOST_AUTO_TEST_CASE(outgoing_halfedges_are_those_of_all_umbrellas)
 {
   for(unsigned seed = 0; seed < 12; ++seed) {
     Curve_setting setting(sheet_with_holes(seed));
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(spokes_are_those_of_all_umbrellas)
     for(Halfedge_index h : FG::internal::descriptors<Halfedge_index>(t.number_of_halfedges()))
       ++degree[static_cast<std::size_t>(t.tail(h).idx())];
     for(Vertex_index v : FG::internal::descriptors<Vertex_index>(t.number_of_vertices())) {
-      std::vector<Halfedge_index> around = FG::internal::spokes(t, v);
+      std::vector<Halfedge_index> around = FG::internal::outgoing_halfedges(t, v);
       BOOST_TEST(static_cast<int>(around.size()) == degree[static_cast<std::size_t>(v.idx())]);
       std::sort(around.begin(), around.end());
       BOOST_TEST((std::adjacent_find(around.begin(), around.end()) == around.end()));

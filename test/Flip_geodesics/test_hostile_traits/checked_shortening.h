@@ -115,7 +115,7 @@ inline std::size_t check_shortening(Setting& setting, Watcher& watcher)
   BOOST_TEST(std::abs(shortener.length(0_c) - setting.network.length(0_c)) <= 1e-12 * before);
   BOOST_TEST(logged_flips(setting.triangulation) == watcher.flips_of_steps); // the others have left no trace
   setting.network.for_each_segment(0_c, [&](Segment_index s) {
-    BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(setting.network.halfedge(s)));
+    BOOST_CHECK_NO_THROW(setting.triangulation.edge_sequence(setting.network.halfedge(s)));
   });
   return shortener.number_of_flips() + flips_before - watcher.flips_of_steps;
 }

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
           BOOST_TEST(std::abs(setting.network.length(0_c) - length) < 1e-9 * length);
         BOOST_TEST(setting.network.is_valid());
         for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
-          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(FG::internal::first_side(e)));
+          BOOST_CHECK_NO_THROW(setting.triangulation.edge_sequence(FG::internal::first_side(e)));
       }
     BOOST_TEST(refused > 10u);
   }
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(refinement_among_wrong_flips_ends)
                    std::size_t(setting.triangulation.number_of_vertices() - vertices));
         BOOST_TEST(setting.network.is_valid());
         for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
-          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(FG::internal::first_side(e)));
+          BOOST_CHECK_NO_THROW(setting.triangulation.edge_sequence(FG::internal::first_side(e)));
       }
   BOOST_TEST(refused > 10u);
 }
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(vectors_derived_over_wrong_flips_are_those_of_the_words)
     for(Halfedge_index h : descriptors<Halfedge_index>(t.number_of_halfedges())) {
       const FG::internal::Precise_edge derived = // before its word is asked for, and then unfolded
           FG::internal::Internals<Setting::Triangulation>::precise_edge(t, h);
-      const FG::Crossing_word word = t.crossing_word(h);
+      const FG::Edge_sequence word = t.edge_sequence(h);
       if(word.crossed.empty())
         continue;
       const FG::internal::Precise_edge unfolded = FG::internal::Precise_strip<Triangulation>(t, word, false).edge();

@@ -8,7 +8,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Words_of_places.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Edge_sequences_of_places.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Input_faces.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
@@ -35,14 +35,14 @@ using Surface_of_mesh = FI::Surface_by_name<Mesh, CGAL::parameters::Default_name
 
 /* The words that cross two edges in a row, the second one on the right. */
 template <class Input_mesh>
-std::vector<FG::Crossing_word> words_across(const Input_mesh& input)
+std::vector<FG::Edge_sequence> words_across(const Input_mesh& input)
 {
-  std::vector<FG::Crossing_word> result;
+  std::vector<FG::Edge_sequence> result;
   for(FG::Input_halfedge_index h : FI::descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
     const FG::Input_halfedge_index t = FI::twin_index(h);
     if(input.is_border(h) || input.is_border(t) || input.is_border(FI::twin_index(input.next(t))))
       continue;
-    FG::Crossing_word word;
+    FG::Edge_sequence word;
     word.crossed = {h, input.next(t)};
     word.tail = input.tail(input.next(input.next(h)));
     const FG::Input_halfedge_index last = FI::twin_index(input.next(t));
@@ -60,19 +60,19 @@ std::vector<double> unfolded(const Places& places)
   FG::Decision_statistics statistics;
   const FI::Straight_strip<Places> is_straight(places, statistics);
   FI::Sleeve<Places> sleeve(places, FI::Refused_faces::UNUSABLE);
-  for(const FG::Crossing_word& word : words_across(places.input())) {
+  for(const FG::Edge_sequence& word : words_across(places.input())) {
     const FI::Strip<Places> strip(places, word);
     const FI::Portal_turn turn = FI::largest_turn(places, strip);
     result.insert(result.end(), {strip.length(), strip.bend(), strip.crossing(1), turn.angle,
                                  FI::tail_angle(strip).angle, is_straight(word) ? 1.0 : 0.0});
     result.push_back(FI::unfolded_edge(places, word).length);
     const FI::Unfolding_chains<Places> unfolding(places);
-    result.push_back(FI::Exact_sign(statistics)({unfolding.gate(word, 0, true), unfolding.head(word, true)}));
-    FG::Crossing_word along;
+    result.push_back(FI::Exact_sign(statistics)({unfolding.portal(word, 0, true), unfolding.head(word, true)}));
+    FG::Edge_sequence along;
     along.along = strip.reference();
     along.tail = word.tail;
     along.head = places.input().tail(FI::twin_index(along.along));
-    const FI::Wedge_words wedge = {word, along, 0};
+    const FI::Wedge_edge_sequences wedge = {word, along, 0};
     result.push_back(FI::wedge_angle(places, wedge).value);
     result.push_back(FI::umbrella_of(places, along.along).total());
     sleeve.edges().assign(word.crossed.begin(), word.crossed.end());

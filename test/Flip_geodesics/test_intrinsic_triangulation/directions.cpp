@@ -5,7 +5,7 @@
 #include "test_intrinsic_triangulation/inserted_vertices.h"
 
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -26,17 +26,17 @@ BOOST_AUTO_TEST_CASE(directions_at_vertices_are_those_in_the_plane)
     const auto vector = [&](FG::Halfedge_index h) { return place(mesh, t, t.head(h)) - place(mesh, t, t.tail(h)); };
     for(FG::Vertex_index v : descriptors<FG::Vertex_index>(t.number_of_vertices())) {
       const FG::internal::Vertex_directions<Triangulation> directions(t, v);
-      const Halfedge_sequence spokes = spokes_at_tail(t, t.outgoing(v));
-      const bool is_border =
-          std::any_of(spokes.begin(), spokes.end(), [&](FG::Halfedge_index h) { return t.is_border(h); });
+      const Halfedge_sequence outgoing_halfedges = outgoing_halfedges_at_tail(t, t.outgoing(v));
+      const bool is_border = std::any_of(outgoing_halfedges.begin(), outgoing_halfedges.end(),
+                                         [&](FG::Halfedge_index h) { return t.is_border(h); });
       BOOST_TEST(directions.has_border() == is_border);
       if(!is_border)
         BOOST_TEST(std::abs(directions.total() - 2 * pi) < tolerance);
       if(t.is_inserted(v) && is_border)
         BOOST_TEST(std::abs(directions.total() - pi) < tolerance);
-      for(FG::Halfedge_index g : spokes) {
+      for(FG::Halfedge_index g : outgoing_halfedges) {
         BOOST_TEST((directions(g) > -tolerance && directions(g) < directions.total() + tolerance));
-        for(FG::Halfedge_index h : spokes) {
+        for(FG::Halfedge_index h : outgoing_halfedges) {
           if(g == h)
             continue;
           const double angle = planar_angle(vector(g), vector(h));
@@ -130,9 +130,9 @@ BOOST_AUTO_TEST_CASE(angles_about_points_inside_a_face_sum_up_to_a_full_turn)
   int opposite = 0;
   const auto check = [&](const Triangulation& t) {
     for(FG::Vertex_index v = 3_v; v.idx() < t.number_of_vertices(); ++v)
-      for(FG::Halfedge_index g : spokes_at_tail(t, t.outgoing(v))) {
+      for(FG::Halfedge_index g : outgoing_halfedges_at_tail(t, t.outgoing(v))) {
         BOOST_TEST(std::abs(FG::internal::wedge_angle(t, g, g).value - 2 * pi) < 1e-9);
-        const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(g));
+        const FG::internal::Strip<Triangulation> strip(t, t.edge_sequence(g));
         opposite += std::abs(std::arg(strip.end())) > pi - 1e-15 ? 1 : 0;
       }
   };
@@ -164,11 +164,11 @@ BOOST_AUTO_TEST_CASE(strips_without_length_have_no_relative_error)
   const auto& input = t.input();
   int closed = 0;
   for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
-    const Halfedge_sequence spokes = spokes_at_tail(t, h);
+    const Halfedge_sequence outgoing_halfedges = outgoing_halfedges_at_tail(t, h);
     const auto is_at_border = [&](FG::Halfedge_index g) { return t.is_border(g) || t.is_border(t.twin(g)); };
-    if(std::any_of(spokes.begin(), spokes.end(), is_at_border))
+    if(std::any_of(outgoing_halfedges.begin(), outgoing_halfedges.end(), is_at_border))
       continue;
-    FG::Crossing_word word; // from the head of h about its tail, counterclockwise, to the head of h
+    FG::Edge_sequence word; // from the head of h about its tail, counterclockwise, to the head of h
     word.tail = word.head = t.head(h);
     for(FG::Halfedge_index g = t.counterclockwise(h); g != h; g = t.counterclockwise(g)) {
       const FG::Input_halfedge_index crossed = FG::internal::as_input(g);
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(relative_errors_do_not_depend_on_the_size_of_the_mesh)
     flip_at_random(t, 60, random);
     errors.emplace_back();
     for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
-      if(const FG::Crossing_word word = t.crossing_word(h); !word.crossed.empty())
+      if(const FG::Edge_sequence word = t.edge_sequence(h); !word.crossed.empty())
         errors.back().push_back(FG::internal::Strip<Triangulation>(t, word).relative_error());
   }
   BOOST_TEST(errors[0].size() > 20u);
@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(the_memory_of_words_of_split_edges_is_counted)
   for(std::size_t i = 0; i < splits; ++i)
     t.insert({FG::Input_halfedge_index(random.below(t.input().number_of_halfedges())), {{1, random.uniform(1, 3), 0}}});
   const std::size_t log = t.log_position() * sizeof(t.flip_record(0)), points = splits * sizeof(FG::Surface_location);
-  BOOST_TEST(t.memory_of_records() >= before + log + points + 3 * splits * sizeof(FG::Crossing_word));
+  BOOST_TEST(t.memory_of_records() >= before + log + points + 3 * splits * sizeof(FG::Edge_sequence));
   t.rollback();
   BOOST_TEST(t.memory_of_records() <= before + log + points);
 }
@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(points_lie_beside_edges_as_in_the_plane)
   };
   std::array<int, 2> points = {{0, 0}}; // on the left, and on the right
   for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
-    const FG::Crossing_word word = t.crossing_word(h);
+    const FG::Edge_sequence word = t.edge_sequence(h);
     if(word.crossed.empty())
       continue;
     const std::complex<double> from = place(mesh, t, t.tail(h)), along = place(mesh, t, t.head(h)) - from;
@@ -341,10 +341,10 @@ void check_unfolding(const Mesh& mesh, const Triangulation& t, FG::Input_halfedg
   if(crossed.empty())
     return;
   again.leave_over(again.number_of(crossed.front()));
-  std::size_t gates = 0;
+  std::size_t portals = 0;
   again.cross(crossed,
-              [&](FG::Input_halfedge_index h, const auto&, const auto&) { BOOST_TEST((h == crossed[gates++])); });
-  BOOST_TEST(gates == crossed.size());
+              [&](FG::Input_halfedge_index h, const auto&, const auto&) { BOOST_TEST((h == crossed[portals++])); });
+  BOOST_TEST(portals == crossed.size());
   BOOST_TEST(again.entered() == crossed.size());
   BOOST_TEST((again.halfedge() == FG::internal::twin_index(crossed.back())));
   for(int i = 0; i < 3; ++i) {
@@ -376,9 +376,9 @@ BOOST_AUTO_TEST_CASE(words_of_other_edges_are_no_strips)
   flip_at_random(t, 60, random);
   const FG::internal::Edge_straightness<Triangulation> straight(t);
   for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
-    const FG::Crossing_word word = t.crossing_word(h);
+    const FG::Edge_sequence word = t.edge_sequence(h);
     BOOST_TEST(straight.is_strip(h, word));
-    for(FG::Halfedge_index g : spokes_at_tail(t, h)) {
+    for(FG::Halfedge_index g : outgoing_halfedges_at_tail(t, h)) {
       BOOST_TEST(straight.is_strip(g, word) == (t.head(g) == t.head(h)));
       BOOST_TEST(!straight.is_strip(t.twin(g), word)); // a grid has no loops
     }
@@ -396,10 +396,10 @@ BOOST_AUTO_TEST_CASE(crossings_lie_on_the_edges_that_cross)
     for(int k = 0; k < 40; ++k)
       flip_if_nearly_convex(t, FG::Halfedge_index(random.below(t.number_of_halfedges())), 2);
     for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
-      const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(h));
+      const FG::internal::Strip<Triangulation> strip(t, t.edge_sequence(h));
       bent += strip.bend() > 0.1 ? 1 : 0;
-      for(std::size_t gate = 0; gate < strip.gates().size(); ++gate)
-        for(double position : {strip.crossing(gate), strip.crossing_along(gate)})
+      for(std::size_t portal = 0; portal < strip.portals().size(); ++portal)
+        for(double position : {strip.crossing(portal), strip.crossing_along(portal)})
           BOOST_TEST((position >= 0 && position <= 1));
     }
   }
@@ -421,7 +421,7 @@ BOOST_AUTO_TEST_CASE(edges_on_the_border_are_split)
     BOOST_TEST(t.is_inserted(v));
     BOOST_TEST(std::abs(place(mesh, t, v) - (0.75 * a + 0.25 * b)) < 1e-15);
     BOOST_TEST(t.is_valid());
-    BOOST_TEST(spokes_at_tail(t, t.outgoing(v)).size() == 3u);
+    BOOST_TEST(outgoing_halfedges_at_tail(t, t.outgoing(v)).size() == 3u);
     ++split;
   }
   BOOST_TEST(split == 16);

@@ -16,8 +16,8 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
@@ -152,7 +152,7 @@ struct Unfolded
   long double largest_bend; // as the sine of an angle at the nearer end
 };
 
-inline Unfolded unfold(const Mesh& mesh, const Triangulation& t, const FG::Crossing_word& word)
+inline Unfolded unfold(const Mesh& mesh, const Triangulation& t, const FG::Edge_sequence& word)
 {
   if(word.along != FG::null_index)
     return {input_length(mesh, t, word.along), 0};
@@ -160,15 +160,15 @@ inline Unfolded unfold(const Mesh& mesh, const Triangulation& t, const FG::Cross
   const FG::Input_halfedge_index first = word.crossed.front();
   Vector right = 0, left = input_length(mesh, t, first);
   const Vector tail = apex(mesh, t, first, right, left);
-  std::vector<std::pair<Vector, Vector>> gates;
+  std::vector<std::pair<Vector, Vector>> portals;
   for(std::size_t i = 0;; ++i) {
-    gates.emplace_back(right, left);
+    portals.emplace_back(right, left);
     const FG::Input_halfedge_index entered = twin_index(word.crossed[i]); // from left to right
     const Vector next = apex(mesh, t, entered, left, right);
     if(i + 1 == word.crossed.size()) {
       Unfolded result = {std::abs(next - tail), 0};
       const Vector direction = (next - tail) / result.length;
-      for(const auto& [r, l] : gates) {
+      for(const auto& [r, l] : portals) {
         const Vector pr = (r - tail) / direction, pl = (l - tail) / direction;
         const long double end = result.length;
         result.largest_bend = (std::max)({result.largest_bend, pr.imag() / (std::min)(std::abs(pr), std::abs(pr - end)),

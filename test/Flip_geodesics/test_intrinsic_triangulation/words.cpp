@@ -16,18 +16,18 @@ BOOST_AUTO_TEST_CASE(words_traced_are_words_derived)
     for(int k = 0; k < 60 * scale; ++k) {
       Triangulation t(mesh);
       flip_at_random(t, 10 + random.below(90), random);
-      FG::internal::Crossing_words<Triangulation> words;
-      FG::internal::Word_tracer<Triangulation> tracer(t);
+      FG::internal::Edge_sequences<Triangulation> words;
+      FG::internal::Edge_sequence_tracer<Triangulation> tracer(t);
       for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
         const FG::Index version = t.version(t.edge(h));
-        FG::Crossing_word word;
+        FG::Edge_sequence word;
         if(!tracer(h, word)) {
           ++not_traced;
           continue;
         }
-        FG::Crossing_word expected = {FG::internal::as_input(h), {}, FG::null_index, t.tail(h), t.head(h)};
+        FG::Edge_sequence expected = {FG::internal::as_input(h), {}, FG::null_index, t.tail(h), t.head(h)};
         if(version != 0)
-          expected = words.word(t, {h, version});
+          expected = words.sequence(t, {h, version});
         BOOST_TEST((word.along == expected.along && word.crossed == expected.crossed && word.face == expected.face));
         BOOST_TEST((word.tail == expected.tail && word.head == expected.head));
         longest = (std::max)(longest, long(word.crossed.size()));
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(words_are_exact_and_straight)
       Triangulation t(mesh);
       flip_at_random(t, 10 + random.below(90), random);
       for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
-        const FG::Crossing_word word = t.crossing_word(h), back = t.crossing_word(t.twin(h)).reversed();
+        const FG::Edge_sequence word = t.edge_sequence(h), back = t.edge_sequence(t.twin(h)).reversed();
         BOOST_TEST((word.crossed == back.crossed && word.along == back.along));
         const int crossings = word.along == FG::null_index ? static_cast<int>(word.crossed.size()) : -1;
         BOOST_TEST(t.crossings(t.edge(h)) == crossings);
@@ -83,8 +83,8 @@ BOOST_AUTO_TEST_CASE(input_edges_are_counted_around_vertices)
       t.rollback();
       flip_at_random(t, 60, random);
       for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
-        const std::vector<FG::Halfedge_index> spokes = spokes_at_tail(t, h);
-        const bool has_border = std::any_of(spokes.begin(), spokes.end(),
+        const std::vector<FG::Halfedge_index> outgoing_halfedges = outgoing_halfedges_at_tail(t, h);
+        const bool has_border = std::any_of(outgoing_halfedges.begin(), outgoing_halfedges.end(),
                                             [&](FG::Halfedge_index g) { return t.clockwise(g) == FG::null_index; });
         if(has_border)
           continue;

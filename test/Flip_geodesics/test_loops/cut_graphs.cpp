@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(cut_graphs_stay_cut_graphs_when_they_are_pulled_tight)
     BOOST_TEST(length(network) <= plain * (1 + 1e-12));
     BOOST_TEST((length(network) < plain * (1 - 1e-6)) == is_in_pieces);
     for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(triangulation.number_of_edges()))
-      BOOST_TEST((!is_in_pieces || network.stack(e).size() < 2));
+      BOOST_TEST((!is_in_pieces || network.bundle(e).size() < 2));
     check_disks(network, s.mesh, 1);
   }
   BOOST_TEST_MESSAGE(in_pieces << " of 120 in pieces");

@@ -189,7 +189,7 @@ void add_tree(const FG::Geodesic_tree<Triangulation>& tree, Summary& summary)
     if(tree.is_reached(v))
       summary.lengths.add(tree.distance(v));
     if(tree.incoming(v) != FG::null_index)
-      summary.add(triangulation.crossing_word(tree.incoming(v)));
+      summary.add(triangulation.edge_sequence(tree.incoming(v)));
   }
   for(const FG::Polar_coordinates& p : FG::logarithmic_map(tree))
     summary.lengths.add(p.angle + 1);

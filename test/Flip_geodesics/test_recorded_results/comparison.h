@@ -166,15 +166,15 @@ struct Summary
       results.add(static_cast<long long>(halfedges.size()));
       for(const auto h : halfedges) {
         results.add(h);
-        add(triangulation.crossing_word(h));
-        results.add_all(network.stack(Plain::edge(h)));
+        add(triangulation.edge_sequence(h));
+        results.add_all(network.bundle(Plain::edge(h)));
       }
       lengths.add(network.length(c));
     }
     add_log(triangulation);
   }
 
-  void add(const FG::Crossing_word& word)
+  void add(const FG::Edge_sequence& word)
   {
     for(long long i : {word.along.idx(), word.face.idx(), word.tail.idx(), word.head.idx()})
       results.add(i);

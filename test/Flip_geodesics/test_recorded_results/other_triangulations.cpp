@@ -29,7 +29,7 @@ void add_places(const Triangulation& triangulation, Summary& summary)
     summary.add(triangulation.location(v));
   for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(triangulation.number_of_edges())) {
     const FG::Halfedge_index h = FG::internal::first_side(e);
-    summary.add(triangulation.crossing_word(h));
+    summary.add(triangulation.edge_sequence(h));
     summary.lengths.add(triangulation.length(h));
   }
   summary.add_log(triangulation);

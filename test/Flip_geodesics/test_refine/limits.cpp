@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(points_of_a_segment_are_measured_from_its_ends)
   const auto half = points.point(h, length / 2);
   const FG::Vertex_index middle = t.split_edge(h, {FG::internal::as_input(h), {{0.5, 0.5, 0}}}, 0, [](const auto&) {});
   points.add(middle, half);
-  for(const FG::Halfedge_index g : FG::internal::spokes(t, middle)) {
+  for(const FG::Halfedge_index g : FG::internal::outgoing_halfedges(t, middle)) {
     if(t.head(g) != head && t.head(g) != tail)
       continue;
     const auto quarter = points.point(g, length / 8); // towards one of the ends

@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_paths_over_edges)
 namespace {
 
 // The path that a search finds in a corridor against that of one which goes everywhere.
-void check_corridor(Setting& setting, Vertex_index source, Vertex_index target, double distance)
+void check_sleeve(Setting& setting, Vertex_index source, Vertex_index target, double distance)
 {
   const auto report = shortest(setting, source, target);
   BOOST_TEST(report.is_confirmed());
@@ -132,7 +132,7 @@ void check_corridor(Setting& setting, Vertex_index source, Vertex_index target, 
 
 // A search that a sweep narrows finds what one finds that goes everywhere: on rough meshes, where fronts meet on long
 // edges, and lines pass vertices closely.
-BOOST_AUTO_TEST_CASE(a_corridor_loses_no_path)
+BOOST_AUTO_TEST_CASE(a_sleeve_loses_no_path)
 {
   for(const Mesh_soup& soup :
       {grid(14, 14, Diagonal_rule::RANDOM, [](int i, int j) { return ((i * 7 + j * 13) % 5) * 0.9; }),
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_corridor_loses_no_path)
       for(int j = 0; j < 20; ++j) {
         const Vertex_index target(random.below(n));
         if(target != source)
-          check_corridor(setting, source, target, windows.distance(target));
+          check_sleeve(setting, source, target, windows.distance(target));
       }
     }
   }
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_corridor_loses_no_path)
 
 // Bounds are wrong if paths by way of a vertex count only where a shortest path can turn: here a fitted cone's rays go
 // past the edge that they should hit, and the paths found were longer by up to 1e-4.
-BOOST_AUTO_TEST_CASE(a_corridor_counts_paths_by_way_of_all_vertices)
+BOOST_AUTO_TEST_CASE(a_sleeve_counts_paths_by_way_of_all_vertices)
 {
   struct Example
   {
@@ -172,6 +172,6 @@ BOOST_AUTO_TEST_CASE(a_corridor_counts_paths_by_way_of_all_vertices)
     FG::Geodesic_distance_field<Setting::Triangulation> field(setting.triangulation, setting.mesh);
     field.add_source(source);
     field.compute();
-    check_corridor(setting, source, target, field.distance(target));
+    check_sleeve(setting, source, target, field.distance(target));
   }
 }

@@ -10,7 +10,7 @@
 namespace Flip_geodesics_test {
 
 // The last spoke counterclockwise, or any if there is no border.
-inline Halfedge_index first_spoke(const Curve_setting& s, Vertex_index v)
+inline Halfedge_index first_outgoing_halfedge(const Curve_setting& s, Vertex_index v)
 {
   const Halfedge_index start = s.triangulation.outgoing(v);
   Halfedge_index first = start;
@@ -38,7 +38,7 @@ inline int euler_characteristic_after_cut(Curve_setting& s)
     ++degree[s.triangulation.head(h)];
   }
   for(Vertex_index v : descriptors<Vertex_index>(s.triangulation.number_of_vertices())) {
-    const bool is_on_border = s.triangulation.counterclockwise(first_spoke(s, v)) == FG::null_index;
+    const bool is_on_border = s.triangulation.counterclockwise(first_outgoing_halfedge(s, v)) == FG::null_index;
     result += (std::max)(degree[v] - (is_on_border ? 0 : 1), 0);
   }
   return result;

@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_CASE(stacked_curves_are_cut_once)
   s.pull();
   std::size_t highest = 0;
   for(Edge_index e : descriptors<Edge_index>(s.triangulation.number_of_edges()))
-    highest = (std::max)(highest, s.network.stack(e).size());
+    highest = (std::max)(highest, s.network.bundle(e).size());
   BOOST_CHECK_EQUAL(highest, 2u);
   check_inserted(s);
   cut_open(s);
@@ -70,8 +70,8 @@ BOOST_AUTO_TEST_CASE(curves_between_inserted_points)
       cut_open(s);
       s.network.clear();
       const Vertex_index start(first + random.below(count));
-      const auto spokes = spokes_at_tail(s.triangulation, s.triangulation.outgoing(start));
-      s.network.add_curve(Halfedge_sequence{spokes.front()}, false);
+      const auto outgoing_halfedges = outgoing_halfedges_at_tail(s.triangulation, s.triangulation.outgoing(start));
+      s.network.add_curve(Halfedge_sequence{outgoing_halfedges.front()}, false);
       s.pull();
       check_inserted(s);
       const Subdivision slit = cut_open(s);

@@ -83,7 +83,7 @@ std::vector<FG::Halfedge_index> some_path(const Triangulation& t, FG::Vertex_ind
       static_cast<std::size_t>(t.number_of_vertices()));
   std::vector<FG::Vertex_index> reached = {from};
   for(std::size_t i = 0; i < reached.size(); ++i)
-    for(FG::Halfedge_index h : spokes_at_tail(t, t.outgoing(reached[i])))
+    for(FG::Halfedge_index h : outgoing_halfedges_at_tail(t, t.outgoing(reached[i])))
       if(t.head(h) != from && arriving[t.head(h)] == FG::null_index) {
         arriving[t.head(h)] = h;
         reached.push_back(t.head(h));

@@ -96,26 +96,26 @@ public:
     long double bend; // the distance by which the straight line misses a crossed edge
   };
 
-  Result operator()(const FG::Crossing_word& word) const
+  Result operator()(const FG::Edge_sequence& word) const
   {
     const FG::Input_halfedge_index first =
         word.along.is_valid() ? word.along : (word.crossed.empty() ? word.face : word.crossed.front());
     Corners corners = {first, 0, length(first), 0};
     corners.apex = apex(first, corners.tail, corners.head);
     const Vector start = position(word.tail, corners);
-    std::vector<std::pair<Vector, Vector>> gates;
+    std::vector<std::pair<Vector, Vector>> portals;
     for(FG::Input_halfedge_index crossed : word.crossed) {
       const Vector ends[3] = {corners.tail, corners.head, corners.apex};
       int side = 0;
       while(turned(corners.halfedge, side) != crossed)
         BOOST_REQUIRE(++side < 3);
-      gates.emplace_back(ends[side], ends[(side + 1) % 3]);
+      portals.emplace_back(ends[side], ends[(side + 1) % 3]);
       corners = {twin_index(crossed), ends[(side + 1) % 3], ends[side], 0};
       corners.apex = apex(twin_index(crossed), corners.tail, corners.head);
     }
     const Vector end = position(word.head, corners), direction = (end - start) / std::abs(end - start);
     Result result = {std::abs(end - start), 0};
-    for(const auto& [right, left] : gates)
+    for(const auto& [right, left] : portals)
       result.bend =
           (std::max)({result.bend, ((right - start) / direction).imag(), -((left - start) / direction).imag()});
     return result;
@@ -184,7 +184,7 @@ void check_words(const Mesh& mesh, const Triangulation& t)
 {
   const Unfolding<Triangulation> unfold(mesh, t);
   for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
-    const FG::Crossing_word word = t.crossing_word(h), back = t.crossing_word(t.twin(h)).reversed();
+    const FG::Edge_sequence word = t.edge_sequence(h), back = t.edge_sequence(t.twin(h)).reversed();
     BOOST_TEST((word.crossed == back.crossed && word.along == back.along && word.face == back.face));
     BOOST_TEST((word.tail == t.tail(h) && word.head == t.head(h)));
     BOOST_TEST(t.crossings(t.edge(h)) == (word.along.is_valid() ? -1 : static_cast<int>(word.crossed.size())));

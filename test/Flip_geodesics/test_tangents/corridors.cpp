@@ -5,7 +5,7 @@
 
 #include "surfaces.h"
 
-#include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Transport_sleeve.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <boost/test/unit_test.hpp>
@@ -24,7 +24,7 @@ using namespace tangents_test;
 
 namespace {
 
-using Corridor = FG::internal::Corridor<Triangulation>;
+using Transport_sleeve = FG::internal::Transport_sleeve<Triangulation>;
 using Way = std::vector<FG::Surface_location>;
 
 double cross(const std::complex<double>& a, const std::complex<double>& b)
@@ -106,18 +106,19 @@ private:
   {
     while(input().tail(h) != input().tail(vertex.halfedge))
       h = input().next(h);
-    Way spokes;
+    Way outgoing_halfedges;
     const bool is_clockwise = m_random() % 2 == 0;
     for(unsigned turns = m_random() % 5; turns > 0; --turns) {
-      const FG::Input_halfedge_index spoke = is_clockwise ? h : FG::internal::twin_index(input().next(input().next(h)));
-      if(input().is_border(spoke) || input().is_border(FG::internal::twin_index(spoke)))
+      const FG::Input_halfedge_index outgoing_halfedge =
+          is_clockwise ? h : FG::internal::twin_index(input().next(input().next(h)));
+      if(input().is_border(outgoing_halfedge) || input().is_border(FG::internal::twin_index(outgoing_halfedge)))
         break;
-      spokes.push_back(on(spoke));
-      h = is_clockwise ? input().next(FG::internal::twin_index(spoke)) : spoke;
+      outgoing_halfedges.push_back(on(outgoing_halfedge));
+      h = is_clockwise ? input().next(FG::internal::twin_index(outgoing_halfedge)) : outgoing_halfedge;
     }
     if(is_start)
-      std::reverse(spokes.begin(), spokes.end());
-    m_way.insert(m_way.end(), spokes.begin(), spokes.end());
+      std::reverse(outgoing_halfedges.begin(), outgoing_halfedges.end());
+    m_way.insert(m_way.end(), outgoing_halfedges.begin(), outgoing_halfedges.end());
   }
 
   const Triangulation& m_triangulation;
@@ -138,12 +139,12 @@ BOOST_AUTO_TEST_CASE(in_the_plane_ways_are_pulled_to_segments)
     const auto crossed = crossed_sides(t, from, to);
     if(crossed.empty())
       continue;
-    Corridor corridor(t, way_beside(from, to, crossed));
-    corridor.straighten();
-    BOOST_REQUIRE(corridor.places().size() == 2u);
-    const FG::internal::Corridor_leg& leg = corridor.legs().front();
+    Transport_sleeve sleeve(t, way_beside(from, to, crossed));
+    sleeve.straighten();
+    BOOST_REQUIRE(sleeve.places().size() == 2u);
+    const FG::internal::Sleeve_segment& leg = sleeve.legs().front();
     BOOST_TEST((leg.crossed == crossed));
-    const std::complex<double> vector = corridor.start(0).vector * direction_in_plane(t, leg.face);
+    const std::complex<double> vector = sleeve.start(0).vector * direction_in_plane(t, leg.face);
     BOOST_TEST(std::abs(vector - (in_plane(t, to) - in_plane(t, from))) < 1e-13);
   }
 }
@@ -175,17 +176,17 @@ BOOST_AUTO_TEST_CASE(round_a_hole_a_way_is_a_taut_string)
       Way way;
       for(const auto& p : points)
         way.push_back(location_of(t, p));
-      Corridor corridor(t, way);
-      corridor.straighten();
+      Transport_sleeve sleeve(t, way);
+      sleeve.straighten();
       const double side = row < 3 ? 2 : 4; // of the hole
       std::vector<std::complex<double>> bends = {points.front(), {2, side}, {3, side}, points.back()};
       if(is_reversed)
         std::swap(bends[1], bends[2]);
-      BOOST_REQUIRE(corridor.places().size() == bends.size());
+      BOOST_REQUIRE(sleeve.places().size() == bends.size());
       for(std::size_t i = 0; i < bends.size(); ++i)
-        BOOST_TEST(std::abs(in_plane(t, corridor.places()[i]) - bends[i]) < 1e-15);
+        BOOST_TEST(std::abs(in_plane(t, sleeve.places()[i]) - bends[i]) < 1e-15);
       for(std::size_t i = 0; i + 1 < bends.size(); ++i)
-        BOOST_TEST(std::abs(std::abs(corridor.start(i).vector) - std::abs(bends[i + 1] - bends[i])) < 1e-14);
+        BOOST_TEST(std::abs(std::abs(sleeve.start(i).vector) - std::abs(bends[i + 1] - bends[i])) < 1e-14);
     }
   }
 }
@@ -213,11 +214,11 @@ BOOST_AUTO_TEST_CASE(two_legs_in_one_corner_can_be_joined_through_all_others)
     Way way = {at((large - gap) / 2), {h, {{1, 0, 0}}}, at((large + gap) / 2)};
     if(is_reversed)
       std::reverse(way.begin(), way.end());
-    FG::internal::Corridor corridor(t, way);
-    corridor.straighten();
-    BOOST_TEST(corridor.places().size() == 2u);
-    BOOST_TEST(corridor.legs().front().crossed.size() == 3u);
-    BOOST_TEST(std::abs(std::abs(corridor.start(0).vector) - std::sin((large - gap + 2 * small) / 2)) < 1e-14);
+    FG::internal::Transport_sleeve sleeve(t, way);
+    sleeve.straighten();
+    BOOST_TEST(sleeve.places().size() == 2u);
+    BOOST_TEST(sleeve.legs().front().crossed.size() == 3u);
+    BOOST_TEST(std::abs(std::abs(sleeve.start(0).vector) - std::sin((large - gap + 2 * small) / 2)) < 1e-14);
   }
 }
 
@@ -234,11 +235,11 @@ BOOST_AUTO_TEST_CASE(a_short_way_over_a_long_edge_keeps_its_digits)
     Way way = {at(0), {h, {{1, s, 0}}}, at(2)};
     if(is_reversed)
       std::reverse(way.begin(), way.end());
-    Corridor corridor(t, way);
-    corridor.straighten();
-    BOOST_REQUIRE(corridor.places().size() == 2u);
+    Transport_sleeve sleeve(t, way);
+    sleeve.straighten();
+    BOOST_REQUIRE(sleeve.places().size() == 2u);
     const std::complex<double> whole = in_plane(t, way.back()) - in_plane(t, way.front());
-    const auto vector = corridor.start(0).vector * direction_in_plane(t, corridor.legs().front().face);
+    const auto vector = sleeve.start(0).vector * direction_in_plane(t, sleeve.legs().front().face);
     BOOST_TEST(std::abs(vector - whole) < 1e-14 * std::abs(whole));
   }
 }
@@ -252,5 +253,5 @@ BOOST_AUTO_TEST_CASE(places_without_a_common_face_are_named)
     return error.elements() == std::vector<std::size_t>{1, 2} &&
            std::string(error.what()).find("points 1 and 2 ") != std::string::npos;
   };
-  BOOST_CHECK_EXCEPTION(Corridor(t, Way{at(0, 0), at(1, 0), at(3, 3)}), FG::Invalid_curve_error, is_named);
+  BOOST_CHECK_EXCEPTION(Transport_sleeve(t, Way{at(0, 0), at(1, 0), at(3, 3)}), FG::Invalid_curve_error, is_named);
 }

@@ -108,7 +108,7 @@ public:
     m_hash.add(static_cast<long long>(report.status));
     for(FG::Vertex_index v : FG::internal::descriptors<FG::Vertex_index>(number_of_vertices())) {
       for(const auto h : tree.path(v)) {
-        const FG::Crossing_word word = m_triangulation.crossing_word(h);
+        const FG::Edge_sequence word = m_triangulation.edge_sequence(h);
         m_hash.add(word.along);
         m_hash.add_all(word.crossed);
       }
@@ -154,7 +154,7 @@ private:
       m_hash.add(static_cast<long long>(curve.status));
     for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(network.number_of_curves()))
       for(const auto h : network.halfedges(c)) {
-        const FG::Crossing_word word = m_triangulation.crossing_word(h);
+        const FG::Edge_sequence word = m_triangulation.edge_sequence(h);
         m_hash.add(word.along);
         m_hash.add_all(word.crossed);
       }

@@ -6,9 +6,9 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 
 #include <CGAL/assertions.h>
 
@@ -133,12 +133,12 @@ template <class Triangulation>
 bool repeat_insertion(Triangulation& triangulation, const Log_entry& entry)
 {
   check_location(triangulation.input(), entry.location);
-  const Crossing_word word = triangulation.crossing_word(entry.halfedge);
-  if(entry.gap < 0 || entry.gap > static_cast<Index>(word.crossed.size()))
+  const Edge_sequence sequence = triangulation.edge_sequence(entry.halfedge);
+  if(entry.gap < 0 || entry.gap > static_cast<Index>(sequence.crossed.size()))
     return false;
   const std::size_t gap = static_cast<std::size_t>(entry.gap);
-  const Input_halfedge_index face = face_of_gap(word, gap);
-  const bool is_along = entry.kind == 'e' && word.along != null_index;
+  const Input_halfedge_index face = face_of_gap(sequence, gap);
+  const bool is_along = entry.kind == 'e' && sequence.along != null_index;
   if(!is_location_in_face(triangulation.input(), entry.location, face, is_along))
     return false;
   if(entry.kind == 'e')
@@ -208,10 +208,10 @@ public:
     return static_cast<std::size_t>(value);
   }
 
-  void keyword(const char* word)
+  void keyword(const char* sequence)
   {
-    if(get<std::string>(word) != word)
-      fail(word);
+    if(get<std::string>(sequence) != sequence)
+      fail(sequence);
   }
 
   [[noreturn]] void fail(const char* what) const
@@ -253,10 +253,10 @@ inline void write_state(std::ostream& out, const Network_state& state)
     for(const Network_state::Segment& s : curve.segments)
       out << s.id.idx() << ' ' << s.halfedge.idx() << ' ' << (s.is_head_fixed ? 1 : 0) << '\n';
   }
-  out << "stacks " << state.stacks.size() << '\n';
-  for(const Network_state::Stack& stack : state.stacks) {
-    out << stack.edge.idx() << ' ' << stack.segments.size();
-    for(Segment_index s : stack.segments)
+  out << "stacks " << state.bundles.size() << '\n';
+  for(const Network_state::Bundle& bundle : state.bundles) {
+    out << bundle.edge.idx() << ' ' << bundle.segments.size();
+    for(Segment_index s : bundle.segments)
       out << ' ' << s.idx();
     out << '\n';
   }
@@ -310,11 +310,11 @@ inline Network_state read_state(Network_reader& in, std::size_t size)
     }
   }
   in.keyword("stacks");
-  state.stacks.resize(in.count("number of stacks", size));
-  for(Network_state::Stack& stack : state.stacks) {
-    stack.edge = in.edge();
-    stack.segments.resize(in.count("size of a stack", size));
-    for(Segment_index& s : stack.segments)
+  state.bundles.resize(in.count("number of stacks", size));
+  for(Network_state::Bundle& bundle : state.bundles) {
+    bundle.edge = in.edge();
+    bundle.segments.resize(in.count("size of a stack", size));
+    for(Segment_index& s : bundle.segments)
       s = Segment_index(in.index("segment"));
   }
   return state;
@@ -357,7 +357,7 @@ inline std::string checked_text(std::istream& in)
   if(!in.good())
     throw File_format_error("there is no saved network: nothing can be read from the stream");
   std::istream lines(in.rdbuf()); // has no exceptions of its own
-  const std::string first_word = network_magic;
+  const std::string first_sequence = network_magic;
   std::string text, line;
   std::uint64_t expected = 0;
   bool has_end = false;
@@ -367,14 +367,14 @@ inline std::string checked_text(std::istream& in)
     has_end = line.compare(0, 4, "end ") == 0 && std::istringstream(line.substr(4)) >> expected;
     if(!has_end)
       text += line + '\n';
-    if(text.compare(0, first_word.size(), first_word) != 0)
+    if(text.compare(0, first_sequence.size(), first_sequence) != 0)
       break;
   }
   std::istringstream start(text);
   std::string magic;
   int version = 0;
-  if(!(start >> magic >> version) || magic != first_word)
-    throw File_format_error("this is no saved network: it does not start with " + first_word, {0});
+  if(!(start >> magic >> version) || magic != first_sequence)
+    throw File_format_error("this is no saved network: it does not start with " + first_sequence, {0});
   if(version < 1 || version > network_version)
     throw File_format_error("the saved network has version " + std::to_string(version) + ", and only versions 1 to " +
                                 std::to_string(network_version) + " are known",
@@ -408,7 +408,7 @@ inline std::string checked_text(std::istream& in)
  *                        v H GAP LOCATION_HALFEDGE W0 W1 W2, a vertex was inserted into the face of H, in the input
  *                        face at a gap of its edge sequence; e and the same, one was inserted on the edge of H
  *     curves C END       then for each: open|closed INITIAL_LENGTH S, and S lines: ID HALFEDGE IS_HEAD_FIXED
- *     stacks K           then K lines: EDGE N ID ... ID
+ *     bundles K           then K lines: EDGE N ID ... ID
  *     end CHECKSUM       FNV-1a of all that comes before this line
  *
  * Version 1 differs only in insertions: it had `v` for both kinds, without the gap. Such files can be read if no vertex
@@ -468,27 +468,27 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
   internal::check_has_no_curves(triangulation, "a network cannot be restored");
   const std::string text = internal::checked_text(in);
-  internal::Network_reader words(text);
-  words.keyword(internal::network_magic);
-  const int version = words.index("version");
-  words.keyword("input");
-  const Index vertices = words.index("number of vertices"), halfedges = words.index("number of halfedges");
-  const auto fingerprint = words.template get<std::uint64_t>("fingerprint");
+  internal::Network_reader sequences(text);
+  sequences.keyword(internal::network_magic);
+  const int version = sequences.index("version");
+  sequences.keyword("input");
+  const Index vertices = sequences.index("number of vertices"), halfedges = sequences.index("number of halfedges");
+  const auto fingerprint = sequences.template get<std::uint64_t>("fingerprint");
   const auto& input = triangulation.input();
   if(vertices != input.number_of_vertices() || halfedges != input.number_of_halfedges() ||
      fingerprint != internal::input_fingerprint(triangulation))
     throw Input_mismatch_error("the network was saved for another mesh, of " + std::to_string(vertices) +
                                " vertices and " + std::to_string(halfedges / 2) +
                                " edges, or for the same one with other edge lengths");
-  const std::vector<internal::Log_entry> log = internal::read_log(words, version, text.size());
-  const internal::Network_state state = internal::read_state(words, text.size());
+  const std::vector<internal::Log_entry> log = internal::read_log(sequences, version, text.size());
+  const internal::Network_state state = internal::read_state(sequences, text.size());
   constexpr std::size_t usual = 1u << 24; // ids of replaced segments take memory, too
   if(state.end_of_segment_ids < 1 || static_cast<std::size_t>(state.end_of_segment_ids) > usual + 64 * text.size())
-    words.fail("number of segments");
+    sequences.fail("number of segments");
   try {
     internal::replay(triangulation, log);
     if(!internal::Internals<std::decay_t<decltype(network)>>::restore(network, state))
-      words.fail("network of curves");
+      sequences.fail("network of curves");
   } catch(...) {
     network.clear();
     triangulation.rollback(0);

@@ -150,7 +150,7 @@ public:
   struct Leg
   {
     Vertex_index from = null_index;
-    Crossing_word word;
+    Edge_sequence sequence;
   };
 
   /* Searches from the source to all vertices or, given lower bounds from a target, to that target and up to their
@@ -255,12 +255,12 @@ public:
     Leg result;
     result.from = start(m_vertices[v].arrival);
     if(record.arrival.window == null_index) {
-      result.word.along = record.arrival.along;
+      result.sequence.along = record.arrival.along;
       return result;
     }
     for(Index w = record.arrival.window; w != null_index; w = m_windows[w].parent)
-      result.word.crossed.push_back(twin_index(m_windows[w].halfedge));
-    std::reverse(result.word.crossed.begin(), result.word.crossed.end());
+      result.sequence.crossed.push_back(twin_index(m_windows[w].halfedge));
+    std::reverse(result.sequence.crossed.begin(), result.sequence.crossed.end());
     return result;
   }
 
@@ -382,10 +382,11 @@ private:
     for(; w->parent != null_index; w = &m_windows[w->parent])
       ray = ray * axis_of(*w);
     const Input_halfedge_index crossed = twin_index(w->halfedge);
-    const Index side = m_faces.number(crossed), spoke = Faces::previous(side);
+    const Index side = m_faces.number(crossed), outgoing_halfedge = Faces::previous(side);
     const Vector to_head(m_faces[side].length - w->x, w->y);
     const Vector turn = ray * conj(to_head);
-    return {m_faces[spoke].halfedge, std::atan2(Rounding::nearest(turn.imag()), Rounding::nearest(turn.real()))};
+    return {m_faces[outgoing_halfedge].halfedge,
+            std::atan2(Rounding::nearest(turn.imag()), Rounding::nearest(turn.real()))};
   }
 
   // The direction of a window's edge in the frame of the window from which it follows.

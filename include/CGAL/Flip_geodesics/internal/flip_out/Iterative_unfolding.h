@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_ITERATIVE_UNFOLDING_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_path.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Input_faces.h>
 
 #include <cstddef>
@@ -26,21 +26,21 @@ Input_halfedge_index face_along(const Input_mesh& input, Input_halfedge_index al
 
 /* The halfedge of the first face of an edge sequence relative to which its tail is given there, see `anchor()`. */
 template <class Triangulation>
-Input_halfedge_index first_anchor(const Triangulation& triangulation, const Word_end& tail)
+Input_halfedge_index first_anchor(const Triangulation& triangulation, const Edge_sequence_end& tail)
 {
   return tail.along == null_index ? tail_anchor(triangulation, tail)
                                   : anchor(triangulation, tail.vertex, face_along(triangulation.input(), tail.along));
 }
 
 template <class Triangulation>
-Input_halfedge_index first_anchor(const Triangulation& triangulation, const Crossing_word& word)
+Input_halfedge_index first_anchor(const Triangulation& triangulation, const Edge_sequence& sequence)
 {
-  return first_anchor(triangulation, tail_end(word));
+  return first_anchor(triangulation, tail_end(sequence));
 }
 
 /* The halfedge of the last face of an edge sequence relative to which its head is given there, see `anchor()`. */
 template <class Triangulation>
-Input_halfedge_index last_anchor(const Triangulation& triangulation, const Word_end& head)
+Input_halfedge_index last_anchor(const Triangulation& triangulation, const Edge_sequence_end& head)
 {
   return head.along == null_index
              ? tail_anchor(triangulation, head)
@@ -48,9 +48,9 @@ Input_halfedge_index last_anchor(const Triangulation& triangulation, const Word_
 }
 
 template <class Triangulation>
-Input_halfedge_index last_anchor(const Triangulation& triangulation, const Crossing_word& word)
+Input_halfedge_index last_anchor(const Triangulation& triangulation, const Edge_sequence& sequence)
 {
-  return last_anchor(triangulation, head_end(word));
+  return last_anchor(triangulation, head_end(sequence));
 }
 
 /*
@@ -61,10 +61,11 @@ template <class Input_mesh, class Path>
 bool turn(const Input_mesh& input, Path& path, Input_halfedge_index from, Input_halfedge_index to, bool is_clockwise)
 {
   while(from != to) {
-    const Input_halfedge_index letter = is_clockwise ? from : input.previous(from), entered = twin_index(letter);
+    const Input_halfedge_index crossed_edge = is_clockwise ? from : input.previous(from),
+                               entered = twin_index(crossed_edge);
     if(input.is_border(entered))
       return false;
-    path.cross(letter);
+    path.cross(crossed_edge);
     from = is_clockwise ? input.next(entered) : entered;
   }
   return true;
@@ -86,7 +87,7 @@ enum class Passed_side { LEFT, RIGHT, NONE };
  * constant:
  *
  *     Passed_side side(const Piece& in, const Piece& out, Passed_side before)
- *     const std::vector<Bend>& bends(const Crossing_word& ends)
+ *     const std::vector<Bend>& bends(const Edge_sequence& ends)
  *     static constexpr bool drops_loops
  *
  * The first returns the side on which the joint of two pieces is passed, where `before` is the side of the preceding
@@ -104,7 +105,7 @@ public:
    * range. Directions are known at vertices of the input only. */
   struct Piece
   {
-    Input_halfedge_index along = null_index, face = null_index; // as of a `Crossing_word`
+    Input_halfedge_index along = null_index, face = null_index; // as of a `Edge_sequence`
     std::size_t first = 0, last = 0;
     Vertex_index tail = null_index, head = null_index;
     Corner_direction at_tail, at_head;              // at the head, backward
@@ -147,9 +148,9 @@ public:
   }
 
   /* Returns the edge sequence of a piece. */
-  Crossing_word word(const Piece& piece) const
+  Edge_sequence sequence(const Piece& piece) const
   {
-    Crossing_word result;
+    Edge_sequence result;
     result.along = piece.along;
     result.face = piece.face;
     result.tail = piece.tail;
@@ -169,16 +170,16 @@ public:
   }
 
   /* Appends the straight piece of an edge sequence; the caller sets its directions. */
-  Piece& append(const Crossing_word& word)
+  Piece& append(const Edge_sequence& sequence)
   {
     Piece piece;
-    piece.along = word.along;
-    piece.face = word.face;
+    piece.along = sequence.along;
+    piece.face = sequence.face;
     piece.first = m_crossed.size();
-    piece.last = piece.first + word.crossed.size();
-    piece.tail = word.tail;
-    piece.head = word.head;
-    m_crossed.insert(m_crossed.end(), word.crossed.begin(), word.crossed.end());
+    piece.last = piece.first + sequence.crossed.size();
+    piece.tail = sequence.tail;
+    piece.head = sequence.head;
+    m_crossed.insert(m_crossed.end(), sequence.crossed.begin(), sequence.crossed.end());
     m_pieces.push_back(piece);
     return m_pieces.back();
   }
@@ -186,30 +187,31 @@ public:
   /* Appends the piece along an edge. */
   void append_edge(Input_halfedge_index h)
   {
-    Crossing_word word;
-    word.along = h;
-    word.tail = faces().tail(h);
-    word.head = faces().head(h);
-    append_in_face(word);
+    Edge_sequence sequence;
+    sequence.along = h;
+    sequence.tail = faces().tail(h);
+    sequence.head = faces().head(h);
+    append_in_face(sequence);
   }
 
   /* Appends the straight line of an edge sequence. */
-  void append_straight(const Crossing_word& word)
+  void append_straight(const Edge_sequence& sequence)
   {
-    if(word.crossed.empty())
-      return append_in_face(word);
-    m_sleeve.edges().assign(word.crossed.begin(), word.crossed.end());
-    m_sleeve.unfold(word.tail, word.head);
-    append_across(0, word.crossed.size(), {word.tail, m_sleeve.tail_place()}, {word.head, m_sleeve.head_place()});
+    if(sequence.crossed.empty())
+      return append_in_face(sequence);
+    m_sleeve.edges().assign(sequence.crossed.begin(), sequence.crossed.end());
+    m_sleeve.unfold(sequence.tail, sequence.head);
+    append_across(0, sequence.crossed.size(), {sequence.tail, m_sleeve.tail_place()},
+                  {sequence.head, m_sleeve.head_place()});
   }
 
   /* Appends the shortest path in the sleeve of an edge sequence. Returns false if rounding errors make a part of it
    * inconsistent or if a face has been refused. */
   template <class Rule>
-  bool append_shortened(const Crossing_word& word, Rule& rule)
+  bool append_shortened(const Edge_sequence& sequence, Rule& rule)
   {
-    m_sleeve.edges().assign(word.crossed.begin(), word.crossed.end());
-    return append_string(word, rule);
+    m_sleeve.edges().assign(sequence.crossed.begin(), sequence.crossed.end());
+    return append_string(sequence, rule);
   }
 
   /* Leads the path around joints once. Returns false if that is impossible. */
@@ -236,7 +238,7 @@ public:
   }
 
 private:
-  using Path = Word_path<Triangulation, Sleeve_edge>;
+  using Path = Edge_sequence_path<Triangulation, Sleeve_edge>;
 
   // The number of rounds is about the number of rows of vertices between the path and the geodesic.
   static constexpr int most_rounds = 1000;
@@ -307,8 +309,8 @@ private:
         return false;
       cross_edges_before(i + 1, path);
     }
-    const Crossing_word ends = path.trim(m_before[last].head, last_anchor(m_triangulation, head_end_before(last)));
-    m_sleeve.edges() = path.take_letters();
+    const Edge_sequence ends = path.trim(m_before[last].head, last_anchor(m_triangulation, head_end_before(last)));
+    m_sleeve.edges() = path.take_crossed_edges();
     return append_string(ends, rule);
   }
 
@@ -317,7 +319,7 @@ private:
     path.cross(m_crossed_before, m_before[i].first, m_before[i].last);
   }
 
-  Word_end tail_end_before(std::size_t i) const
+  Edge_sequence_end tail_end_before(std::size_t i) const
   {
     const Piece& piece = m_before[i];
     if(piece.first == piece.last)
@@ -326,7 +328,7 @@ private:
     return {null_index, h, h, piece.tail};
   }
 
-  Word_end head_end_before(std::size_t i) const
+  Edge_sequence_end head_end_before(std::size_t i) const
   {
     const Piece& piece = m_before[i];
     if(piece.first == piece.last)
@@ -355,7 +357,7 @@ private:
 
   // Across the edges of the sleeve, or as specified by `ends` if there are none.
   template <class Rule>
-  bool append_string(const Crossing_word& ends, Rule& rule)
+  bool append_string(const Edge_sequence& ends, Rule& rule)
   {
     if(m_sleeve.edges().empty()) {
       if(ends.tail == ends.head)
@@ -368,7 +370,7 @@ private:
     return !faces().have_refused() && append_between_bends(ends, rule.bends(ends));
   }
 
-  bool append_between_bends(const Crossing_word& ends, const std::vector<Bend>& bends)
+  bool append_between_bends(const Edge_sequence& ends, const std::vector<Bend>& bends)
   {
     Placed_vertex from = {ends.tail, m_sleeve.tail_place()};
     std::size_t first = 0;
@@ -421,15 +423,15 @@ private:
   }
 
   // Appends the straight line of an edge sequence that crosses nothing.
-  void append_in_face(const Crossing_word& word)
+  void append_in_face(const Edge_sequence& sequence)
   {
-    Piece& piece = append(word);
-    if(word.along != null_index) {
-      piece.at_tail.outgoing = word.along;
-      piece.at_head.outgoing = twin_index(word.along);
+    Piece& piece = append(sequence);
+    if(sequence.along != null_index) {
+      piece.at_tail.outgoing = sequence.along;
+      piece.at_head.outgoing = twin_index(sequence.along);
     } else {
-      piece.at_tail = m_sleeve.direction_in_face(word.tail, word.head, word.face);
-      piece.at_head = m_sleeve.direction_in_face(word.head, word.tail, word.face);
+      piece.at_tail = m_sleeve.direction_in_face(sequence.tail, sequence.head, sequence.face);
+      piece.at_head = m_sleeve.direction_in_face(sequence.head, sequence.tail, sequence.face);
     }
   }
 

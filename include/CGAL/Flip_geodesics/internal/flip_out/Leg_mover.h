@@ -11,8 +11,8 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_angle.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Word_angle.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
@@ -32,7 +32,7 @@ namespace internal {
  * at vertices of the input only. */
 struct Funnel_piece
 {
-  Crossing_word word;
+  Edge_sequence sequence;
   Corner_direction at_tail, at_head; // at the head, backward
   bool is_examined = false;          // whether exact straightness has been examined
   bool is_straight = false;          // the result
@@ -63,7 +63,7 @@ public:
   /* Appends a straight piece. */
   void append(const Funnel_piece& given)
   {
-    Piece& piece = m_unfolding.append(given.word);
+    Piece& piece = m_unfolding.append(given.sequence);
     piece.at_tail = given.at_tail;
     piece.at_head = given.at_head;
     piece.is_examined = given.is_examined;
@@ -71,14 +71,14 @@ public:
   }
 
   /* Appends the straight line of an edge sequence. */
-  void append_straight(const Crossing_word& word) { m_unfolding.append_straight(word); }
+  void append_straight(const Edge_sequence& sequence) { m_unfolding.append_straight(sequence); }
 
   /* Appends the shortest path in the sleeve of an edge sequence, that is, in the faces that a path passes. Returns
    * false if the sequence has no sleeve. */
-  bool append_shortened(const Crossing_word& word)
+  bool append_shortened(const Edge_sequence& sequence)
   {
     Exact_rule rule{*this};
-    return m_unfolding.append_shortened(word, rule);
+    return m_unfolding.append_shortened(sequence, rule);
   }
 
   /* Leads the chain around vertices until no angle is below pi except by rounding errors, and examines the pieces. A
@@ -96,7 +96,7 @@ public:
   void examine()
   {
     for(Piece& piece : m_unfolding.pieces()) {
-      piece.is_straight = piece.is_examined ? piece.is_straight : is_straight(m_unfolding.word(piece));
+      piece.is_straight = piece.is_examined ? piece.is_straight : is_straight(m_unfolding.sequence(piece));
       piece.is_examined = true;
     }
   }
@@ -106,7 +106,8 @@ public:
     std::vector<Funnel_piece> result;
     result.reserve(m_unfolding.pieces().size());
     for(const Piece& piece : m_unfolding.pieces())
-      result.push_back({m_unfolding.word(piece), piece.at_tail, piece.at_head, piece.is_examined, piece.is_straight});
+      result.push_back(
+          {m_unfolding.sequence(piece), piece.at_tail, piece.at_head, piece.is_examined, piece.is_straight});
     return result;
   }
 
@@ -123,7 +124,7 @@ private:
     Funnel_chain& chain;
 
     Passed_side side(const Piece& in, const Piece& out, Passed_side) const { return chain.side_below_pi(in, out); }
-    const std::vector<Bend>& bends(const Crossing_word& ends) const
+    const std::vector<Bend>& bends(const Edge_sequence& ends) const
     {
       chain.find_bends();
       chain.drop_false_bends(ends);
@@ -154,9 +155,9 @@ private:
     const Corner_direction& direction() const { return is_from_tail ? piece.at_tail : piece.at_head; }
   };
 
-  Crossing_word word(const Seen_piece& seen) const
+  Edge_sequence sequence(const Seen_piece& seen) const
   {
-    Crossing_word result = m_unfolding.word(seen.piece);
+    Edge_sequence result = m_unfolding.sequence(seen.piece);
     if(!seen.is_from_tail)
       result.reverse();
     return result;
@@ -174,7 +175,8 @@ private:
       return LARGER;
     if(!angle.passes_near_pi && (sine > margin || angle.turn.real() > 0))
       return SMALLER;
-    return Wedge_comparison<Triangulation>(m_triangulation, m_statistics)(Wedge_words{word(a), word(b), angle.corners});
+    return Wedge_comparison<Triangulation>(m_triangulation,
+                                           m_statistics)(Wedge_edge_sequences{sequence(a), sequence(b), angle.corners});
   }
 
   // ---- bends
@@ -249,7 +251,7 @@ private:
    * Following the line across everything dropped so far, for each bend, would take quadratic time along a row of
    * collinear vertices. Instead, two straight parts are joined if the line near the bend passes it exactly.
    */
-  void drop_false_bends(const Crossing_word& ends)
+  void drop_false_bends(const Edge_sequence& ends)
   {
     m_kept.clear();
     Gap after;
@@ -265,7 +267,7 @@ private:
   }
 
   // Returns whether the last kept bend is false. If so, the part between its neighbors replaces the part after it.
-  bool is_last_false(const Crossing_word& ends, const Bend* next, Gap& after)
+  bool is_last_false(const Edge_sequence& ends, const Bend* next, Gap& after)
   {
     Kept_bend& kept = m_kept.back();
     const Bend* const previous = m_kept.size() > 1 ? &m_kept[m_kept.size() - 2].bend : nullptr;
@@ -288,18 +290,18 @@ private:
   }
 
   // Examines whether the part between two bends is straight, unless that is known.
-  void examine(const Crossing_word& ends, const Bend* from, const Bend* to, Gap& gap) const
+  void examine(const Edge_sequence& ends, const Bend* from, const Bend* to, Gap& gap) const
   {
     if(gap.is_known)
       return;
-    const Crossing_word line = part(ends, from, to);
+    const Edge_sequence line = part(ends, from, to);
     Line_contacts contacts;
     gap.is_known = true;
     gap.is_straight = line.crossed.empty() ? line.tail != line.head : is_straight(line, contacts);
     gap.is_clear = !contacts.have_edge;
     const std::size_t first = from == nullptr ? 0 : from->last + 1;
     for(const Line_contacts::Edge_end& end : contacts.ends)
-      append_passed(passed_vertex(first + end.gate, end.is_left ? LEFT_END : RIGHT_END), gap.passed);
+      append_passed(passed_vertex(first + end.portal, end.is_left ? LEFT_END : RIGHT_END), gap.passed);
   }
 
   Bend passed_vertex(std::size_t portal, Portal_side side) const
@@ -322,7 +324,7 @@ private:
    * faces from the last vertex on the line before the bend to the first one behind it prove this, unless these vertices
    * can coincide with the bend or the line runs along edges.
    */
-  bool are_in_line(const Crossing_word& ends, const Bend* previous, const Kept_bend& kept, const Bend* next,
+  bool are_in_line(const Edge_sequence& ends, const Bend* previous, const Kept_bend& kept, const Bend* next,
                    const Gap& after, Gap& joined) const
   {
     const Gap& before = kept.before;
@@ -343,27 +345,27 @@ private:
     return true;
   }
 
-  bool is_passed_between(const Crossing_word& ends, const Bend* from, const Bend& bend, const Bend* to) const
+  bool is_passed_between(const Edge_sequence& ends, const Bend* from, const Bend& bend, const Bend* to) const
   {
     const Plane_vector in = bend.position - (from == nullptr ? sleeve().tail_place() : from->position),
                        out = (to == nullptr ? sleeve().head_place() : to->position) - bend.position;
     const double least = unfunneled_angle * magnitude(sleeve().head_place() - sleeve().tail_place());
-    const Crossing_word line = part(ends, from, to);
+    const Edge_sequence line = part(ends, from, to);
     Line_contacts contacts;
     if(!(magnitude(in) > least && magnitude(out) > least) || line.crossed.empty() || !is_straight(line, contacts) ||
        contacts.have_edge)
       return false;
     const std::size_t first = from == nullptr ? 0 : from->last + 1;
     return std::any_of(contacts.ends.begin(), contacts.ends.end(), [&](const Line_contacts::Edge_end& end) {
-      const std::size_t portal = first + end.gate;
+      const std::size_t portal = first + end.portal;
       return portal >= bend.first && portal <= bend.last && end.is_left == (bend.side == LEFT_END);
     });
   }
 
   // The part from one bend to another, or to the ends.
-  Crossing_word part(const Crossing_word& ends, const Bend* from, const Bend* to) const
+  Edge_sequence part(const Edge_sequence& ends, const Bend* from, const Bend* to) const
   {
-    Crossing_word result;
+    Edge_sequence result;
     const std::size_t first = from == nullptr ? 0 : from->last + 1, last = to == nullptr ? portals().size() : to->first;
     result.crossed.reserve((std::max)(first, last) - first);
     for(std::size_t i = first; i < last; ++i)
@@ -373,13 +375,13 @@ private:
     return result;
   }
 
-  bool is_straight(const Crossing_word& word) const
+  bool is_straight(const Edge_sequence& sequence) const
   {
-    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(word);
+    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(sequence);
   }
-  bool is_straight(const Crossing_word& word, Line_contacts& contacts) const
+  bool is_straight(const Edge_sequence& sequence, Line_contacts& contacts) const
   {
-    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(word, contacts);
+    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(sequence, contacts);
   }
 
   const Triangulation& m_triangulation;
@@ -403,7 +405,7 @@ struct Measured_piece
   Funnel_piece piece;
   Surface_polyline crossings; // where it crosses edges
   double length = 0;
-  Word_angle at_tail, at_head; // only at vertices of the input
+  Edge_sequence_angle at_tail, at_head; // only at vertices of the input
   Verdict verdict = Verdict::PROVEN;
 };
 
@@ -489,7 +491,7 @@ private:
 
   static Funnel_piece reversed(Funnel_piece piece)
   {
-    piece.word.reverse();
+    piece.sequence.reverse();
     std::swap(piece.at_tail, piece.at_head);
     return piece;
   }
@@ -502,18 +504,18 @@ private:
     const Vertex_index fixed = is_start ? ends.end() : ends.start(), moving = is_start ? ends.start() : ends.end();
     const std::size_t unproven = m_statistics.unproven_zeros;
     Funnel_chain<Triangulation> chain(m_triangulation, m_statistics);
-    Crossing_word word; // of the last piece
-    word.tail = fixed;
+    Edge_sequence sequence; // of the last piece
+    sequence.tail = fixed;
     for(std::size_t i = 0; i < leg.pieces.size(); ++i) {
       const Measured_piece& measured = leg.pieces[is_start ? leg.pieces.size() - 1 - i : i];
       Funnel_piece piece = is_start ? reversed(measured.piece) : measured.piece;
-      piece.word.tail = i == 0 ? fixed : piece.word.tail;
+      piece.sequence.tail = i == 0 ? fixed : piece.sequence.tail;
       if(i + 1 < leg.pieces.size())
         chain.append(piece);
       else
-        word = std::move(piece.word);
+        sequence = std::move(piece.sequence);
     }
-    if(!chain.append_shortened(word_along(word, leg.pieces.empty(), way, moving)) || !chain.tighten() ||
+    if(!chain.append_shortened(sequence_along(sequence, leg.pieces.empty(), way, moving)) || !chain.tighten() ||
        !are_joints_usable(chain.pieces()))
       return false;
     measure(chain.pieces(), is_start, &leg, unproven, result);
@@ -525,7 +527,7 @@ private:
   {
     const auto& input = m_triangulation.input();
     for(std::size_t i = 1; i < pieces.size(); ++i) {
-      const Vertex_index v = pieces[i].word.tail;
+      const Vertex_index v = pieces[i].sequence.tail;
       if(m_triangulation.is_inserted(v))
         continue;
       Input_halfedge_index h = input.outgoing(v);
@@ -539,13 +541,13 @@ private:
   }
 
   // The edge sequence of a piece and of a path from its head, or of the path alone if no piece is given.
-  Crossing_word word_along(const Crossing_word& piece, bool is_way_alone, const std::vector<Way_step>& way,
-                           Vertex_index end) const
+  Edge_sequence sequence_along(const Edge_sequence& piece, bool is_way_alone, const std::vector<Way_step>& way,
+                               Vertex_index end) const
   {
     Input_halfedge_index face = way.front().face;
-    Word_path<Triangulation> path(m_triangulation, piece.tail,
-                                  is_way_alone ? anchor(m_triangulation, piece.tail, face)
-                                               : first_anchor(m_triangulation, piece));
+    Edge_sequence_path<Triangulation> path(m_triangulation, piece.tail,
+                                           is_way_alone ? anchor(m_triangulation, piece.tail, face)
+                                                        : first_anchor(m_triangulation, piece));
     if(!is_way_alone) {
       path.cross(piece, false);
       face = piece.along == null_index ? piece.last_face() : face_along(m_triangulation.input(), piece.along);
@@ -556,7 +558,7 @@ private:
   }
 
   // Leads a path from one of the faces that contain a point to another.
-  void enter(Word_path<Triangulation>& path, const Way_step& step, Input_halfedge_index& face) const
+  void enter(Edge_sequence_path<Triangulation>& path, const Way_step& step, Input_halfedge_index& face) const
   {
     const auto& input = m_triangulation.input();
     if(!is_side_of(input, face, step.face)) {
@@ -575,7 +577,7 @@ private:
   };
 
   // Turns on the side without a border.
-  void turn_about(Word_path<Triangulation>& path, Vertex_index v, Input_halfedge_index from,
+  void turn_about(Edge_sequence_path<Triangulation>& path, Vertex_index v, Input_halfedge_index from,
                   Input_halfedge_index to) const
   {
     const Input_halfedge_index a = anchor(m_triangulation, v, from), b = anchor(m_triangulation, v, to);
@@ -617,7 +619,7 @@ private:
   // Pieces that end at an inserted vertex count as different, since that vertex may have moved.
   bool is_same(const Measured_piece& a, const Measured_piece& b) const
   {
-    const Crossing_word &u = a.piece.word, &v = b.piece.word;
+    const Edge_sequence &u = a.piece.sequence, &v = b.piece.sequence;
     const auto is_end_same = [&](Vertex_index s, Vertex_index t) { return s == t && !m_triangulation.is_inserted(s); };
     return is_end_same(u.tail, v.tail) && is_end_same(u.head, v.head) && u.along == v.along && u.crossed == v.crossed;
   }
@@ -633,19 +635,19 @@ private:
 
   void measure(Measured_piece& measured)
   {
-    const Crossing_word& word = measured.piece.word;
-    const Strip<Triangulation> strip(m_triangulation, word);
+    const Edge_sequence& sequence = measured.piece.sequence;
+    const Strip<Triangulation> strip(m_triangulation, sequence);
     measured.length = strip.length();
-    if(!m_triangulation.is_inserted(word.tail))
+    if(!m_triangulation.is_inserted(sequence.tail))
       measured.at_tail = tail_angle(strip);
-    if(!m_triangulation.is_inserted(word.head))
-      measured.at_head = head_angle(m_triangulation, strip, word);
-    measured.crossings.reserve(word.crossed.size());
-    for(std::size_t i = 0; i < word.crossed.size(); ++i) {
+    if(!m_triangulation.is_inserted(sequence.head))
+      measured.at_head = head_angle(m_triangulation, strip, sequence);
+    measured.crossings.reserve(sequence.crossed.size());
+    for(std::size_t i = 0; i < sequence.crossed.size(); ++i) {
       const double at_left = strip.crossing(i);
       measured.crossings.push_back(canonical_location(
           m_triangulation.input(),
-          {word.crossed[i], {{(std::max)(1 - at_left, least_weight), (std::max)(at_left, least_weight), 0}}}));
+          {sequence.crossed[i], {{(std::max)(1 - at_left, least_weight), (std::max)(at_left, least_weight), 0}}}));
     }
     if(!measured.piece.is_straight)
       measured.verdict = Verdict::BENT_SEGMENT;
@@ -663,13 +665,14 @@ private:
       leg.points.insert(leg.points.end(), piece.crossings.begin(), piece.crossings.end());
       if(i + 1 == leg.pieces.size())
         break;
-      leg.points.push_back(m_triangulation.location(piece.piece.word.head));
+      leg.points.push_back(m_triangulation.location(piece.piece.sequence.head));
       const Measured_piece& next = leg.pieces[i + 1];
-      if(m_triangulation.is_inserted(next.piece.word.tail)) { // flips cannot shorten a path across its own end
+      if(m_triangulation.is_inserted(next.piece.sequence.tail)) { // flips cannot shorten a path across its own end
         leg.verdict = Verdict::BENT_JOINT;
         continue;
       }
-      const Seen_word in = {piece.piece.word, false, piece.at_head}, out = {next.piece.word, true, next.at_tail};
+      const Seen_edge_sequence in = {piece.piece.sequence, false, piece.at_head},
+                               out = {next.piece.sequence, true, next.at_tail};
       if(compare_clockwise(m_triangulation, m_statistics, in, out) == SMALLER ||
          compare_clockwise(m_triangulation, m_statistics, out, in) == SMALLER)
         leg.verdict = (std::max)(leg.verdict, Verdict::BENT_JOINT);
@@ -700,11 +703,11 @@ private:
   {
     result.points = {path.front(), path.back()};
     result.is_by_flips = true;
-    std::vector<Crossing_word> words;
+    std::vector<Edge_sequence> sequences;
     const Surface_polyline pulled = m_straightener.straightened_if_possible(path, [&](auto& network) {
       const Shortening_report report = shorten(network);
       network.for_each_segment(Curve_index(0), [&](Segment_index s) {
-        words.push_back(m_triangulation.crossing_word(network.halfedge(s)));
+        sequences.push_back(m_triangulation.edge_sequence(network.halfedge(s)));
       });
       return report;
     });
@@ -713,10 +716,10 @@ private:
     const Inserted_ends ends(m_triangulation, path.front(), path.back());
     Funnel_chain<Triangulation> chain(m_triangulation, m_statistics);
     const std::size_t unproven = m_statistics.unproven_zeros;
-    if(words.empty())
+    if(sequences.empty())
       append_inside_face(path, ends, chain);
-    for(const Crossing_word& word : words)
-      chain.append_straight(word);
+    for(const Edge_sequence& sequence : sequences)
+      chain.append_straight(sequence);
     chain.examine();
     measure(chain.pieces(), false, nullptr, unproven, result);
     return true;
@@ -727,7 +730,8 @@ private:
                           Funnel_chain<Triangulation>& chain) const
   {
     const Input_halfedge_index face = common_face(m_triangulation.input(), path.front(), path.back());
-    Word_path<Triangulation> straight(m_triangulation, ends.start(), anchor(m_triangulation, ends.start(), face));
+    Edge_sequence_path<Triangulation> straight(m_triangulation, ends.start(),
+                                               anchor(m_triangulation, ends.start(), face));
     chain.append_straight(straight.finish(ends.end(), anchor(m_triangulation, ends.end(), face)));
   }
 

@@ -10,10 +10,10 @@
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
@@ -159,8 +159,9 @@ bool is_edge_in_face(const Triangulation& triangulation, Halfedge_index h, Input
   const auto is_side = [&](Input_halfedge_index g) {
     return g == face || g == input.next(face) || input.next(g) == face;
   };
-  const Crossing_word word = triangulation.crossing_word(h);
-  return word.along == null_index ? is_side(word.face) : is_side(word.along) || is_side(twin_index(word.along));
+  const Edge_sequence sequence = triangulation.edge_sequence(h);
+  return sequence.along == null_index ? is_side(sequence.face)
+                                      : is_side(sequence.along) || is_side(twin_index(sequence.along));
 }
 
 /* Computes shortest paths along those edges of a triangulation that lie in one closed input face. */
@@ -335,7 +336,7 @@ private:
   // The edge from v straight to the target, or to a vertex on the segment; null_index if it does not exist.
   Halfedge_index halfedge_along(const Face& face, Vertex_index v, Vertex_index target) const
   {
-    for(Halfedge_index h : spokes(m_triangulation, v))
+    for(Halfedge_index h : outgoing_halfedges(m_triangulation, v))
       if(is_in_face(face, h) && face.is_on_ray(v, target, m_triangulation.head(h)))
         return h;
     return null_index;
@@ -363,7 +364,7 @@ private:
   // The side opposite to v in the face that contains the start of the segment.
   Halfedge_index first_crossed(const Face& face, Vertex_index v, Vertex_index target) const
   {
-    for(Halfedge_index h : spokes(m_triangulation, v)) {
+    for(Halfedge_index h : outgoing_halfedges(m_triangulation, v)) {
       if(!is_face_in_face(face, h))
         continue;
       const Halfedge_index opposite = m_triangulation.next(h);

@@ -356,15 +356,15 @@ bool is_untouched(const Triangulation& triangulation, Halfedge_index h)
 
 /* Returns the edges crossed by a straight edge sequence. */
 template <class Triangulation>
-std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, const Crossing_word& word)
+std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, const Edge_sequence& sequence)
 {
-  const Strip<Triangulation> strip(triangulation, word);
+  const Strip<Triangulation> strip(triangulation, sequence);
   std::vector<Crossed_edge> result;
   Input_halfedge_index right_side;
-  for(const auto& gate : strip.gates()) {
-    const double left_height = strip.end().real() * gate.left.imag() - strip.end().imag() * gate.left.real();
-    result.push_back({as_intrinsic(gate.crossed), result.empty() || gate.crossed == right_side, left_height});
-    right_side = triangulation.input().next(twin_index(gate.crossed));
+  for(const auto& portal : strip.portals()) {
+    const double left_height = strip.end().real() * portal.left.imag() - strip.end().imag() * portal.left.real();
+    result.push_back({as_intrinsic(portal.crossed), result.empty() || portal.crossed == right_side, left_height});
+    right_side = triangulation.input().next(twin_index(portal.crossed));
   }
   return result;
 }

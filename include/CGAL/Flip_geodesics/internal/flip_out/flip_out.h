@@ -348,7 +348,7 @@ private:
     const Segment_index s = candidate.joint().incoming;
     const Curve_index curve = m_network.curve(s);
     const auto start = m_triangulation.log_position();
-    const auto place = m_network.stack_place(s);
+    const auto place = m_network.bundle_place(s);
     const double length_before = m_curves[curve].length;
 
     const auto take_back = [&] {

@@ -48,18 +48,20 @@ void flip_every_second_one(const Triangulation& triangulation, Halfedge_index a,
   const auto is_loop = [&](const Walker& h) { return triangulation.head(h.index()) == middle; };
   for(bool are_many = true; are_many;) {
     std::size_t passed = 0, flipped = 0;
-    for(Walker before = first, spoke = first.clockwise(); spoke != last; ++passed) {
-      Walker after = spoke.clockwise();
-      if(!is_loop(before) && !is_loop(spoke) && !is_loop(after) && !triangulation.is_reflex_at_head(spoke)) {
-        flip(spoke.index());
+    for(Walker before = first, outgoing_halfedge = first.clockwise(); outgoing_halfedge != last; ++passed) {
+      Walker after = outgoing_halfedge.clockwise();
+      if(!is_loop(before) && !is_loop(outgoing_halfedge) && !is_loop(after) &&
+         !triangulation.is_reflex_at_head(outgoing_halfedge))
+      {
+        flip(outgoing_halfedge.index());
         ++flipped;
         if(after == last)
           break;
-        spoke = after;
-        after = spoke.clockwise();
+        outgoing_halfedge = after;
+        after = outgoing_halfedge.clockwise();
       }
-      before = spoke;
-      spoke = after;
+      before = outgoing_halfedge;
+      outgoing_halfedge = after;
     }
     are_many = 8 * flipped > passed;
   }
@@ -86,31 +88,31 @@ double flip_out_wedge(const Triangulation& triangulation, Halfedge_index a, Half
 {
   using Walker = typename Triangulation::Walker;
   const Walker first = triangulation.walker(a), last = triangulation.walker(c);
-  Walker spoke = first.clockwise();
-  for(std::size_t flips = 0; spoke != last;) {
-    if(triangulation.is_reflex_at_head(spoke)) {
-      spoke = spoke.clockwise();
+  Walker outgoing_halfedge = first.clockwise();
+  for(std::size_t flips = 0; outgoing_halfedge != last;) {
+    if(triangulation.is_reflex_at_head(outgoing_halfedge)) {
+      outgoing_halfedge = outgoing_halfedge.clockwise();
       continue;
     }
-    const Walker before = spoke.counterclockwise(), after = spoke.clockwise();
-    flip(spoke.index());
-    spoke = before == first ? after : before;
+    const Walker before = outgoing_halfedge.counterclockwise(), after = outgoing_halfedge.clockwise();
+    flip(outgoing_halfedge.index());
+    outgoing_halfedge = before == first ? after : before;
     if(++flips == most_in_order) {
       flip_every_second_one(triangulation, a, c, flip);
-      spoke = first.clockwise();
+      outgoing_halfedge = first.clockwise();
     }
   }
 
   double length = 0;
   arc.clear();
-  spoke = first;
+  outgoing_halfedge = first;
   do { // a == c denotes the full turn
-    const Walker outer = spoke.twin().previous().twin();
+    const Walker outer = outgoing_halfedge.twin().previous().twin();
     outer.prefetch_face(); // will be examined when the curve lies on the arc
     arc.push_back(outer.index());
     length += outer.length();
-    spoke = spoke.clockwise();
-  } while(spoke != last);
+    outgoing_halfedge = outgoing_halfedge.clockwise();
+  } while(outgoing_halfedge != last);
   return length;
 }
 

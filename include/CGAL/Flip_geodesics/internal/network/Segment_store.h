@@ -35,7 +35,7 @@ struct Network_state
     std::vector<Segment> segments;
   };
 
-  struct Stack
+  struct Bundle
   {
     Edge_index edge;
     std::vector<Segment_index> segments; // from left to right along the edge's first halfedge
@@ -43,7 +43,7 @@ struct Network_state
 
   Index end_of_segment_ids = 1;
   std::vector<Curve> curves;
-  std::vector<Stack> stacks; // of the edges with several segments
+  std::vector<Bundle> bundles; // of the edges with several segments
 };
 
 /* Returns the state of a network. The fixed ends of paths are implied and not recorded. */
@@ -60,15 +60,15 @@ Network_state network_state(const Network& network)
     });
   }
   for(Edge_index e : descriptors<Edge_index>(network.triangulation().number_of_edges())) {
-    const std::vector<Segment_index> stack = network.stack(e);
-    if(stack.size() > 1)
-      state.stacks.push_back({e, stack});
+    const std::vector<Segment_index> bundle = network.bundle(e);
+    if(bundle.size() > 1)
+      state.bundles.push_back({e, bundle});
   }
   return state;
 }
 
 /* The position of a segment in its bundle, which is needed to put another segment in its place. */
-struct Stack_place
+struct Bundle_place
 {
   Halfedge_index halfedge;
   Segment_index left, right;
@@ -87,19 +87,19 @@ struct Stack_place
  * depend on it are made without branches.
  */
 template <class Triangulation, class Payload>
-class Edge_stacks
+class Edge_bundles
 {
 public:
   using Walker = typename Triangulation::Walker;
 
-  explicit Edge_stacks(Triangulation& triangulation)
+  explicit Edge_bundles(Triangulation& triangulation)
     : m_triangulation(&triangulation)
     , m_segments(1) // id 0 is not a segment
   {
   }
 
-  Edge_stacks(Edge_stacks&&) noexcept = default;
-  Edge_stacks& operator=(Edge_stacks&&) noexcept = default;
+  Edge_bundles(Edge_bundles&&) noexcept = default;
+  Edge_bundles& operator=(Edge_bundles&&) noexcept = default;
 
   Triangulation& triangulation() const { return *m_triangulation; }
 
@@ -146,7 +146,7 @@ public:
   }
 
   /* Returns the segments on edge e, from left to right as seen along its first halfedge. */
-  std::vector<Segment_index> stack(Edge_index e) const
+  std::vector<Segment_index> bundle(Edge_index e) const
   {
     std::vector<Segment_index> result;
     const Segment_index first = leftmost_on(first_side(e));
@@ -160,8 +160,8 @@ public:
     return result;
   }
 
-  /* \pre `order` is a permutation of `stack(e)` */
-  void set_stack(Edge_index e, const std::vector<Segment_index>& order)
+  /* \pre `order` is a permutation of `bundle(e)` */
+  void set_bundle(Edge_index e, const std::vector<Segment_index>& order)
   {
     for(Segment_index s : order)
       unlink(s);
@@ -169,7 +169,7 @@ public:
       link_outermost(s, first_side(e));
   }
 
-  Stack_place stack_place(Segment_index s) const
+  Bundle_place bundle_place(Segment_index s) const
   {
     const Halfedge_index first = first_side(Triangulation::edge(halfedge(s)));
     return {halfedge(s), neighbor(s, first, Side::LEFT), neighbor(s, first, Side::RIGHT)};
@@ -329,33 +329,33 @@ struct Segment_links
  * connected in the triangulation and do not cross.
  */
 template <class Triangulation>
-class Segment_store : private Edge_stacks<Triangulation, Segment_links>
+class Segment_store : private Edge_bundles<Triangulation, Segment_links>
 {
-  using Stacks = Edge_stacks<Triangulation, Segment_links>;
+  using Bundles = Edge_bundles<Triangulation, Segment_links>;
 
 public:
   explicit Segment_store(Triangulation& triangulation)
-    : Stacks(triangulation)
+    : Bundles(triangulation)
   {
   }
 
   Segment_store(Segment_store&&) noexcept = default;
   Segment_store& operator=(Segment_store&&) noexcept = default;
 
-  using Stacks::end_of_ids;
-  using Stacks::halfedge;
-  using Stacks::is_alive;
-  using Stacks::is_occupied;
-  using Stacks::leftmost;
-  using Stacks::neighbor;
-  using Stacks::outermost;
-  using Stacks::placed;
-  using Stacks::release_edges;
-  using Stacks::set_stack;
-  using Stacks::set_triangulation;
-  using Stacks::stack;
-  using Stacks::stack_place;
-  using Stacks::triangulation;
+  using Bundles::bundle;
+  using Bundles::bundle_place;
+  using Bundles::end_of_ids;
+  using Bundles::halfedge;
+  using Bundles::is_alive;
+  using Bundles::is_occupied;
+  using Bundles::leftmost;
+  using Bundles::neighbor;
+  using Bundles::outermost;
+  using Bundles::placed;
+  using Bundles::release_edges;
+  using Bundles::set_bundle;
+  using Bundles::set_triangulation;
+  using Bundles::triangulation;
 
   // ---------------------------------------------------------------- curves
 
@@ -414,7 +414,7 @@ public:
 
   void clear()
   {
-    Stacks::clear();
+    Bundles::clear();
     m_curves.clear();
   }
 
@@ -456,9 +456,9 @@ public:
 
   /* Moves the segments on the edge of h in their order to a chain of two halfedges from its tail to its head, with no
    * vertex between chain and edge. Changes nothing if it throws. */
-  void divide_stack(Halfedge_index h, const std::array<Halfedge_index, 2>& chain)
+  void divide_bundle(Halfedge_index h, const std::array<Halfedge_index, 2>& chain)
   {
-    std::vector<Segment_index> segments = stack(Triangulation::edge(h));
+    std::vector<Segment_index> segments = bundle(Triangulation::edge(h));
     if(!is_first_side(h))
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
     make_room(2 * segments.size());
@@ -496,7 +496,7 @@ public:
   }
 
   /* Replaces a closed curve by the single segment that it was when `place` was recorded. */
-  Segment_index restore_loop(Curve_index curve, const Stack_place& place)
+  Segment_index restore_loop(Curve_index curve, const Bundle_place& place)
   {
     std::vector<Segment_index> segments;
     for_each_segment(curve, [&](Segment_index s) { segments.push_back(s); });
@@ -521,21 +521,21 @@ public:
    * case. */
   bool restore(const Network_state& state)
   {
-    Stacks::set_end_of_ids(state.end_of_segment_ids);
+    Bundles::set_end_of_ids(state.end_of_segment_ids);
     for(const Network_state::Curve& curve : state.curves)
       if(!restore_curve(curve))
         return false;
-    for(const Network_state::Stack& stack : state.stacks)
-      if(!restore_stack(stack))
+    for(const Network_state::Bundle& bundle : state.bundles)
+      if(!restore_bundle(bundle))
         return false;
     return true;
   }
 
 private:
-  using Stacks::link_outermost;
-  using Stacks::link_right_of;
-  using Stacks::make_room;
-  using Stacks::unlink;
+  using Bundles::link_outermost;
+  using Bundles::link_right_of;
+  using Bundles::make_room;
+  using Bundles::unlink;
 
   struct Curve
   {
@@ -553,8 +553,8 @@ private:
     bool is_whole_loop;
   };
 
-  Segment_links& links(Segment_index s) { return static_cast<Stacks&>(*this)[s]; }
-  const Segment_links& links(Segment_index s) const { return static_cast<const Stacks&>(*this)[s]; }
+  Segment_links& links(Segment_index s) { return static_cast<Bundles&>(*this)[s]; }
+  const Segment_links& links(Segment_index s) const { return static_cast<const Bundles&>(*this)[s]; }
 
   static std::size_t number(Side side) { return static_cast<std::size_t>(side); }
 
@@ -563,7 +563,7 @@ private:
   // Creates a segment of a curve on a halfedge, in no chain and no bundle.
   Segment_index create(Curve_index curve, Halfedge_index h)
   {
-    const Segment_index s = Stacks::create(h);
+    const Segment_index s = Bundles::create(h);
     links(s).curve = curve;
     return s;
   }
@@ -645,7 +645,7 @@ private:
       links(old.previous).is_head_straight = {};
     link(b, was_whole_loop ? a : old.next);
     links(b).is_head_fixed = old.is_head_fixed;
-    Stacks::kill(s);
+    Bundles::kill(s);
     c.first = c.first == s ? a : c.first;
     c.last = c.last == s ? b : c.last;
   }
@@ -653,7 +653,7 @@ private:
   void remove(Segment_index s)
   {
     unlink(s);
-    Stacks::kill(s);
+    Bundles::kill(s);
   }
 
   // ---------------------------------------------------------------- reading
@@ -668,7 +668,7 @@ private:
         return false;
       if(last(c) != null_index && triangulation().head(halfedge(last(c))) != triangulation().tail(s.halfedge))
         return false;
-      Stacks::revive(s.id, s.halfedge);
+      Bundles::revive(s.id, s.halfedge);
       links(s.id).curve = c;
       set_head_fixed(s.id, s.is_head_fixed);
       append(s.id);
@@ -684,16 +684,16 @@ private:
     return true;
   }
 
-  bool restore_stack(const Network_state::Stack& stack)
+  bool restore_bundle(const Network_state::Bundle& bundle)
   {
-    if(!stack.edge.is_valid() || stack.edge.idx() >= triangulation().number_of_edges())
+    if(!bundle.edge.is_valid() || bundle.edge.idx() >= triangulation().number_of_edges())
       return false;
-    std::vector<Segment_index> there = this->stack(stack.edge), wanted = stack.segments;
+    std::vector<Segment_index> there = this->bundle(bundle.edge), wanted = bundle.segments;
     std::sort(there.begin(), there.end());
     std::sort(wanted.begin(), wanted.end());
     if(there != wanted)
       return false;
-    set_stack(stack.edge, stack.segments);
+    set_bundle(bundle.edge, bundle.segments);
     return true;
   }
 

@@ -42,13 +42,13 @@ public:
   /* See Edge_path_network::replace_joint(). */
   Segment_index operator()(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected)
   {
-    const std::pair<Strand_end, Strand_end> old = m_network.ends(joint);
+    const std::pair<Segment_end, Segment_end> old = m_network.ends(joint);
     const Segment_index x = joint.incoming, y = m_segments.next(x);
-    const Strand_end after = survivor_clockwise(old.first, old.second);
+    const Segment_end after = survivor_clockwise(old.first, old.second);
     // A joint that turns back also uncovers the ends beside it at its far node.
     const Halfedge_index far_end = Triangulation::twin(old.first.halfedge);
-    const Strand_end after_far =
-        arc.empty() ? survivor_clockwise({far_end, old.second.segment}, {far_end, old.first.segment}) : Strand_end{};
+    const Segment_end after_far =
+        arc.empty() ? survivor_clockwise({far_end, old.second.segment}, {far_end, old.first.segment}) : Segment_end{};
 
     const Segment_index upstream = m_segments.next(y) == x ? null_index : m_segments.previous(x);
     const Segment_index first = m_segments.replace_joint(joint, arc);
@@ -64,12 +64,12 @@ public:
 private:
   // The first end clockwise after two neighboring ends `first` and `second` that belongs to other segments. Usually
   // there is none, and the wedge between the two is then not traversed.
-  Strand_end survivor_clockwise(const Strand_end& first, const Strand_end& second) const
+  Segment_end survivor_clockwise(const Segment_end& first, const Segment_end& second) const
   {
-    Strand_end end = m_network.next_clockwise(second);
+    Segment_end end = m_network.next_clockwise(second);
     while(!end.is_none() && end != first && (end.segment == first.segment || end.segment == second.segment))
       end = m_network.next_clockwise(end);
-    return end == first ? Strand_end{} : end;
+    return end == first ? Segment_end{} : end;
   }
 
   // The joint at the head of `upstream`, which has a new successor because two segments have cancelled.
@@ -107,11 +107,11 @@ private:
   }
 
   // Adds the pair that has become adjacent: an end and its predecessor clockwise, if they belong to one joint.
-  void collect_if_adjacent(const Strand_end& b, std::vector<Joint>& affected) const
+  void collect_if_adjacent(const Segment_end& b, std::vector<Joint>& affected) const
   {
     if(b.is_none())
       return;
-    const Strand_end a = m_network.next_counterclockwise(b);
+    const Segment_end a = m_network.next_counterclockwise(b);
     if(a.is_none())
       return;
     const bool arrives_first = a.halfedge == Triangulation::twin(m_segments.halfedge(a.segment));
@@ -140,29 +140,29 @@ public:
 
   Vertex_index insert(const Surface_location& location)
   {
-    return m_triangulation.insert(location, [this](const auto& halves) { this->divide_stack(halves); });
+    return m_triangulation.insert(location, [this](const auto& halves) { this->divide_bundle(halves); });
   }
 
   Vertex_index insert(const Surface_location& location, Known_piece& close_by)
   {
     return Internals<Triangulation>::insert(
-        m_triangulation, location, [this](const auto& halves) { this->divide_stack(halves); }, close_by);
+        m_triangulation, location, [this](const auto& halves) { this->divide_bundle(halves); }, close_by);
   }
 
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
-    return m_triangulation.split_edge(h, location, gap, [this](const auto& halves) { this->divide_stack(halves); });
+    return m_triangulation.split_edge(h, location, gap, [this](const auto& halves) { this->divide_bundle(halves); });
   }
 
 private:
-  // See Segment_store::divide_stack(). \throws Occupied_triangulation_error if another network holds the edge
+  // See Segment_store::divide_bundle(). \throws Occupied_triangulation_error if another network holds the edge
   template <class Edge_halves>
-  void divide_stack(const Edge_halves& halves)
+  void divide_bundle(const Edge_halves& halves)
   {
     const Index own_holds = m_segments.leftmost(m_triangulation.walker(halves.first)).idx() != 0 ? 1 : 0;
     if(m_triangulation.holds(Triangulation::edge(halves.first)) > own_holds)
       throw Occupied_triangulation_error("a curve of another network lies on the edge that is to be split");
-    m_segments.divide_stack(halves.first, {{halves.first, halves.second}});
+    m_segments.divide_bundle(halves.first, {{halves.first, halves.second}});
   }
 
   Triangulation& m_triangulation;
@@ -200,16 +200,16 @@ public:
       if(!is_valid_chain(c))
         return false;
     for(Segment_index s(1); s.idx() < m_network.end_of_segment_ids(); ++s)
-      if(m_network.is_alive(s) && !is_valid_stack(s))
+      if(m_network.is_alive(s) && !is_valid_bundle(s))
         return false;
     return true;
   }
 
-  bool is_non_crossing_at(const Strand_end& end) const
+  bool is_non_crossing_at(const Segment_end& end) const
   {
-    Strand_end start = end;
+    Segment_end start = end;
     bool has_border = false;
-    for(Strand_end e = m_network.next_beyond_others(start, Side::LEFT); e != end;
+    for(Segment_end e = m_network.next_beyond_others(start, Side::LEFT); e != end;
         e = m_network.next_beyond_others(start, Side::LEFT))
     {
       if(e.is_none()) {
@@ -238,44 +238,44 @@ private:
            (last == null_index || (m_network.next(last) == null_index) != m_network.is_closed(curve));
   }
 
-  bool is_valid_stack(Segment_index s) const
+  bool is_valid_bundle(Segment_index s) const
   {
     const Edge_index e = Triangulation::edge(m_network.halfedge(s));
-    const std::vector<Segment_index> stack = m_network.stack(e);
-    for(Segment_index t : stack)
+    const std::vector<Segment_index> bundle = m_network.bundle(e);
+    for(Segment_index t : bundle)
       if(!m_network.is_alive(t) || Triangulation::edge(m_network.halfedge(t)) != e)
         return false;
-    return std::find(stack.begin(), stack.end(), s) != stack.end() &&
-           m_network.outermost(first_side(e), Side::LEFT) == stack.front() &&
-           m_network.outermost(first_side(e), Side::RIGHT) == stack.back();
+    return std::find(bundle.begin(), bundle.end(), s) != bundle.end() &&
+           m_network.outermost(first_side(e), Side::LEFT) == bundle.front() &&
+           m_network.outermost(first_side(e), Side::RIGHT) == bundle.back();
   }
 
   // The end that a joint connects with this one, unless the node is fixed.
-  Strand_end partner(const Strand_end& end) const
+  Segment_end partner(const Segment_end& end) const
   {
     const Segment_index s = end.segment;
     if(end.halfedge == m_network.halfedge(s)) {
       const Segment_index p = m_network.previous(s);
-      return p == null_index || m_network.is_head_fixed(p) ? Strand_end{}
-                                                           : Strand_end{Triangulation::twin(m_network.halfedge(p)), p};
+      return p == null_index || m_network.is_head_fixed(p) ? Segment_end{}
+                                                           : Segment_end{Triangulation::twin(m_network.halfedge(p)), p};
     }
-    return m_network.is_head_fixed(s) ? Strand_end{}
-                                      : Strand_end{m_network.halfedge(m_network.next(s)), m_network.next(s)};
+    return m_network.is_head_fixed(s) ? Segment_end{}
+                                      : Segment_end{m_network.halfedge(m_network.next(s)), m_network.next(s)};
   }
 
   // Traverses clockwise from an end, which comes first after the border if there is one. Matched ends must nest like
   // brackets, and single ends, like the border, must all lie at one depth, either outside all brackets or inside the
   // same one.
-  bool is_non_crossing_from(const Strand_end& start, bool has_border) const
+  bool is_non_crossing_from(const Segment_end& start, bool has_border) const
   {
-    std::vector<Strand_end> open;
-    Strand_end region; // the innermost open bracket around the single ends
+    std::vector<Segment_end> open;
+    Segment_end region; // the innermost open bracket around the single ends
     bool has_region = has_border;
-    Strand_end end = start;
+    Segment_end end = start;
     do {
-      const Strand_end mate = partner(end);
+      const Segment_end mate = partner(end);
       if(mate.is_none()) {
-        const Strand_end here = open.empty() ? Strand_end{} : open.back();
+        const Segment_end here = open.empty() ? Segment_end{} : open.back();
         if(has_region && region != here)
           return false;
         region = here;

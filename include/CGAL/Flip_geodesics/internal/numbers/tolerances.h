@@ -57,8 +57,8 @@ inline constexpr double largest_derived_error = 0x1p-64;
  * multiplied repeatedly. A larger one costs nothing but a repetition with more digits. */
 inline constexpr double radius_rounding = 1e-14, product_radius_rounding = 1e-12;
 
-/* The default limit of work for one sign by exact arithmetic, in products of two words of 64 bits, each of which takes
- * about a nanosecond: a tenth of a second. */
+/* The default limit of work for one sign by exact arithmetic, in products of two edge sequences of 64 bits, each of
+ * which takes about a nanosecond: a tenth of a second. */
 inline constexpr std::uint64_t default_sign_work = std::uint64_t(1) << 27;
 
 /* The error of a distance in the plane or in space as a lower bound: the difference, the sum of squares, its root and
@@ -333,12 +333,12 @@ inline constexpr double parallel_rays = 1e-11;
  * five changes of direction, the rotation, and the errors of the face itself are at most 32 roundings. */
 inline constexpr double window_step_error = rounding_errors(32);
 
-/* The error of positions on an edge, relative to the size of the frame of a window: that of four faces. In a longer strip
- * of faces of that size the path is longer as well. */
+/* The error of positions on an edge, relative to the size of the frame of a window: that of four faces. In a longer
+ * strip of faces of that size the path is longer as well. */
 inline constexpr double window_place_error = 4 * window_step_error;
 
-/* A distance of a field is accurate if the bound of its rounding errors is at most this part of it. The bound exceeds the
- * errors by several orders of magnitude on most meshes. */
+/* A distance of a field is accurate if the bound of its rounding errors is at most this part of it. The bound exceeds
+ * the errors by several orders of magnitude on most meshes. */
 inline constexpr double accurate_distance = 1e-10;
 
 /* A point of a face so close to the edge through which its path comes, relative to the edge, that the direction of the
@@ -366,11 +366,11 @@ inline constexpr double full_turn_tolerance = 1e-9;
 inline constexpr double straight_leg = 1e-9;
 
 /* Radians by which directions in such a triangulation may be off before the direction is measured from the input. */
-inline constexpr double spoke_drift = 1e-6;
+inline constexpr double outgoing_halfedge_drift = 1e-6;
 
 /* The error of each coordinate of a point inside a face, relative to the sum of the coordinate of a corner and its
- * differences to the others: one rounding of each corner's coordinate to a double (3 in all), one of the difference, three
- * of its weight, one of their product and up to three of the sums. */
+ * differences to the others: one rounding of each corner's coordinate to a double (3 in all), one of the difference,
+ * three of its weight, one of their product and up to three of the sums. */
 inline constexpr double combined_place_error = rounding_errors(12);
 
 /* A lower bound of a distance on the surface by one in space between points of a metric: fewer than 32 roundings. */

@@ -39,7 +39,7 @@ template <class Triangulation, class Faces>
 Last_leg last_leg(const Triangulation& triangulation, const Window_search<Triangulation, Faces>& search, Vertex_index v)
 {
   const auto leg = search.leg(v);
-  const Strip<Triangulation> strip(triangulation, leg.word.reversed());
+  const Strip<Triangulation> strip(triangulation, leg.sequence.reversed());
   return {leg.from, strip.reference(), angle_from_reference(strip.end()), strip.length()};
 }
 
@@ -158,9 +158,9 @@ private:
   {
     std::vector<Vertex_index> subtree = {v};
     for(std::size_t i = 0; i < subtree.size(); ++i)
-      for(Halfedge_index spoke : spokes(m_triangulation, subtree[i]))
-        if(m_tree.incoming(m_triangulation.head(spoke)) == spoke)
-          subtree.push_back(m_triangulation.head(spoke));
+      for(Halfedge_index outgoing_halfedge : outgoing_halfedges(m_triangulation, subtree[i]))
+        if(m_tree.incoming(m_triangulation.head(outgoing_halfedge)) == outgoing_halfedge)
+          subtree.push_back(m_triangulation.head(outgoing_halfedge));
     for(Vertex_index w : subtree)
       take_off(grafts, w);
   }
@@ -229,31 +229,31 @@ private:
     const Vertex_directions<Triangulation> directions = directions_of(leg, v);
     const double direction = directions.of_input(leg.halfedge) + leg.angle, length = leg.length;
     double offset = 0;
-    const Halfedge_index spoke = last_spoke_before(directions, leg, direction, offset);
-    if(spoke == null_index)
+    const Halfedge_index outgoing_halfedge = last_outgoing_halfedge_before(directions, leg, direction, offset);
+    if(outgoing_halfedge == null_index)
       return {};
     if(offset <= straight_leg)
-      return {spoke};
-    if(m_triangulation.is_border(spoke))
+      return {outgoing_halfedge};
+    if(m_triangulation.is_border(outgoing_halfedge))
       return {};
     // In the frame of the line.
-    Face_vectors face = face_along(spoke, std::polar(m_triangulation.length(spoke), -offset));
-    Vector right = face[0], left = -face[2], gate = -face[1];
+    Face_vectors face = face_along(outgoing_halfedge, std::polar(m_triangulation.length(outgoing_halfedge), -offset));
+    Vector right = face[0], left = -face[2], portal = -face[1];
     if(std::abs(std::arg(left)) <= straight_leg)
-      return {Triangulation::twin(m_triangulation.previous(spoke))};
-    std::vector<Halfedge_index> crossed = {m_triangulation.next(spoke)};
+      return {Triangulation::twin(m_triangulation.previous(outgoing_halfedge))};
+    std::vector<Halfedge_index> crossed = {m_triangulation.next(outgoing_halfedge)};
     while(!is_in_tree(crossed.back()) && crossed.size() < most_crossings) {
       const Halfedge_index entered = Triangulation::twin(crossed.back());
       if(m_triangulation.is_border(entered))
         return {};
-      face = face_along(entered, gate);
+      face = face_along(entered, portal);
       const Vector apex = std::abs(face[1]) < std::abs(face[2]) ? right + face[1] : left - face[2];
       const Vertex_index w = m_triangulation.tail(m_triangulation.previous(entered));
       const bool is_end = w == leg.from && std::abs(apex - length) <= straight_leg * length;
       if(is_end || is_passed(apex, length))
         return left_side_of_strip(m_triangulation, crossed);
       const bool is_leaving_right = apex.imag() > 0;
-      gate = is_leaving_right ? -face[1] : -face[2];
+      portal = is_leaving_right ? -face[1] : -face[2];
       (is_leaving_right ? left : right) = apex;
       crossed.push_back(is_leaving_right ? m_triangulation.next(entered) : m_triangulation.previous(entered));
     }
@@ -289,21 +289,21 @@ private:
    * Returns the halfedge at the end of a segment in whose direction, or counterclockwise of which, a direction lies,
    * and the angle between the two. The triangulation's lengths nearly always determine it; otherwise the input decides.
    */
-  Halfedge_index last_spoke_before(const Vertex_directions<Triangulation>& directions, const Last_leg& leg,
-                                   double direction, double& offset) const
+  Halfedge_index last_outgoing_halfedge_before(const Vertex_directions<Triangulation>& directions, const Last_leg& leg,
+                                               double direction, double& offset) const
   {
-    const std::vector<Halfedge_index> around = spokes_beside(m_triangulation, leg.halfedge);
+    const std::vector<Halfedge_index> around = outgoing_halfedges_beside(m_triangulation, leg.halfedge);
     const std::vector<double> angles = estimated_directions(around, directions);
     std::size_t best = around.size();
     for(std::size_t i = 0; i < around.size(); ++i) {
-      const double angle = behind(angles[i], direction, directions, spoke_drift);
+      const double angle = behind(angles[i], direction, directions, outgoing_halfedge_drift);
       if(best == around.size() || angle < offset) {
         best = i;
         offset = angle;
       }
     }
     for(int tries = 0; best < around.size() && tries < 2; ++tries) {
-      offset = behind(directions(around[best]), direction, directions, spoke_drift);
+      offset = behind(directions(around[best]), direction, directions, outgoing_halfedge_drift);
       if(offset >= -straight_leg)
         return offset < infinity ? around[best] : null_index;
       best = best + 1 == around.size() && !directions.has_border() ? 0 : best + 1; // clockwise
@@ -328,7 +328,7 @@ private:
   {
     std::vector<double> result(around.size());
     std::size_t first = 0;
-    const Spoke_places<Triangulation> places(m_triangulation);
+    const Outgoing_halfedge_places<Triangulation> places(m_triangulation);
     const bool has_inserted_vertices =
         m_triangulation.number_of_vertices() != m_triangulation.input().number_of_vertices();
     Edge_end place = has_inserted_vertices || around.empty() ? Edge_end() : places.known_place(around, first);
@@ -336,7 +336,7 @@ private:
       const std::size_t k = (first + i) % around.size();
       if(i > 0)
         places.turn_clockwise(around[k], place);
-      const Word_angle& p = place.direction;
+      const Edge_sequence_angle& p = place.direction;
       result[k] = p.reference == null_index ? directions(around[k]) : directions.of_input(p.reference) + p.angle;
     }
     return result;

@@ -12,7 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/reports.h>
@@ -36,10 +36,10 @@ namespace internal {
  * input edges that start in between, the angle in it by the lengths of the triangulation.
  */
 template <class Triangulation>
-class Spoke_places
+class Outgoing_halfedge_places
 {
 public:
-  explicit Spoke_places(const Triangulation& triangulation)
+  explicit Outgoing_halfedge_places(const Triangulation& triangulation)
     : m_triangulation(triangulation)
   {
   }
@@ -76,7 +76,7 @@ public:
 private:
   Index crossings(Halfedge_index h) const { return m_triangulation.crossings(Triangulation::edge(h)); }
 
-  void pass_input_edge(Word_angle& place) const
+  void pass_input_edge(Edge_sequence_angle& place) const
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index t = twin_index(place.reference);
@@ -147,19 +147,20 @@ public:
     m_legs = first;
     const Input_halfedge_index h = first->reference();
     const Face& face = known_face(h);
-    const Vector right(face[0].real(), 0), gate = face[1], left = -face[2];
-    m_gates.push_back({m_triangulation.input().next(h), right, left, -gate, right, left, 0, m_directions.size(), 1});
-    while(!m_gates.empty()) {
-      Gate here = m_gates.back();
-      m_gates.pop_back();
+    const Vector right(face[0].real(), 0), portal = face[1], left = -face[2];
+    m_portals.push_back(
+        {m_triangulation.input().next(h), right, left, -portal, right, left, 0, m_directions.size(), 1});
+    while(!m_portals.empty()) {
+      Portal here = m_portals.back();
+      m_portals.pop_back();
       while(is_crossed(here) && !m_triangulation.input().is_border(twin_index(here.crossed)))
-        cross_gate(here);
+        cross_portal(here);
     }
   }
 
 private:
   // An input edge that edges of the fan cross, with the face behind it that is entered next.
-  struct Gate
+  struct Portal
   {
     Input_halfedge_index crossed;
     Vector right, left, across; // its ends, and the vector from left to right
@@ -181,16 +182,16 @@ private:
   }
 
   // Returns whether one of its edges has that many crossings.
-  bool is_crossed(const Gate& gate) const
+  bool is_crossed(const Portal& portal) const
   {
-    for(std::size_t i = gate.first; i < gate.last; ++i)
-      if(m_legs[i].crossings >= gate.crossings)
+    for(std::size_t i = portal.first; i < portal.last; ++i)
+      if(m_legs[i].crossings >= portal.crossings)
         return true;
     return false;
   }
 
   // Continues to the next portal; if the edges separate, to the left one, and the right one is stored for later.
-  void cross_gate(Gate& here)
+  void cross_portal(Portal& here)
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index entered = twin_index(here.crossed), to_apex = input.next(entered);
@@ -207,19 +208,19 @@ private:
     for(; j < here.last && cross(apex, m_directions[j]) >= -margin; ++j)
       end(m_legs[j], here, apex, input.next(to_apex), to_left);
     const bool is_right_of_apex = cross(here.rightmost, apex) > 0, is_left_of_apex = cross(apex, here.leftmost) > 0;
-    const auto turn_right = [&](Gate& gate) {
-      gate.crossed = to_apex;
-      gate.left = apex;
-      gate.across = -from_right;
-      gate.leftmost = is_left_of_apex ? apex : gate.leftmost;
-      gate.first = j;
+    const auto turn_right = [&](Portal& portal) {
+      portal.crossed = to_apex;
+      portal.left = apex;
+      portal.across = -from_right;
+      portal.leftmost = is_left_of_apex ? apex : portal.leftmost;
+      portal.first = j;
     };
     ++here.crossings;
     if(i == here.first)
       return turn_right(here);
     if(j < here.last) {
-      m_gates.push_back(here);
-      turn_right(m_gates.back());
+      m_portals.push_back(here);
+      turn_right(m_portals.back());
     }
     here.crossed = input.next(to_apex);
     here.right = apex;
@@ -229,22 +230,22 @@ private:
   }
 
   // Skips the edges that pass a portal clearly on the left of the apex behind it.
-  std::size_t end_of_left(const Gate& gate, const Vector& apex, double margin) const
+  std::size_t end_of_left(const Portal& portal, const Vector& apex, double margin) const
   {
     constexpr std::size_t few = 8;
     const auto is_on_left = [&](const Vector& direction) { return cross(apex, direction) > margin; };
-    const auto first = m_directions.begin() + static_cast<std::ptrdiff_t>(gate.first);
-    const auto last = m_directions.begin() + static_cast<std::ptrdiff_t>(gate.last);
-    const auto end = gate.last - gate.first < few ? std::find_if_not(first, last, is_on_left)
-                                                  : std::partition_point(first, last, is_on_left);
+    const auto first = m_directions.begin() + static_cast<std::ptrdiff_t>(portal.first);
+    const auto last = m_directions.begin() + static_cast<std::ptrdiff_t>(portal.last);
+    const auto end = portal.last - portal.first < few ? std::find_if_not(first, last, is_on_left)
+                                                      : std::partition_point(first, last, is_on_left);
     return static_cast<std::size_t>(end - m_directions.begin());
   }
 
   // An edge comes close to the corner opposite to a portal, from which `h` leads to the left.
-  void end(Fan_leg& leg, const Gate& gate, const Vector& apex, Input_halfedge_index h, const Vector& along_h) const
+  void end(Fan_leg& leg, const Portal& portal, const Vector& apex, Input_halfedge_index h, const Vector& along_h) const
   {
-    const bool is_straight = cross(gate.rightmost, apex) > 0 && cross(apex, gate.leftmost) > 0;
-    leg.is_found = is_straight && leg.crossings == gate.crossings && leg.head == m_triangulation.input().tail(h) &&
+    const bool is_straight = cross(portal.rightmost, apex) > 0 && cross(apex, portal.leftmost) > 0;
+    leg.is_found = is_straight && leg.crossings == portal.crossings && leg.head == m_triangulation.input().tail(h) &&
                    std::abs(std::sqrt(std::norm(apex)) - leg.length) <= near_leg_length * leg.length;
     if(!leg.is_found)
       return;
@@ -256,7 +257,7 @@ private:
   Indexed_by<Input_halfedge_index, Lazy_array<Face>> m_faces; // those crossed so far
   Fan_leg* m_legs = nullptr;
   std::vector<Vector> m_directions; // of the edges
-  std::vector<Gate> m_gates;        // not yet crossed
+  std::vector<Portal> m_portals;    // not yet crossed
 };
 
 /* The last edge of a path of a tree, and the previous one, as they were measured. */
@@ -375,17 +376,18 @@ private:
   // Returns the smallest angle at which paths continue from u; opens the vertices to which they lead.
   double measure(Vertex_index u, const Edge_end& arrival)
   {
-    collect_spokes(m_triangulation, u, m_around);
-    m_leg_spokes.clear();
-    std::copy_if(m_around.begin(), m_around.end(), std::back_inserter(m_leg_spokes),
+    collect_outgoing_halfedges(m_triangulation, u, m_around);
+    m_leg_outgoing_halfedges.clear();
+    std::copy_if(m_around.begin(), m_around.end(), std::back_inserter(m_leg_outgoing_halfedges),
                  [this](Halfedge_index h) { return is_leg(h); });
-    if(std::all_of(m_leg_spokes.begin(), m_leg_spokes.end(), [this](Halfedge_index h) { return is_measured(h); }))
+    if(std::all_of(m_leg_outgoing_halfedges.begin(), m_leg_outgoing_halfedges.end(),
+                   [this](Halfedge_index h) { return is_measured(h); }))
       return remember();
     legs(m_around, arrival);
     const Halfedge_index before = m_tree.incoming(u);
     const Vertex_fan umbrella = arrival.direction.reference == null_index ? Vertex_fan() : umbrella_with(arrival, u);
     for(Fan_leg& leg : m_legs) {
-      const double bend = leg.is_found ? 0 : measure_by_word(leg);
+      const double bend = leg.is_found ? 0 : measure_by_edge_sequence(leg);
       const double angle = before == null_index ? infinity : smaller_angle(umbrella, arrival, leg.start);
       const bool is_bent = angle < Straightness::straight_angle() || bend > Straightness::tolerance();
       const Halfedge_index h = leg.start.halfedge;
@@ -405,7 +407,7 @@ private:
   // it is computed from angles that are summed up once for all edges.
   double smaller_angle(const Vertex_fan& umbrella, const Edge_end& arrival, const Edge_end& start) const
   {
-    const Word_angle &a = arrival.direction, &b = start.direction;
+    const Edge_sequence_angle &a = arrival.direction, &b = start.direction;
     if(a.reference == null_index || b.reference == null_index)
       return (std::min)(angle_clockwise(arrival, start), angle_clockwise(start, arrival));
     const Vertex_index u = m_triangulation.tail(start.halfedge);
@@ -417,7 +419,7 @@ private:
   // Decided by the directions of the edges, also if wrong flips have changed their order around the vertex.
   bool is_bent_clockwise(const Edge_end& from, const Edge_end& to) const
   {
-    const Word_angle &a = from.direction, &b = to.direction;
+    const Edge_sequence_angle &a = from.direction, &b = to.direction;
     if(a.reference == null_index || b.reference == null_index)
       return angle_clockwise(from, to) < Straightness::straight_angle();
     const Vertex_index u = m_triangulation.tail(from.halfedge);
@@ -443,7 +445,7 @@ private:
   double remember()
   {
     double smallest = infinity;
-    for(Halfedge_index h : m_leg_spokes) {
+    for(Halfedge_index h : m_leg_outgoing_halfedges) {
       const Vertex_index v = m_triangulation.head(h);
       const Measured_leg& leg = m_measured[v];
       smallest = (std::min)(smallest, leg.angle);
@@ -528,12 +530,12 @@ private:
   // The error of its angle.
   double drift_of(const Fan_leg& leg) const
   {
-    const Word_angle measured = m_edges(leg.start.halfedge).tail.direction;
+    const Edge_sequence_angle measured = m_edges(leg.start.halfedge).tail.direction;
     return measured.reference == leg.reference() ? measured.angle - leg.start.direction.angle : 0;
   }
 
   // Measures an edge that was not found; returns the angle by which it bends.
-  double measure_by_word(Fan_leg& leg) const
+  double measure_by_edge_sequence(Fan_leg& leg) const
   {
     const Measured_edge edge = m_edges(leg.start.halfedge);
     leg.start = edge.tail;
@@ -547,9 +549,9 @@ private:
   Triangulation& m_triangulation;
   Measured_legs& m_measured;
   Edges m_edges;
-  Spoke_places<Triangulation> m_places;
+  Outgoing_halfedge_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
-  std::vector<Halfedge_index> m_around, m_leg_spokes; // of the vertex being measured
+  std::vector<Halfedge_index> m_around, m_leg_outgoing_halfedges; // of the vertex being measured
   std::vector<Fan_leg> m_legs;
   std::vector<Open_vertex> m_open;
   std::vector<std::pair<Vertex_index, Vertex_index>> m_bent; // and their parents

@@ -81,13 +81,13 @@ struct Traits_given
 
 /* Detects triangulations that provide the sequences of input edges crossed by their edges. */
 template <class Triangulation, class = void>
-struct Has_words : std::false_type
+struct Has_edge_sequences : std::false_type
 {
 };
 
 template <class Triangulation>
-struct Has_words<Triangulation,
-                 std::void_t<decltype(std::declval<const Triangulation&>().crossing_word(Halfedge_index()))>>
+struct Has_edge_sequences<Triangulation,
+                          std::void_t<decltype(std::declval<const Triangulation&>().edge_sequence(Halfedge_index()))>>
   : std::true_type
 {
 };
@@ -268,7 +268,7 @@ bool is_rounded_metric(const Metric& metric, const Mesh& mesh)
 template <class Triangulation>
 bool is_input_rounded(const Triangulation& triangulation)
 {
-  if constexpr(Has_words<Triangulation>::value)
+  if constexpr(Has_edge_sequences<Triangulation>::value)
     return is_rounded_metric(triangulation.metric(), triangulation.input());
   else
     return static_cast<void>(triangulation), false;

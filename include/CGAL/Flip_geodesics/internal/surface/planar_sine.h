@@ -82,7 +82,8 @@ private:
 
   using Precise_vector = std::array<Double_double, 3>;
 
-  // Differences err by 2^-106 at most, and a product of two vectors by less than 30 double_double_error of their lengths.
+  // Differences err by 2^-106 at most, and a product of two vectors by less than 30 double_double_error of their
+  // lengths.
   static constexpr double unit = 64 * double_double_error;
 
   static Double_double dot(const Precise_vector& u, const Precise_vector& v)
@@ -182,12 +183,12 @@ private:
 };
 
 /*
- * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points; or
- * which bend along parallel edges only, so that they are unrolled into a plane. These are the common cases of exact ties:
- * the flat parts of technical models, and their walls.
+ * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points;
+ * or which bend along parallel edges only, so that they are unrolled into a plane. These are the common cases of exact
+ * ties: the flat parts of technical models, and their walls.
  *
- * PlaceOf maps an input vertex to three double coordinates or to a `Rational_place`. Words with an end elsewhere are left
- * to others, since the coordinates of such a point are neither.
+ * PlaceOf maps an input vertex to three double coordinates or to a `Rational_place`. Edge sequences with an end
+ * elsewhere are left to others, since the coordinates of such a point are neither.
  */
 template <class Mesh, class PlaceOf>
 class Planar_sine
@@ -206,10 +207,10 @@ public:
   }
 
   /*
-   * The wedge leads from the direction of word a clockwise over `steps` input corners to that of word b, and is below
-   * 2 pi. Returns false, and no sign, if its faces do not lie so.
+   * The wedge leads from the direction of edge sequence a clockwise over `steps` input corners to that of edge sequence
+   * b, and is below 2 pi. Returns false, and no sign, if its faces do not lie so.
    */
-  bool operator()(const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
+  bool operator()(const Edge_sequence& a, const Edge_sequence& b, Index steps, Sign& sine) const
   {
     const Vertex_index ends(m_mesh.number_of_vertices());
     if(a.tail >= ends || a.head >= ends || b.head >= ends)
@@ -231,15 +232,15 @@ public:
   }
 
 private:
-  // A word, a halfedge of its first face, and the edges on its way along which the faces bend.
+  // An edge sequence, a halfedge of its first face, and the edges on its way along which the faces bend.
   struct Line
   {
-    const Crossing_word& word;
+    const Edge_sequence& sequence;
     Input_halfedge_index first_face;
     const Halfedges& bends;
   };
 
-  bool sine_in_plane(const Crossing_word& a, const Crossing_word& b, Input_halfedge_index face, Sign& sine) const
+  bool sine_in_plane(const Edge_sequence& a, const Edge_sequence& b, Input_halfedge_index face, Sign& sine) const
   {
     const Place node = place_of_tail(reference(a)), end_a = m_place_of(head(a)), end_b = m_place_of(head(b));
     for(std::size_t axis = 0; axis < 3; ++axis) {
@@ -266,10 +267,10 @@ private:
   // Returns false if the numbers are too small or too large, or the line turns back.
   bool unroll(const Line& line, Input_halfedge_index bend, Unrolled_line<Place>& result) const
   {
-    result.places.push_back(place_of_tail(reference(line.word)));
+    result.places.push_back(place_of_tail(reference(line.sequence)));
     for(Input_halfedge_index h : line.bends)
       result.places.push_back(place_of_tail(h));
-    result.places.push_back(m_place_of(head(line.word)));
+    result.places.push_back(m_place_of(head(line.sequence)));
     const Exact_vector up = vector(bend), way(result.places.front(), result.places.back());
     if(!up.has_exact_products() || !way.has_exact_products())
       return false;
@@ -297,10 +298,10 @@ private:
     return ZERO;
   }
 
-  // Of the input edges that a word crosses; returns false if they do not all bend along parallel edges.
-  bool add_bends(const Crossing_word& word, Input_halfedge_index& bend, Halfedges& bends) const
+  // Of the input edges that an edge sequence crosses; returns false if they do not all bend along parallel edges.
+  bool add_bends(const Edge_sequence& sequence, Input_halfedge_index& bend, Halfedges& bends) const
   {
-    for(Input_halfedge_index h : word.crossed)
+    for(Input_halfedge_index h : sequence.crossed)
       if(!add_bend(h, bend, bends))
         return false;
     return true;
@@ -344,14 +345,15 @@ private:
 
   Place place_of_tail(Input_halfedge_index h) const { return m_place_of(m_mesh.tail(h)); }
 
-  Input_halfedge_index reference(const Crossing_word& word) const
+  Input_halfedge_index reference(const Edge_sequence& sequence) const
   {
-    return word.along != null_index ? word.along : m_mesh.next(m_mesh.next(word.crossed.front()));
+    return sequence.along != null_index ? sequence.along : m_mesh.next(m_mesh.next(sequence.crossed.front()));
   }
 
-  Vertex_index head(const Crossing_word& word) const
+  Vertex_index head(const Edge_sequence& sequence) const
   {
-    return word.along != null_index ? m_mesh.tail(twin_index(word.along)) : apex(twin_index(word.crossed.back()));
+    return sequence.along != null_index ? m_mesh.tail(twin_index(sequence.along))
+                                        : apex(twin_index(sequence.crossed.back()));
   }
 
   Vertex_index apex(Input_halfedge_index h) const { return m_mesh.tail(m_mesh.next(m_mesh.next(h))); }
@@ -363,9 +365,9 @@ private:
     return m_place_of(m_mesh.tail(h));
   }
 
-  bool is_flat(const Crossing_word& word) const
+  bool is_flat(const Edge_sequence& sequence) const
   {
-    for(Input_halfedge_index h : word.crossed)
+    for(Input_halfedge_index h : sequence.crossed)
       if(!is_flat_across(h))
         return false;
     return true;

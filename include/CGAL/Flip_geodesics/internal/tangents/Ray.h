@@ -11,7 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Multiquadratic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
@@ -64,8 +64,8 @@ class Exact_ray_side
   {
     Unfolding_chain direction, corner; // of the corner up to the last query
     Arithmetic::Complex value;         // of the direction
-    Arithmetic::Gate gate;
-    std::size_t number_of_gates = 0; // passed by the chain
+    Arithmetic::Portal portal;
+    std::size_t number_of_portals = 0; // passed by the chain
   };
 
 public:
@@ -82,16 +82,16 @@ public:
     const Ring ring;
     const Arithmetic arithmetic(ring);
     if(!m_state)
-      start(triangulation, faces(m_place.halfedge), crossed[m_first_gate], arithmetic);
+      start(triangulation, faces(m_place.halfedge), crossed[m_first_portal], arithmetic);
     State& state = *m_state;
-    for(; state.number_of_gates + 1 < crossed.size(); ++state.number_of_gates) {
-      state.corner.steps.push_back(step(triangulation, faces, crossed, state.number_of_gates));
-      arithmetic.apply(state.corner, state.corner.steps.back(), state.gate);
+    for(; state.number_of_portals + 1 < crossed.size(); ++state.number_of_portals) {
+      state.corner.steps.push_back(step(triangulation, faces, crossed, state.number_of_portals));
+      arithmetic.apply(state.corner, state.corner.steps.back(), state.portal);
     }
     const Unfolding_step last = step(triangulation, faces, crossed, crossed.size() - 1);
-    Arithmetic::Gate gate = state.gate;
-    arithmetic.apply(state.corner, last, gate);
-    const Uncertain<Sign> quick = ring.sign(ring.imaginary_part(ring.multiply(state.value, gate.right)));
+    Arithmetic::Portal portal = state.portal;
+    arithmetic.apply(state.corner, last, portal);
+    const Uncertain<Sign> quick = ring.sign(ring.imaginary_part(ring.multiply(state.value, portal.right)));
     if(quick.is_certain()) {
       ++statistics.by_precision;
       return quick.make_certain();
@@ -112,24 +112,24 @@ public:
     const Exact_face& face = faces(m_passed);
     Unfolding_chain direction;
     m_place = {m_passed, {{1, 0, 0}}};
-    if(m_gates_before == crossed.size()) // along the edge to the third corner of the face
+    if(m_portals_before == crossed.size()) // along the edge to the third corner of the face
       direction.right = Side_combination(face, {Integer(0), Integer(0), Integer(-1)});
     else
-      direction = corner_of_first_face(triangulation, face, crossed[m_gates_before]);
+      direction = corner_of_first_face(triangulation, face, crossed[m_portals_before]);
     direction.steps.push_back({Kind::START_INSIDE, &face});
-    for(std::size_t i = m_gates_before; i < crossed.size(); ++i)
+    for(std::size_t i = m_portals_before; i < crossed.size(); ++i)
       direction.steps.push_back(step(triangulation, faces, crossed, i));
     direction.is_conjugate = true;
     m_direction = direction;
-    m_first_gate = m_gates_before;
+    m_first_portal = m_portals_before;
     m_state.reset();
   }
 
-  /* Must be called when the ray leaves the tail of h in the face of h, after passing `gates` portals. */
-  void leave_corner(Input_halfedge_index h, std::size_t gates)
+  /* Must be called when the ray leaves the tail of h in the face of h, after passing `portals` portals. */
+  void leave_corner(Input_halfedge_index h, std::size_t portals)
   {
     m_passed = h;
-    m_gates_before = gates;
+    m_portals_before = portals;
   }
 
 private:
@@ -153,9 +153,9 @@ private:
     state.value = arithmetic.value(state.direction);
     state.corner = corner_of_first_face(triangulation, face, crossed);
     state.corner.steps.push_back({Kind::START_INSIDE, &face});
-    state.gate = arithmetic.first_gate();
-    arithmetic.apply(state.corner, state.corner.steps.back(), state.gate);
-    state.number_of_gates = m_first_gate;
+    state.portal = arithmetic.first_portal();
+    arithmetic.apply(state.corner, state.corner.steps.back(), state.portal);
+    state.number_of_portals = m_first_portal;
   }
 
   Unfolding_chain direction_in_first_face(const Exact_face& face) const
@@ -194,11 +194,11 @@ private:
   Surface_location m_place; // the start of the ray, or the last corner but one that it has passed
   Face_direction m_face_direction;
   std::optional<Unfolding_chain> m_direction; // none until it has passed two corners
-  std::size_t m_first_gate = 0;               // after m_place
+  std::size_t m_first_portal = 0;             // after m_place
   std::optional<State> m_state;               // none before the first query
 
   Input_halfedge_index m_passed = null_index; // where it leaves the last corner that it has passed
-  std::size_t m_gates_before = 0;
+  std::size_t m_portals_before = 0;
 };
 
 /*
@@ -261,11 +261,11 @@ public:
 
   /* Passes the portal and advances to the next one; returns false if the ray runs into the corner opposite to the
    * portal. \pre there is a face behind it */
-  bool pass_gate()
+  bool pass_portal()
   {
-    m_entry_distance = distance_of_gate();
-    m_entry_sine = starts_on_gate() ? 1 : sine_at_gate();
-    m_entry = {place_on_gate(), 1 - place_on_gate(), 0};
+    m_entry_distance = distance_of_portal();
+    m_entry_sine = starts_on_portal() ? 1 : sine_at_portal();
+    m_entry = {place_on_portal(), 1 - place_on_portal(), 0};
     enter_face(twin_index(m_crossed.back()));
     const Sign sign = side_of_apex();
     if(sign == ZERO)
@@ -287,7 +287,7 @@ public:
     Sign sign = NEGATIVE;
     for(int side = (m_apex + 2) % 3; sign == NEGATIVE; side = 2) {
       leave_over(side);
-      m_entry_sine = sine_at_gate();
+      m_entry_sine = sine_at_portal();
       m_entry = {1, 0, 0};
       enter_face(twin_index(m_crossed.back()));
       sign = side_of_apex();
@@ -300,30 +300,30 @@ public:
   }
 
   /* Returns the halfedge that is crossed at the portal, as a side of the face before it. */
-  Input_halfedge_index gate() const { return m_crossed.back(); }
+  Input_halfedge_index portal() const { return m_crossed.back(); }
 
   /* Returns whether it is the edge on which the ray starts. */
-  bool starts_on_gate() const
+  bool starts_on_portal() const
   {
     const Input_halfedge_index h = m_place.halfedge, g = m_crossed.front();
     return m_crossed.size() == 1 && m_place.weights[g == h ? 2 : (g == m_triangulation.input().next(h) ? 0 : 1)] == 0;
   }
 
   /* Returns the distance of the portal along the ray. */
-  double distance_of_gate() const
+  double distance_of_portal() const
   {
-    if(starts_on_gate())
+    if(starts_on_portal())
       return 0;
-    const Vector to_left = -m_faces.gate();
+    const Vector to_left = -m_faces.portal();
     const double whole = cross(m_unit, to_left);
     return whole > 0 ? (std::max)(cross(m_faces.right().position, to_left) / whole, 0.0) : 0.0;
   }
 
   /* Returns the position at which the ray passes the portal, from 0 at its right end to 1 at its left end. */
-  double place_on_gate() const
+  double place_on_portal() const
   {
-    if(starts_on_gate()) {
-      const int tail = m_faces.number_of(gate());
+    if(starts_on_portal()) {
+      const int tail = m_faces.number_of(portal());
       return m_place.weights[(tail + 1) % 3] / m_sum;
     }
     const double right = (std::max)(-cross(m_unit, m_faces.right().position), 0.0);
@@ -341,14 +341,14 @@ public:
    * points at which the ray enters the face and leaves it or runs into a corner, which is inaccurate if the ray grazes
    * a side; or it is the point nearest to that in the plane, which is inaccurate in an almost degenerate face.
    */
-  Surface_location location_at(double distance, bool is_at_gate) const
+  Surface_location location_at(double distance, bool is_at_portal) const
   {
     const Face_vectors& sides = m_faces.sides();
     const double area = cross(sides[0], sides[1]);
     const double longest = (std::max)({std::norm(sides[0]), std::norm(sides[1]), std::norm(sides[2])});
-    const double grazing = (std::min)(m_entry_sine, is_at_gate ? sine_at_gate() : 1.0);
+    const double grazing = (std::min)(m_entry_sine, is_at_portal ? sine_at_portal() : 1.0);
     std::array<double, 3> weights =
-        area > grazing * longest ? nearest_to(distance * m_unit) : between_ends(distance, is_at_gate);
+        area > grazing * longest ? nearest_to(distance * m_unit) : between_ends(distance, is_at_portal);
     for(double& weight : weights)
       weight = weight > least_weight ? weight : 0;
     return {halfedge(), weights};
@@ -366,7 +366,7 @@ private:
   using Faces = Face_strip<Layout>;
 
   // The sine of the angle between the ray and the portal.
-  double sine_at_gate() const { return std::abs(cross(m_unit, m_faces.gate())) / magnitude(m_faces.gate()); }
+  double sine_at_portal() const { return std::abs(cross(m_unit, m_faces.portal())) / magnitude(m_faces.portal()); }
 
   std::array<double, 3> nearest_to(const Vector& p) const
   {
@@ -378,14 +378,14 @@ private:
     return nearest_weights(corners).weights;
   }
 
-  std::array<double, 3> between_ends(double distance, bool is_at_gate) const
+  std::array<double, 3> between_ends(double distance, bool is_at_portal) const
   {
-    const double whole = (is_at_gate ? distance_of_gate() : distance_of_corner()) - m_entry_distance;
+    const double whole = (is_at_portal ? distance_of_portal() : distance_of_corner()) - m_entry_distance;
     const double part = whole > 0 ? (std::min)((std::max)((distance - m_entry_distance) / whole, 0.0), 1.0) : 0.0;
     std::array<double, 3> result = {0, 0, 0};
-    if(is_at_gate) {
-      const int right = m_faces.number_of(gate());
-      const double place = place_on_gate();
+    if(is_at_portal) {
+      const int right = m_faces.number_of(portal());
+      const double place = place_on_portal();
       result[right] = 1 - place;
       result[(right + 1) % 3] = place;
     } else

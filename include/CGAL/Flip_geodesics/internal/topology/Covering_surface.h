@@ -101,19 +101,19 @@ private:
   template <class Search>
   void add_faces(const Search& search, Index lift)
   {
-    std::vector<Input_halfedge_index> spokes;
+    std::vector<Input_halfedge_index> outgoing_halfedges;
     const Input_halfedge_index first = m_below->outgoing(search.vertex(lift));
     Input_halfedge_index h = first;
     do {
-      spokes.push_back(h);
+      outgoing_halfedges.push_back(h);
       h = m_below->next(twin_index(h));
     } while(h != first);
     // The face on the left of an outgoing halfedge lies between it and the previous one.
     const auto is_before = [&](Index l) { return l < lift && search.is_settled(l); };
-    for(std::size_t i = 0; i < spokes.size(); ++i) {
-      const Index a = search.neighbor(lift, i), b = search.neighbor(lift, (i == 0 ? spokes.size() : i) - 1);
-      if(!m_below->is_border(spokes[i]) && !is_before(a) && !is_before(b))
-        add_face(spokes[i], lift, a, b);
+    for(std::size_t i = 0; i < outgoing_halfedges.size(); ++i) {
+      const Index a = search.neighbor(lift, i), b = search.neighbor(lift, (i == 0 ? outgoing_halfedges.size() : i) - 1);
+      if(!m_below->is_border(outgoing_halfedges[i]) && !is_before(a) && !is_before(b))
+        add_face(outgoing_halfedges[i], lift, a, b);
     }
   }
 
@@ -328,7 +328,7 @@ public:
   }
 
   /* The results for flat edges are stored for the edges below. */
-  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps, Flat_edges&,
+  bool sine_in_plane(const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps, Flat_edges&,
                      Sign& sine) const
   {
     if(m_flat_edges->size() == 0)
@@ -340,7 +340,7 @@ public:
 private:
   static const Numbered_mesh<TriangleMesh>& below(const Mesh& mesh) { return mesh.surface().below(); }
 
-  static Crossing_word below(const Mesh& mesh, Crossing_word word)
+  static Edge_sequence below(const Mesh& mesh, Edge_sequence word)
   {
     const auto project = [&mesh](auto& element) {
       if(element != null_index)

@@ -86,7 +86,7 @@ private:
       degree[input().tail(h)] += m_marks[edge_of(as_intrinsic(h))];
     for(Vertex_index leaf : descriptors<Vertex_index>(input().number_of_vertices()))
       for(Vertex_index v = leaf; v != null_index && degree[v] == 1;) {
-        const Input_halfedge_index h = marked_spoke(v);
+        const Input_halfedge_index h = marked_outgoing_halfedge(v);
         m_marks[edge_of(as_intrinsic(h))] = 0;
         --degree[v];
         v = input().tail(twin_index(h));
@@ -97,7 +97,7 @@ private:
         m_marks[edge_of(as_intrinsic(h))] = 0;
   }
 
-  Input_halfedge_index marked_spoke(Vertex_index v) const
+  Input_halfedge_index marked_outgoing_halfedge(Vertex_index v) const
   {
     Input_halfedge_index h = input().outgoing(v);
     while(m_marks[edge_of(as_intrinsic(h))] == 0)

@@ -147,7 +147,7 @@ private:
   {
     std::vector<Halfedge_index> result;
     for(Vertex_index v = leaf; result.empty() || !is_node(v); v = triangulation().head(result.back()))
-      for(Halfedge_index h : spokes(triangulation(), v))
+      for(Halfedge_index h : outgoing_halfedges(triangulation(), v))
         if(m_is_seam[Triangulation::edge(h)] != 0 && (result.empty() || h != Triangulation::twin(result.back()))) {
           result.push_back(h);
           break;

@@ -117,7 +117,7 @@ public:
     try {
       m_flips += m_lawson.flip((std::numeric_limits<std::size_t>::max)(), recorder);
       if(!recorder.has_lost_its_way() &&
-         std::all_of(m_flipped.begin(), m_flipped.end(), [this](Halfedge_index h) { return has_right_word(h); }))
+         std::all_of(m_flipped.begin(), m_flipped.end(), [this](Halfedge_index h) { return has_right_sequence(h); }))
         return true;
     } catch(const Insertion_error&) { // an edge sequence does not lead from end to end
     }
@@ -153,14 +153,14 @@ private:
 
   // Returns false or throws if flips were wrong: the sequence of a flipped edge must lead from end to end inside the
   // surface.
-  bool has_right_word(Halfedge_index h) const
+  bool has_right_sequence(Halfedge_index h) const
   {
-    const Crossing_word word = m_triangulation.crossing_word(h);
+    const Edge_sequence sequence = m_triangulation.edge_sequence(h);
     const auto is_inside = [&input = m_triangulation.input()](Input_halfedge_index g) {
       return !input.is_border(g) && !input.is_border(twin_index(g));
     };
-    return (word.along == null_index || is_inside(word.along)) &&
-           std::all_of(word.crossed.begin(), word.crossed.end(), is_inside);
+    return (sequence.along == null_index || is_inside(sequence.along)) &&
+           std::all_of(sequence.crossed.begin(), sequence.crossed.end(), is_inside);
   }
 
   Triangulation& m_triangulation;
@@ -253,7 +253,7 @@ public:
   Halfedge_index shortest_side() const { return m_sides[(smallest_corner() + 1) % 3]; }
 
   /* Returns the side with the smallest corner at its tail. */
-  Halfedge_index spoke_of_smallest_corner() const { return m_sides[smallest_corner()]; }
+  Halfedge_index outgoing_halfedge_of_smallest_corner() const { return m_sides[smallest_corner()]; }
 
 private:
   std::array<Halfedge_index, 3> m_sides;
@@ -594,7 +594,8 @@ private:
 
   bool is_exempt(const Shape& shape)
   {
-    return m_is_in_sharp_sector(shape.spoke_of_smallest_corner()) || m_points.spans_small_angle(shape.shortest_side());
+    return m_is_in_sharp_sector(shape.outgoing_halfedge_of_smallest_corner()) ||
+           m_points.spans_small_angle(shape.shortest_side());
   }
 
   // ---------------------------------------------------------------- one face
@@ -656,8 +657,8 @@ private:
   {
     bool result = false;
     for_each_edge_in_star(m_triangulation, x, [&](Halfedge_index h) {
-      const bool is_spoke = m_triangulation.tail(h) == x || m_triangulation.head(h) == x;
-      result = result || (is_spoke && is_constrained(h));
+      const bool is_outgoing_halfedge = m_triangulation.tail(h) == x || m_triangulation.head(h) == x;
+      result = result || (is_outgoing_halfedge && is_constrained(h));
     });
     return result;
   }

@@ -10,8 +10,8 @@
 #include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 
@@ -163,12 +163,13 @@ private:
  * are given when it is inserted. Only the edges from which the requested ones descend are visited: their number is
  * about that of the segments of the curve, not of the flips.
  *
- * Words can be as long as the number of faces. Those of flips are therefore kept in memory proportional to the number
- * of flips, as long as they are used, and derived again on demand. The data from which numbers are derived is stored
- * for each flip, is nearly always found without edge sequences, and does not depend on which edge sequences are stored.
+ * Edge sequences can be as long as the number of faces. Those of flips are therefore kept in memory proportional to the
+ * number of flips, as long as they are used, and derived again on demand. The data from which numbers are derived is
+ * stored for each flip, is nearly always found without edge sequences, and does not depend on which edge sequences are
+ * stored.
  */
 template <class Triangulation>
-class Crossing_words
+class Edge_sequences
 {
 public:
   /* An edge of the input, or an edge as created by a flip or split, with a direction. */
@@ -183,7 +184,7 @@ public:
    * il, the number of those between the first faces of ki and of kl around k, and the number of those between li and lk
    * around l.
    */
-  struct Spokes
+  struct Outgoing_halfedges
   {
     Index at_joint, at_tail, at_head;
     // Whether vectors are derived along with the edge sequence; a very short edge sequence is unfolded faster.
@@ -197,14 +198,14 @@ public:
    * Rounded flips can violate this if points are too close to each other to be distinguished by numbers. The edge
    * sequence then has another number of crossings than the triangulation, whose numbers stay correct under all flips.
    */
-  Crossing_word operator()(const Triangulation& triangulation, Halfedge_index h)
+  Edge_sequence operator()(const Triangulation& triangulation, Halfedge_index h)
   {
     const Edge_version asked = {h, triangulation.version(Triangulation::edge(h))};
     if(asked.version == 0)
-      return input_word(triangulation, h);
+      return input_sequence(triangulation, h);
     if(!is_there(asked))
       trace(triangulation, asked);
-    Crossing_word found = word(triangulation, asked);
+    Edge_sequence found = sequence(triangulation, asked);
     if(found.crossed.size() != static_cast<std::size_t>(number_of_crossings(triangulation, h)))
       fail(triangulation, found);
     return found;
@@ -214,41 +215,42 @@ public:
    * Computes the edge sequence of halfedge h from the triangulation alone, without the stored edge sequences; returns
    * false if that is impossible. Can be called by several threads simultaneously.
    */
-  static bool read_off(const Triangulation& triangulation, Halfedge_index h, Crossing_word& word)
+  static bool read_off(const Triangulation& triangulation, Halfedge_index h, Edge_sequence& sequence)
   {
     if(triangulation.version(Triangulation::edge(h)) == 0) {
-      word = input_word(triangulation, h);
+      sequence = input_sequence(triangulation, h);
       return true;
     }
-    if(!trace_first_side(triangulation, first_side(edge_of(h)), word))
+    if(!trace_first_side(triangulation, first_side(edge_of(h)), sequence))
       return false;
     if(!is_first_side(h))
-      word.reverse();
+      sequence.reverse();
     return true;
   }
 
   /* Stores the edge sequence of the edge of h, from tail to head, that a split of log position `version - 1`
    * created. */
-  void store(Halfedge_index h, Index version, const Crossing_word& word)
+  void store(Halfedge_index h, Index version, const Edge_sequence& sequence)
   {
-    m_words_of_splits.emplace(key(Triangulation::edge(h), version), is_first_side(h) ? word : word.reversed());
-    m_bytes_of_splits += bytes_of_split(word);
+    m_sequences_of_splits.emplace(key(Triangulation::edge(h), version),
+                                  is_first_side(h) ? sequence : sequence.reversed());
+    m_bytes_of_splits += bytes_of_split(sequence);
   }
 
   /* Returns the edge sequence of an edge as created by a flip or split; derives it from the log if it is not stored. */
-  Crossing_word word(const Triangulation& triangulation, const Edge_version& wanted)
+  Edge_sequence sequence(const Triangulation& triangulation, const Edge_version& wanted)
   {
     derive(triangulation, wanted);
-    Crossing_word input_edge;
-    const Directed_word found = directed_word(triangulation, wanted, input_edge);
-    return found.is_reversed ? found.word.reversed() : found.word;
+    Edge_sequence input_edge;
+    const Directed_edge_sequence found = directed_sequence(triangulation, wanted, input_edge);
+    return found.is_reversed ? found.sequence.reversed() : found.sequence;
   }
 
   /*
    * Computed from numbers of crossings alone: the input edges in the triangle that the flip made of k, i, l are those
    * that start at its corners and those that cut one off. \pre a flip created the edge
    */
-  Spokes spokes(const Triangulation& triangulation, Index version) const
+  Outgoing_halfedges outgoing_halfedges(const Triangulation& triangulation, Index version) const
   {
     const Flip_record& flip = triangulation.flip_record(position(version));
     const Index kl = (std::max)(flip.number, 0);
@@ -258,24 +260,24 @@ public:
   }
 
   /* Returns whether a split created the edge. */
-  bool is_of_split(const Edge_version& wanted) const { return word_of_split(wanted) != nullptr; }
+  bool is_of_split(const Edge_version& wanted) const { return sequence_of_split(wanted) != nullptr; }
 
   /* Drops the least recently used edge sequences. Must be called while none is in use. */
   void shrink(std::size_t number_of_records)
   {
-    m_words.shrink(few_bytes + bytes_per_record * number_of_records,
-                   [this](Crossing_word&& word) { recycle(std::move(word)); });
+    m_sequences.shrink(few_bytes + bytes_per_record * number_of_records,
+                       [this](Edge_sequence&& sequence) { recycle(std::move(sequence)); });
   }
 
   /* Returns the memory in bytes. */
-  std::size_t memory() const { return m_words.memory() + m_bytes_of_splits; }
+  std::size_t memory() const { return m_sequences.memory() + m_bytes_of_splits; }
 
   /* Removes the edge sequence of an edge that a flip or split created, since that is rolled back. \pre so is everything
    * after it */
   void forget(Edge_index e, Index version)
   {
-    m_words.forget(version, [this](Crossing_word&& word) { recycle(std::move(word)); });
-    if(!m_words_of_splits.empty())
+    m_sequences.forget(version, [this](Edge_sequence&& sequence) { recycle(std::move(sequence)); });
+    if(!m_sequences_of_splits.empty())
       forget_split(key(e, version));
   }
 
@@ -284,13 +286,13 @@ private:
 
   // The memory in which edge sequences are kept.
   static constexpr std::size_t few_bytes = 1 << 20, bytes_per_record = 4;
-  static constexpr std::size_t most_spare_letters = 1 << 10;
+  static constexpr std::size_t most_spare_crossed_edges = 1 << 10;
   // The number of crossings up to which unfolding is faster than deriving vectors.
   static constexpr Index few_crossings = 4;
 
-  [[noreturn]] static void fail(const Triangulation& triangulation, const Crossing_word& word)
+  [[noreturn]] static void fail(const Triangulation& triangulation, const Edge_sequence& sequence)
   {
-    const Vertex_index v = triangulation.is_inserted(word.tail) ? word.tail : word.head;
+    const Vertex_index v = triangulation.is_inserted(sequence.tail) ? sequence.tail : sequence.head;
     const Input_halfedge_index h = triangulation.location(v).halfedge;
     throw Insertion_error("points at vertex " + std::to_string(v.idx()) + ", in the face of halfedge " +
                               std::to_string(h.idx()) +
@@ -299,13 +301,13 @@ private:
   }
 
   // An edge sequence, and whether it belongs to the opposite direction.
-  struct Directed_word
+  struct Directed_edge_sequence
   {
-    const Crossing_word& word;
+    const Edge_sequence& sequence;
     bool is_reversed;
 
-    Word_end tail() const { return is_reversed ? head_end(word) : tail_end(word); }
-    Word_end head() const { return is_reversed ? tail_end(word) : head_end(word); }
+    Edge_sequence_end tail() const { return is_reversed ? head_end(sequence) : tail_end(sequence); }
+    Edge_sequence_end head() const { return is_reversed ? tail_end(sequence) : head_end(sequence); }
   };
 
   static std::size_t position(Index version) { return static_cast<std::size_t>(version) - 1; }
@@ -316,7 +318,7 @@ private:
     return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e.idx());
   }
 
-  static Crossing_word input_word(const Triangulation& triangulation, Halfedge_index h)
+  static Edge_sequence input_sequence(const Triangulation& triangulation, Halfedge_index h)
   {
     const Input_halfedge_index along = as_input(h);
     return {along, {}, null_index, triangulation.input().tail(along), triangulation.input().tail(twin_index(along))};
@@ -337,55 +339,56 @@ private:
   {
     if(e.version == 0)
       return 0;
-    if(const Crossing_word* of_split = word_of_split(e))
+    if(const Edge_sequence* of_split = sequence_of_split(e))
       return static_cast<Index>(of_split->crossed.size());
     return (std::max)(triangulation.flip_record(position(e.version)).number, 0);
   }
 
   // Returns the stored edge sequence of an edge; `input_edge` provides the storage for that of an input edge.
-  Directed_word directed_word(const Triangulation& triangulation, const Edge_version& wanted, Crossing_word& input_edge)
+  Directed_edge_sequence directed_sequence(const Triangulation& triangulation, const Edge_version& wanted,
+                                           Edge_sequence& input_edge)
   {
     const Halfedge_index h = wanted.halfedge;
     if(wanted.version == 0) {
-      input_edge = input_word(triangulation, h);
+      input_edge = input_sequence(triangulation, h);
       return {input_edge, false};
     }
-    const Crossing_word* of_flip = m_words.find(wanted.version);
-    return {of_flip != nullptr ? *of_flip : *word_of_split(wanted), !is_first_side(h)};
+    const Edge_sequence* of_flip = m_sequences.find(wanted.version);
+    return {of_flip != nullptr ? *of_flip : *sequence_of_split(wanted), !is_first_side(h)};
   }
 
   bool is_there(const Edge_version& wanted) const
   {
-    return wanted.version == 0 || m_words.contains(wanted.version) || is_of_split(wanted);
+    return wanted.version == 0 || m_sequences.contains(wanted.version) || is_of_split(wanted);
   }
 
-  const Crossing_word* word_of_split(const Edge_version& wanted) const
+  const Edge_sequence* sequence_of_split(const Edge_version& wanted) const
   {
-    if(m_words_of_splits.empty())
+    if(m_sequences_of_splits.empty())
       return nullptr;
-    const auto found = m_words_of_splits.find(key(Triangulation::edge(wanted.halfedge), wanted.version));
-    return found == m_words_of_splits.end() ? nullptr : &found->second;
+    const auto found = m_sequences_of_splits.find(key(Triangulation::edge(wanted.halfedge), wanted.version));
+    return found == m_sequences_of_splits.end() ? nullptr : &found->second;
   }
 
   void forget_split(std::uint64_t key)
   {
-    const auto found = m_words_of_splits.find(key);
-    if(found == m_words_of_splits.end())
+    const auto found = m_sequences_of_splits.find(key);
+    if(found == m_sequences_of_splits.end())
       return;
     m_bytes_of_splits -= bytes_of_split(found->second);
-    m_words_of_splits.erase(found);
+    m_sequences_of_splits.erase(found);
   }
 
-  static std::size_t bytes_of_letters(std::size_t number)
+  static std::size_t bytes_of_crossed_edges(std::size_t number)
   {
     constexpr std::size_t of_allocation = 16;
     return number > 0 ? number * sizeof(Index) + of_allocation : 0;
   }
 
-  static std::size_t bytes_of_split(const Crossing_word& word)
+  static std::size_t bytes_of_split(const Edge_sequence& sequence)
   {
     constexpr std::size_t of_node = 48;
-    return sizeof(Crossing_word) + of_node + bytes_of_letters(word.crossed.size());
+    return sizeof(Edge_sequence) + of_node + bytes_of_crossed_edges(sequence.crossed.size());
   }
 
   // Traces the edge sequence of an edge in the current triangulation and stores it. Returns false if that is
@@ -394,8 +397,8 @@ private:
   {
     if(has_inserted_vertices(triangulation))
       return false;
-    Crossing_word traced;
-    traced.crossed = spare_letters();
+    Edge_sequence traced;
+    traced.crossed = spare_crossed_edges();
     if(!trace_first_side(triangulation, first_side(edge_of(wanted.halfedge)), traced))
       return false;
     keep(wanted.version, std::move(traced));
@@ -403,11 +406,11 @@ private:
   }
 
   // Traces from either end.
-  static bool trace_first_side(const Triangulation& triangulation, Halfedge_index h, Crossing_word& traced)
+  static bool trace_first_side(const Triangulation& triangulation, Halfedge_index h, Edge_sequence& traced)
   {
     if(has_inserted_vertices(triangulation))
       return false;
-    Word_tracer<Triangulation> tracer(triangulation);
+    Edge_sequence_tracer<Triangulation> tracer(triangulation);
     if(tracer(h, traced))
       return true;
     if(!tracer(Triangulation::twin(h), traced))
@@ -439,46 +442,47 @@ private:
   }
 
   // Derives the edge sequence of the diagonal created by a flip. \pre the edge sequences of ki and il are stored
-  Crossing_word join(const Triangulation& triangulation, Index version, const Edge_version& ki, const Edge_version& il)
+  Edge_sequence join(const Triangulation& triangulation, Index version, const Edge_version& ki, const Edge_version& il)
   {
-    Crossing_word input_ki, input_il;
-    const Directed_word first = directed_word(triangulation, ki, input_ki);
-    const Directed_word second = directed_word(triangulation, il, input_il);
-    const Word_end k = first.tail(), i = first.head(), l = second.head();
-    const Index turn = spokes(triangulation, version).at_joint;
-    Word_path<Triangulation> path(triangulation, k.vertex, tail_anchor(triangulation, k), spare_letters());
-    path.cross(first.word, first.is_reversed);
+    Edge_sequence input_ki, input_il;
+    const Directed_edge_sequence first = directed_sequence(triangulation, ki, input_ki);
+    const Directed_edge_sequence second = directed_sequence(triangulation, il, input_il);
+    const Edge_sequence_end k = first.tail(), i = first.head(), l = second.head();
+    const Index turn = outgoing_halfedges(triangulation, version).at_joint;
+    Edge_sequence_path<Triangulation> path(triangulation, k.vertex, tail_anchor(triangulation, k),
+                                           spare_crossed_edges());
+    path.cross(first.sequence, first.is_reversed);
     path.turn(i.vertex, turn > 0 ? head_anchor(triangulation, i) : null_index, turn);
-    path.cross(second.word, second.is_reversed);
-    Crossing_word kl = path.finish(l.vertex, head_anchor(triangulation, l));
+    path.cross(second.sequence, second.is_reversed);
+    Edge_sequence kl = path.finish(l.vertex, head_anchor(triangulation, l));
     if(is_first_side(triangulation.flip_record(position(version)).h)) // the flip leaves h = l->k and its twin k->l
       kl.reverse();
     return kl;
   }
 
-  void keep(Index version, Crossing_word&& word)
+  void keep(Index version, Edge_sequence&& sequence)
   {
-    if(m_words.contains(version))
-      return recycle(std::move(word));
-    if(word.crossed.capacity() > word.crossed.size() + word.crossed.size() / 4 + 16)
-      word.crossed.shrink_to_fit();
-    const std::size_t bytes = bytes_of_letters(word.crossed.capacity());
-    m_words.insert(version, std::move(word), bytes);
+    if(m_sequences.contains(version))
+      return recycle(std::move(sequence));
+    if(sequence.crossed.capacity() > sequence.crossed.size() + sequence.crossed.size() / 4 + 16)
+      sequence.crossed.shrink_to_fit();
+    const std::size_t bytes = bytes_of_crossed_edges(sequence.crossed.capacity());
+    m_sequences.insert(version, std::move(sequence), bytes);
   }
 
-  std::vector<Input_halfedge_index> spare_letters()
+  std::vector<Input_halfedge_index> spare_crossed_edges()
   {
     return m_number_of_spares > 0 ? std::move(m_spares[--m_number_of_spares]) : std::vector<Input_halfedge_index>();
   }
 
-  void recycle(Crossing_word&& word)
+  void recycle(Edge_sequence&& sequence)
   {
-    if(m_number_of_spares < m_spares.size() && word.crossed.capacity() <= most_spare_letters)
-      m_spares[m_number_of_spares++] = std::move(word.crossed);
+    if(m_number_of_spares < m_spares.size() && sequence.crossed.capacity() <= most_spare_crossed_edges)
+      m_spares[m_number_of_spares++] = std::move(sequence.crossed);
   }
 
-  Version_cache<Crossing_word> m_words;
-  std::unordered_map<std::uint64_t, Crossing_word> m_words_of_splits;
+  Version_cache<Edge_sequence> m_sequences;
+  std::unordered_map<std::uint64_t, Edge_sequence> m_sequences_of_splits;
   std::size_t m_bytes_of_splits = 0;
   std::vector<Edge_version> m_pending;
   std::array<std::vector<Input_halfedge_index>, 64> m_spares; // memory for crossed edges
@@ -504,29 +508,32 @@ private:
 template <class Triangulation>
 class Edge_history
 {
-  using Words = Crossing_words<Triangulation>;
-  using Edge_version = typename Words::Edge_version;
-  using Spokes = typename Words::Spokes;
+  using Sequences = Edge_sequences<Triangulation>;
+  using Edge_version = typename Sequences::Edge_version;
+  using Outgoing_halfedges = typename Sequences::Outgoing_halfedges;
   using Flip_record = typename Triangulation::Flip_record;
 
 public:
   /* Returns the edge sequence of halfedge h, from tail to head. */
-  Crossing_word word(const Triangulation& triangulation, Halfedge_index h) const
+  Edge_sequence sequence(const Triangulation& triangulation, Halfedge_index h) const
   {
     std::unique_lock<Short_lock> lock(m_lock, std::try_to_lock);
     if(!lock.owns_lock()) {
-      Crossing_word word;
-      if(Words::read_off(triangulation, h, word))
-        return word;
+      Edge_sequence sequence;
+      if(Sequences::read_off(triangulation, h, sequence))
+        return sequence;
       lock.lock();
     }
-    Crossing_word found = m_words(triangulation, h);
-    m_words.shrink(triangulation.log_position());
+    Edge_sequence found = m_sequences(triangulation, h);
+    m_sequences.shrink(triangulation.log_position());
     return found;
   }
 
-  /* See Crossing_words::store(). */
-  void store_word(Halfedge_index h, Index version, const Crossing_word& word) { m_words.store(h, version, word); }
+  /* See Edge_sequences::store(). */
+  void store_sequence(Halfedge_index h, Index version, const Edge_sequence& sequence)
+  {
+    m_sequences.store(h, version, sequence);
+  }
 
   /* Returns the edge of halfedge h, from tail to head. */
   Precise_edge edge(const Triangulation& triangulation, Halfedge_index h) const
@@ -535,7 +542,7 @@ public:
     const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
     derive(triangulation, wanted);
     const Precise_edge found = known_edge(triangulation, wanted);
-    m_words.shrink(triangulation.log_position());
+    m_sequences.shrink(triangulation.log_position());
     m_edges.shrink(few_bytes + bytes_per_record * triangulation.log_position(), [](Precise_edge&&) {});
     return found;
   }
@@ -565,7 +572,7 @@ public:
   /* Removes an edge that a flip or split created, since that is rolled back. */
   void forget(Edge_index e, Index version)
   {
-    m_words.forget(e, version);
+    m_sequences.forget(e, version);
     m_edges.forget(version, [](Precise_edge&&) {});
   }
 
@@ -574,7 +581,7 @@ public:
   {
     constexpr std::size_t of_node = 32;
     const std::lock_guard<Short_lock> guard(m_lock), guard_of_input(m_lock_of_input);
-    return m_words.memory() + m_edges.memory() + m_halfedges.size() * (sizeof(Precise_halfedge) + of_node) +
+    return m_sequences.memory() + m_edges.memory() + m_halfedges.size() * (sizeof(Precise_halfedge) + of_node) +
            m_exact_faces.size() * (sizeof(Exact_face) + of_node);
   }
 
@@ -588,7 +595,7 @@ private:
     const Halfedge_index h = wanted.halfedge;
     if(wanted.version == 0)
       return input_edge(triangulation, as_input(h));
-    if(m_words.is_of_split(wanted)) // one end is an inserted vertex
+    if(m_sequences.is_of_split(wanted)) // one end is an inserted vertex
       return {};
     const Precise_edge& stored = *m_edges.find(wanted.version);
     return is_first_side(h) ? stored : stored.reversed();
@@ -602,10 +609,10 @@ private:
 
   bool is_known(const Edge_version& wanted) const
   {
-    return wanted.version == 0 || m_edges.contains(wanted.version) || m_words.is_of_split(wanted);
+    return wanted.version == 0 || m_edges.contains(wanted.version) || m_sequences.is_of_split(wanted);
   }
 
-  // Depth-first, as in Crossing_words.
+  // Depth-first, as in Edge_sequences.
   void derive(const Triangulation& triangulation, const Edge_version& wanted) const
   {
     m_pending.assign(1, wanted);
@@ -616,8 +623,8 @@ private:
         continue;
       }
       const Edge_version of_first_side = {first_side(edge_of(next.halfedge)), next.version};
-      const Spokes spokes = m_words.spokes(triangulation, next.version);
-      if(!spokes.are_many) {
+      const Outgoing_halfedges outgoing_halfedges = m_sequences.outgoing_halfedges(triangulation, next.version);
+      if(!outgoing_halfedges.are_many) {
         m_edges.insert(next.version, unfolded(triangulation, of_first_side), 0);
       } else {
         const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
@@ -627,7 +634,8 @@ private:
           m_pending.push_back(il);
           continue;
         }
-        Precise_edge kl = joined(triangulation, known_edge(triangulation, ki), known_edge(triangulation, il), spokes);
+        Precise_edge kl =
+            joined(triangulation, known_edge(triangulation, ki), known_edge(triangulation, il), outgoing_halfedges);
         if(!(kl.end_error < largest_derived_error))
           kl = unfolded(triangulation, of_first_side);
         else if(is_first_side(flip.h)) // the flip leaves h = l->k
@@ -640,18 +648,18 @@ private:
 
   Precise_edge unfolded(const Triangulation& triangulation, const Edge_version& wanted) const
   {
-    return unfolded_edge(triangulation, m_words.word(triangulation, wanted));
+    return unfolded_edge(triangulation, m_sequences.sequence(triangulation, wanted));
   }
 
   Precise_edge joined(const Triangulation& triangulation, const Precise_edge& ki, const Precise_edge& il,
-                      const Spokes& spokes) const
+                      const Outgoing_halfedges& outgoing_halfedges) const
   {
     if(!ki.has_bound() || !il.has_bound())
       return {};
     const auto& input = triangulation.input();
     Turn turn = {ki.head_direction, ki.direction_error, ki.head_reference};
-    turn_clockwise(triangulation, turn, spokes.at_joint + ki.first_corner);
-    if(turn.spoke != il.tail_reference)
+    turn_clockwise(triangulation, turn, outgoing_halfedges.at_joint + ki.first_corner);
+    if(turn.outgoing_halfedge != il.tail_reference)
       return {};
     const Double_double_vector end = ki.end + turn.direction * il.end;
     const double ways = ki.length * ki.end_error + il.length * (turn.error + il.end_error) +
@@ -659,16 +667,17 @@ private:
 
     turn = {turn.direction * il.head_direction, turn.error + il.direction_error + double_double_vector_error,
             il.head_reference};
-    turn_clockwise(triangulation, turn, spokes.at_head + il.first_corner);
+    turn_clockwise(triangulation, turn, outgoing_halfedges.at_head + il.first_corner);
 
     // The first face is farther counterclockwise around k than that of ki.
     Turn back = {{{1, 0}, {}}, 0, ki.tail_reference};
-    for(Index i = 0; i < spokes.at_tail; ++i)
-      back.spoke = twin_index(input.next(input.next(back.spoke)));
-    const Input_halfedge_index reference = back.spoke;
-    turn_clockwise(triangulation, back, spokes.at_tail);
+    for(Index i = 0; i < outgoing_halfedges.at_tail; ++i)
+      back.outgoing_halfedge = twin_index(input.next(input.next(back.outgoing_halfedge)));
+    const Input_halfedge_index reference = back.outgoing_halfedge;
+    turn_clockwise(triangulation, back, outgoing_halfedges.at_tail);
 
-    Precise_edge result = {end * back.direction, turn.direction * back.direction, 0, 0, 0, reference, turn.spoke, 0};
+    Precise_edge result = {
+        end * back.direction, turn.direction * back.direction, 0, 0, 0, reference, turn.outgoing_halfedge, 0};
     result.length = internal::length(result.end);
     result.end_error = (ways / result.length + back.error + double_double_vector_error) * (1 + second_order_errors);
     result.direction_error = (turn.error + back.error + double_double_vector_error) * (1 + second_order_errors);
@@ -680,20 +689,20 @@ private:
   {
     Double_double_vector direction;
     double error;
-    Input_halfedge_index spoke;
+    Input_halfedge_index outgoing_halfedge;
   };
 
   void turn_clockwise(const Triangulation& triangulation, Turn& turn, Index corners) const
   {
     for(Index i = 0; i < corners; ++i) {
-      const Input_halfedge_index t = twin_index(turn.spoke);
+      const Input_halfedge_index t = twin_index(turn.outgoing_halfedge);
       const Precise_halfedge& corner = input_halfedge(triangulation, t);
       turn = {-(turn.direction * corner.next), turn.error + corner.error + double_double_vector_error,
               triangulation.input().next(t)};
     }
   }
 
-  mutable Words m_words;
+  mutable Sequences m_sequences;
   mutable Version_cache<Precise_edge> m_edges;
   mutable std::vector<Edge_version> m_pending;
   mutable Short_lock m_lock; // guards these members

@@ -38,32 +38,32 @@ public:
 
   Measured_edge operator()(Halfedge_index h) const
   {
-    const Crossing_word word = m_triangulation.crossing_word(h);
-    return measured(h, word, Strip<Triangulation>(m_triangulation, word));
+    const Edge_sequence sequence = m_triangulation.edge_sequence(h);
+    return measured(h, sequence, Strip<Triangulation>(m_triangulation, sequence));
   }
 
   /* Measures the edge of h and, if requested, determines whether it is straight. An edge sequence that is not that of a
    * strip between the ends of h is not measured. */
   Measured_edge certified(Halfedge_index h, bool is_asked, Decision_statistics& statistics) const
   {
-    const Crossing_word word = m_triangulation.crossing_word(h);
+    const Edge_sequence sequence = m_triangulation.edge_sequence(h);
     const Straight_strip<Triangulation> is_straight(m_triangulation, statistics);
     Measured_edge result;
-    result.has_strip = is_strip(h, word);
+    result.has_strip = is_strip(h, sequence);
     if(!result.has_strip)
       return result;
-    const Strip<Triangulation> strip(m_triangulation, word);
-    result = measured(h, word, strip);
-    result.is_straight = !is_asked || is_straight(word, strip);
+    const Strip<Triangulation> strip(m_triangulation, sequence);
+    result = measured(h, sequence, strip);
+    result.is_straight = !is_asked || is_straight(sequence, strip);
     return result;
   }
 
   /* Returns whether the given edge sequence of h is that of a strip from its tail to its head. */
-  bool is_strip(Halfedge_index h, const Crossing_word& word) const
+  bool is_strip(Halfedge_index h, const Edge_sequence& sequence) const
   {
     Decision_statistics none;
-    return word.tail == m_triangulation.tail(h) && word.head == m_triangulation.head(h) &&
-           Straight_strip<Triangulation>(m_triangulation, none).is_strip(word);
+    return sequence.tail == m_triangulation.tail(h) && sequence.head == m_triangulation.head(h) &&
+           Straight_strip<Triangulation>(m_triangulation, none).is_strip(sequence);
   }
 
   /* Returns the angle clockwise from one halfedge of a vertex to another. */
@@ -93,9 +93,9 @@ public:
   }
 
 private:
-  static Measured_edge measured(Halfedge_index h, const Crossing_word& word, const Strip<Triangulation>& strip)
+  static Measured_edge measured(Halfedge_index h, const Edge_sequence& sequence, const Strip<Triangulation>& strip)
   {
-    const bool is_along = word.along != null_index;
+    const bool is_along = sequence.along != null_index;
     Measured_edge result = {{h, {}, is_along}, {Triangulation::twin(h), {}, is_along}, strip.bend()};
     if(strip.arrival_reference() != null_index) {
       result.tail.direction = tail_angle(strip);

@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -94,7 +94,7 @@ private:
   struct Side
   {
     Halfedge_index halfedge;
-    Crossing_word word;
+    Edge_sequence sequence;
     std::vector<double> along, on_input; // of each crossing, as computed by the strip
   };
 
@@ -116,11 +116,11 @@ private:
 
   void measure(Side& side) const
   {
-    side.word = m_triangulation.crossing_word(side.halfedge);
-    if(side.word.crossed.empty())
+    side.sequence = m_triangulation.edge_sequence(side.halfedge);
+    if(side.sequence.crossed.empty())
       return;
-    const Strip<Triangulation> strip(m_triangulation, side.word);
-    for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+    const Strip<Triangulation> strip(m_triangulation, side.sequence);
+    for(std::size_t i = 0; i < strip.portals().size(); ++i) {
       side.along.push_back(strip.crossing_along(i));
       side.on_input.push_back(strip.crossing(i));
     }
@@ -184,18 +184,18 @@ private:
   // Adds the ends of the piece of side i in a gap of its edge sequence.
   void add_piece(int i, std::size_t gap, Part& part) const
   {
-    const Crossing_word& word = m_sides[i].word;
-    const Input_halfedge_index own = face_of_gap(word, gap);
+    const Edge_sequence& sequence = m_sides[i].sequence;
+    const Input_halfedge_index own = face_of_gap(sequence, gap);
     const Input_halfedge_index face = part.vertices.empty() ? own : part.vertices.front().face;
     for(const std::size_t k : {gap, gap + 1}) {
       Weights weights;
       if(k == 0)
-        weights = vertex_weights(m_triangulation, word.tail, face);
-      else if(k > word.crossed.size())
-        weights = vertex_weights(m_triangulation, word.head, face);
+        weights = vertex_weights(m_triangulation, sequence.tail, face);
+      else if(k > sequence.crossed.size())
+        weights = vertex_weights(m_triangulation, sequence.head, face);
       else // left through the crossed edge at the end of the piece, entered at its start
-        weights = k > gap ? on_edge(face, word.crossed[k - 1], m_sides[i].on_input[k - 1])
-                          : on_edge(face, twin_index(word.crossed[k - 1]), 1 - m_sides[i].on_input[k - 1]);
+        weights = k > gap ? on_edge(face, sequence.crossed[k - 1], m_sides[i].on_input[k - 1])
+                          : on_edge(face, twin_index(sequence.crossed[k - 1]), 1 - m_sides[i].on_input[k - 1]);
       const double sum = weights[0] + weights[1] + weights[2];
       for(double& weight : weights)
         weight /= sum;
@@ -256,21 +256,21 @@ template <class Triangulation>
 std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, Halfedge_index h, double t)
 {
   constexpr double margin = 0.05; // of the piece in an input face
-  const Crossing_word word = triangulation.crossing_word(h);
-  const Input_halfedge_index face = face_of_gap(word, 0);
+  const Edge_sequence sequence = triangulation.edge_sequence(h);
+  const Input_halfedge_index face = face_of_gap(sequence, 0);
   Point_on_edge result = {{face, {{0, 0, 0}}}, 0};
-  if(word.crossed.empty()) {
-    std::array<double, 3> a = vertex_weights(triangulation, word.tail, face);
-    std::array<double, 3> b = vertex_weights(triangulation, word.head, face);
+  if(sequence.crossed.empty()) {
+    std::array<double, 3> a = vertex_weights(triangulation, sequence.tail, face);
+    std::array<double, 3> b = vertex_weights(triangulation, sequence.head, face);
     const double sum_a = a[0] + a[1] + a[2], sum_b = b[0] + b[1] + b[2];
     for(int i = 0; i < 3; ++i)
       result.location.weights[i] = (1 - t) * a[i] / sum_a + t * b[i] / sum_b;
     return result;
   }
-  const Strip<Triangulation> strip(triangulation, word);
+  const Strip<Triangulation> strip(triangulation, sequence);
   double low = 0, best_distance = 2, best_t = t;
-  for(std::size_t i = 0; i <= word.crossed.size(); ++i) {
-    const double high = i < word.crossed.size() ? strip.crossing_along(i) : 1, room = margin * (high - low);
+  for(std::size_t i = 0; i <= sequence.crossed.size(); ++i) {
+    const double high = i < sequence.crossed.size() ? strip.crossing_along(i) : 1, room = margin * (high - low);
     const double nearest = (std::min)((std::max)(t, low + room), high - room);
     if(room > least_point_spacing && std::abs(nearest - t) < best_distance) {
       best_distance = std::abs(nearest - t);
@@ -288,7 +288,7 @@ std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, H
     return std::imag(std::conj(u) * v);
   };
   const double area = cross(b, c);
-  result.location.halfedge = face_of_gap(word, result.gap);
+  result.location.halfedge = face_of_gap(sequence, result.gap);
   result.location.weights = {{0, cross(d, c) / area, cross(b, d) / area}};
   result.location.weights[0] = 1 - result.location.weights[1] - result.location.weights[2];
   for(double weight : result.location.weights)

@@ -117,7 +117,7 @@ public:
    * that it leaves. */
   Input_halfedge_index crossed_halfedge(Overlay_vertex v) const
   {
-    return m_letters[v.idx() - m_triangulation->number_of_vertices()];
+    return m_crossed_edges[v.idx() - m_triangulation->number_of_vertices()];
   }
 
   /* Returns piece i of intrinsic halfedge h, out of crossings(edge) + 1. */
@@ -384,13 +384,13 @@ private:
   {
     for(Edge_index e : descriptors<Edge_index>(m_triangulation->number_of_edges())) {
       const Halfedge_index h = first_side(e);
-      const Crossing_word word = m_triangulation->crossing_word(h);
+      const Edge_sequence sequence = m_triangulation->edge_sequence(h);
       const Index n = crossings(e);
-      CGAL_assertion(static_cast<std::size_t>(n) == word.crossed.size());
-      m_letters.insert(m_letters.end(), word.crossed.begin(), word.crossed.end());
+      CGAL_assertion(static_cast<std::size_t>(n) == sequence.crossed.size());
+      m_crossed_edges.insert(m_crossed_edges.end(), sequence.crossed.begin(), sequence.crossed.end());
       for(Index i = 0; i <= n; ++i)
         add_edge(i == 0 ? vertex(m_triangulation->tail(h)) : crossing_vertex(e, i - 1),
-                 i == n ? vertex(m_triangulation->head(h)) : crossing_vertex(e, i), h, word.along);
+                 i == n ? vertex(m_triangulation->head(h)) : crossing_vertex(e, i), h, sequence.along);
     }
   }
 
@@ -427,7 +427,8 @@ private:
       for(Index k = 0; k < passing.emanating[i]; ++k) {
         const Index j = passing.cutting[before] + k;
         inward[i][j] = next_new_halfedge();
-        add_edge(vertex_on(side[i], j), vertex(m_triangulation->tail(side[after])), null_index, letter_on(side[i], j));
+        add_edge(vertex_on(side[i], j), vertex(m_triangulation->tail(side[after])), null_index,
+                 crossed_edge_on(side[i], j));
       }
     }
     for(int i = 0; i < 3; ++i) {
@@ -453,18 +454,18 @@ private:
   }
 
   // The crossed input halfedge that leads from there to the left.
-  Input_halfedge_index letter_on(Halfedge_index h, Index i) const
+  Input_halfedge_index crossed_edge_on(Halfedge_index h, Index i) const
   {
-    const Input_halfedge_index letter = crossed_halfedge(vertex_on(h, i));
-    return is_first_side(h) ? letter : twin_index(letter);
+    const Input_halfedge_index crossed_edge = crossed_halfedge(vertex_on(h, i));
+    return is_first_side(h) ? crossed_edge : twin_index(crossed_edge);
   }
 
   void add_arc(Halfedge_index h, Index i, Overlay_halfedge& from_h, Halfedge_index g, Index j, Overlay_halfedge& from_g)
   {
-    CGAL_assertion(letter_on(h, i) == twin_index(letter_on(g, j)));
+    CGAL_assertion(crossed_edge_on(h, i) == twin_index(crossed_edge_on(g, j)));
     from_h = next_new_halfedge();
     from_g = twin(from_h);
-    add_edge(vertex_on(h, i), vertex_on(g, j), null_index, letter_on(h, i));
+    add_edge(vertex_on(h, i), vertex_on(g, j), null_index, crossed_edge_on(h, i));
   }
 
   void link_along(Halfedge_index h, const std::vector<Overlay_halfedge>& inward)
@@ -497,7 +498,7 @@ private:
   const Triangulation* m_triangulation;
   Index m_number_of_vertices = 0, m_end_of_crossings = 0;
   std::vector<Index> m_first_crossing; // per intrinsic edge, and the end
-  std::vector<Input_halfedge_index> m_letters;
+  std::vector<Input_halfedge_index> m_crossed_edges;
   Per_overlay_halfedge<Overlay_halfedge> m_next, m_previous;
   Per_overlay_halfedge<Overlay_vertex> m_origin;
   std::vector<Halfedge_index> m_intrinsic;   // per edge: along which its first halfedge runs

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_LAYOUT_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
@@ -211,9 +211,9 @@ private:
     for(Edge_index e : descriptors<Edge_index>(triangulation().number_of_edges())) {
       if(m_overlay->crossings(e) == 0)
         continue;
-      const Strip<Triangulation> strip(triangulation(), triangulation().crossing_word(first_side(e)));
+      const Strip<Triangulation> strip(triangulation(), triangulation().edge_sequence(first_side(e)));
       double along = 0;
-      for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+      for(std::size_t i = 0; i < strip.portals().size(); ++i) {
         along = (std::max)(along, strip.crossing_along(i));
         m_crossings.push_back({strip.crossing(i), along, first_side(e)});
       }

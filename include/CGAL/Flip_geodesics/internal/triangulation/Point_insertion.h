@@ -10,9 +10,9 @@
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
@@ -82,20 +82,20 @@ public:
   }
 
   /* Adds an edge whose sides have no face yet; returns the halfedge to which the edge sequence belongs. */
-  Halfedge_index add_edge(const Crossing_word& word)
+  Halfedge_index add_edge(const Edge_sequence& sequence)
   {
     const Slot s = m_halfedges.add_edge();
-    m_halfedges[s].tail = word.tail;
-    m_halfedges[twin_slot(s)].tail = word.head;
-    set_word(m_halfedges.halfedge(s), word);
+    m_halfedges[s].tail = sequence.tail;
+    m_halfedges[twin_slot(s)].tail = sequence.head;
+    set_sequence(m_halfedges.halfedge(s), sequence);
     return m_halfedges.halfedge(s);
   }
 
   /* Moves the tail of h; the edge sequence is that from the new tail on. */
-  void shorten_edge(Halfedge_index h, const Crossing_word& word)
+  void shorten_edge(Halfedge_index h, const Edge_sequence& sequence)
   {
-    m_halfedges[m_halfedges.slot(h)].tail = word.tail;
-    set_word(h, word);
+    m_halfedges[m_halfedges.slot(h)].tail = sequence.tail;
+    set_sequence(h, sequence);
   }
 
   void link_face(Halfedge_index a, Halfedge_index b, Halfedge_index c)
@@ -173,13 +173,14 @@ private:
     }
   }
 
-  void set_word(Halfedge_index h, const Crossing_word& word)
+  void set_sequence(Halfedge_index h, const Edge_sequence& sequence)
   {
     const Index version = static_cast<Index>(m_log.size());
     const Slot s = m_halfedges.slot(h);
     m_halfedges.version(s) = version;
-    m_halfedges.crossings_plus_one(s) = word.along != null_index ? 0 : static_cast<Index>(word.crossed.size()) + 1;
-    m_history.store_word(h, version, word);
+    m_halfedges.crossings_plus_one(s) =
+        sequence.along != null_index ? 0 : static_cast<Index>(sequence.crossed.size()) + 1;
+    m_history.store_sequence(h, version, sequence);
   }
 
   const Triangulation& m_triangulation;
@@ -233,16 +234,16 @@ class Point_insertion
   {
     Halfedge_index h;
     std::size_t gap;
-    Crossing_word word;
+    Edge_sequence sequence;
 
-    Place reversed() const { return {Triangulation::twin(h), word.crossed.size() - gap, word.reversed()}; }
+    Place reversed() const { return {Triangulation::twin(h), sequence.crossed.size() - gap, sequence.reversed()}; }
   };
 
 public:
   Point_insertion(const Triangulation& triangulation, Editor& editor, const Located_point& located, Vertex_index x)
     : m_triangulation(triangulation)
     , m_editor(editor)
-    , m_place{located.halfedge, located.gap, triangulation.crossing_word(located.halfedge)}
+    , m_place{located.halfedge, located.gap, triangulation.edge_sequence(located.halfedge)}
     , m_x(x)
   {
   }
@@ -251,7 +252,8 @@ public:
   void split_face()
   {
     const Halfedge_index h = m_place.h, hn = next(h), hp = next(hn);
-    const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
+    const Edge_sequence to_a = sequence_to_tail(m_place), to_b = sequence_to_head(m_place),
+                        to_o = sequence_to_apex(m_place);
     const Halfedge_index a = m_editor.add_edge(to_a), b = m_editor.add_edge(to_b), o = m_editor.add_edge(to_o);
     m_editor.link_face(h, twin(b), a);
     m_editor.link_face(hn, twin(o), b);
@@ -276,46 +278,46 @@ private:
   // ---------------------------------------------------------------- edge sequences
 
   // A path that starts at x in the input face of the gap.
-  Word_path<Triangulation> path_from(const Place& place) const
+  Edge_sequence_path<Triangulation> path_from(const Place& place) const
   {
-    const Input_halfedge_index face = face_of_gap(place.word, place.gap);
+    const Input_halfedge_index face = face_of_gap(place.sequence, place.gap);
     return {m_triangulation, m_x, anchor(m_triangulation, m_x, face)};
   }
 
-  Crossing_word word_to_head(const Place& place) const
+  Edge_sequence sequence_to_head(const Place& place) const
   {
-    Word_path<Triangulation> path = path_from(place);
-    path.cross(place.word.crossed, place.gap, place.word.crossed.size());
-    return path.finish(place.word.head, head_anchor(m_triangulation, place.word));
+    Edge_sequence_path<Triangulation> path = path_from(place);
+    path.cross(place.sequence.crossed, place.gap, place.sequence.crossed.size());
+    return path.finish(place.sequence.head, head_anchor(m_triangulation, place.sequence));
   }
 
-  Crossing_word word_to_tail(const Place& place) const
+  Edge_sequence sequence_to_tail(const Place& place) const
   {
-    Word_path<Triangulation> path = path_from(place);
+    Edge_sequence_path<Triangulation> path = path_from(place);
     for(std::size_t i = place.gap; i-- > 0;)
-      path.cross(twin_index(place.word.crossed[i]));
-    return path.finish(place.word.tail, tail_anchor(m_triangulation, place.word));
+      path.cross(twin_index(place.sequence.crossed[i]));
+    return path.finish(place.sequence.tail, tail_anchor(m_triangulation, place.sequence));
   }
 
   // From x to the apex of the face on the left, over the head.
-  Crossing_word word_to_apex(const Place& place) const
+  Edge_sequence sequence_to_apex(const Place& place) const
   {
     const Halfedge_index hn = next(place.h);
-    const Crossing_word word = m_triangulation.crossing_word(hn);
-    Word_path<Triangulation> path = path_over_head(place);
-    path.cross(word.crossed, 0, word.crossed.size());
-    return path.finish(word.head, head_anchor(m_triangulation, word));
+    const Edge_sequence sequence = m_triangulation.edge_sequence(hn);
+    Edge_sequence_path<Triangulation> path = path_over_head(place);
+    path.cross(sequence.crossed, 0, sequence.crossed.size());
+    return path.finish(sequence.head, head_anchor(m_triangulation, sequence));
   }
 
   // From x along the edge to its head, and around the head through the face on the left.
-  Word_path<Triangulation> path_over_head(const Place& place) const
+  Edge_sequence_path<Triangulation> path_over_head(const Place& place) const
   {
     const Halfedge_index hn = next(place.h);
     const auto number = [this](Halfedge_index h) { return m_triangulation.crossings(Triangulation::edge(h)); };
     const Index turns = Triangle_crossings(number(place.h), number(hn), number(next(hn))).emanating[2];
-    Word_path<Triangulation> path = path_from(place);
-    path.cross(place.word.crossed, place.gap, place.word.crossed.size());
-    path.turn(place.word.head, head_anchor(m_triangulation, place.word), turns);
+    Edge_sequence_path<Triangulation> path = path_from(place);
+    path.cross(place.sequence.crossed, place.gap, place.sequence.crossed.size());
+    path.turn(place.sequence.head, head_anchor(m_triangulation, place.sequence), turns);
     return path;
   }
 
@@ -326,7 +328,8 @@ private:
   {
     const Halfedge_index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn);
     const Vertex_index b = m_triangulation.tail(t);
-    const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
+    const Edge_sequence to_a = sequence_to_tail(m_place), to_b = sequence_to_head(m_place),
+                        to_o = sequence_to_apex(m_place);
     const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o);
     m_editor.shorten_edge(t, to_a);
     m_editor.put_on_border(twin(xb));
@@ -342,8 +345,8 @@ private:
   {
     const Halfedge_index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
     const Vertex_index b = m_triangulation.tail(t);
-    const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place),
-                        to_p = word_to_apex(m_place.reversed());
+    const Edge_sequence to_a = sequence_to_tail(m_place), to_b = sequence_to_head(m_place),
+                        to_o = sequence_to_apex(m_place), to_p = sequence_to_apex(m_place.reversed());
     const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o), xp = m_editor.add_edge(to_p);
     m_editor.shorten_edge(t, to_a);
     m_editor.move_outgoing(b, t, twin(xb));
@@ -365,11 +368,12 @@ private:
     const Halfedge_index h = m_place.h, t = twin(h), hp = next(t);
     const Vertex_index b = m_triangulation.tail(t);
     const Place from_twin = m_place.reversed();
-    const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
-    Word_path<Triangulation> loop = path_over_head(m_place);
-    loop.cross(from_twin.word.crossed, 0, from_twin.gap);
-    const Input_halfedge_index face = face_of_gap(from_twin.word, from_twin.gap);
-    const Crossing_word around_b = loop.finish(m_x, anchor(m_triangulation, m_x, face));
+    const Edge_sequence to_a = sequence_to_tail(m_place), to_b = sequence_to_head(m_place),
+                        to_o = sequence_to_apex(m_place);
+    Edge_sequence_path<Triangulation> loop = path_over_head(m_place);
+    loop.cross(from_twin.sequence.crossed, 0, from_twin.gap);
+    const Input_halfedge_index face = face_of_gap(from_twin.sequence, from_twin.gap);
+    const Edge_sequence around_b = loop.finish(m_x, anchor(m_triangulation, m_x, face));
 
     const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o), xx = m_editor.add_edge(around_b);
     m_editor.shorten_edge(t, to_a);
@@ -416,7 +420,7 @@ private:
     for(Halfedge_index h : sides)
       if(m_triangulation.crossings(Triangulation::edge(h)) > 0)
         fail("an exact number type can express points only where no edge crosses an input edge yet");
-    const Input_halfedge_index face = face_of_gap(m_triangulation.crossing_word(sides[0]), 0);
+    const Input_halfedge_index face = face_of_gap(m_triangulation.edge_sequence(sides[0]), 0);
     std::array<std::array<double, 3>, 3> weights;
     for(int i = 0; i < 3; ++i)
       weights[i] = vertex_weights(m_triangulation, m_triangulation.tail(sides[i]), face);

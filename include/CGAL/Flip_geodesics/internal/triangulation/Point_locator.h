@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
@@ -119,7 +119,7 @@ private:
       for(const Gap& side : sides) {
         if(!spend(side.halfedge, letters_left))
           return {};
-        const Sign sign = m_side(m_triangulation.crossing_word(side.halfedge), side.gap, point);
+        const Sign sign = m_side(m_triangulation.edge_sequence(side.halfedge), side.gap, point);
         if(sign == ZERO)
           zeros.push_back(side);
         else if(sign == NEGATIVE)
@@ -165,7 +165,7 @@ private:
       CGAL_assertion(g != null_index);
       if(!spend(g, letters_left))
         return {};
-      Input_halfedge_index direction = tail_anchor(m_triangulation, m_triangulation.crossing_word(g));
+      Input_halfedge_index direction = tail_anchor(m_triangulation, m_triangulation.edge_sequence(g));
       if(direction == c)
         return Gap{g, 0};
       const Triangle_crossings corner = crossings(m_triangulation.next(g)); // corner 0 is the tail of g, 1 its head
@@ -213,7 +213,7 @@ private:
     double miss = 0;
     Gap worst = beyond.front();
     for(const Gap& side : beyond) {
-      const double by = std::abs(m_side.distance(m_triangulation.crossing_word(side.halfedge), side.gap, point)) /
+      const double by = std::abs(m_side.distance(m_triangulation.edge_sequence(side.halfedge), side.gap, point)) /
                         m_triangulation.length(side.halfedge);
       if(by > miss) {
         miss = by;

@@ -11,13 +11,13 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_subface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -74,8 +74,8 @@ class Split_surface
 public:
   using Below = Indexed_mesh<TriangleMesh>;
 
-  /* \param triangulation in which points have been inserted and nothing was flipped. It is only read here, but its input
-   * must outlive the surface */
+  /* \param triangulation in which points have been inserted and nothing was flipped. It is only read here, but its
+   * input must outlive the surface */
   template <class Triangulation>
   explicit Split_surface(const Triangulation& triangulation)
     : m_below(&triangulation.input())
@@ -87,7 +87,7 @@ public:
     {
       m_locations.push_back(triangulation.location(v));
       m_outgoing.push_back(as_input(triangulation.outgoing(v)));
-      for(Halfedge_index h : spokes(triangulation, v))
+      for(Halfedge_index h : outgoing_halfedges(triangulation, v))
         if(!triangulation.is_border(h))
           add_face(triangulation, h);
     }
@@ -209,11 +209,11 @@ private:
   {
     if(find(as_input(h)) != nullptr)
       return;
-    const Crossing_word word = triangulation.crossing_word(h);
-    const Input_halfedge_index face = word.along == null_index ? word.face : word.along;
+    const Edge_sequence sequence = triangulation.edge_sequence(h);
+    const Input_halfedge_index face = sequence.along == null_index ? sequence.face : sequence.along;
     for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {
       const Vertex_index v = triangulation.tail(h);
-      const Input_halfedge_index along = triangulation.crossing_word(h).along;
+      const Input_halfedge_index along = triangulation.edge_sequence(h).along;
       const bool is_whole = triangulation.version(Triangulation::edge(h)) == 0;
       add({as_input(h), as_input(triangulation.next(h)), as_input(triangulation.previous(h)), v, false, is_whole, along,
            face, vertex_weights(triangulation, v, face)});
@@ -381,8 +381,8 @@ struct Split_place
 };
 
 /*
- * The metric of a split surface: that of what lies below. It is the same surface exactly: parts of faces are derived from
- * the exact faces below by the exact weights of their corners, and rounded last. A model of IntrinsicMetric.
+ * The metric of a split surface: that of what lies below. It is the same surface exactly: parts of faces are derived
+ * from the exact faces below by the exact weights of their corners, and rounded last. A model of IntrinsicMetric.
  *
  * A metric below that has no exact faces is taken to have faces of its rounded lengths.
  */
@@ -490,9 +490,9 @@ public:
                            : part(mesh, *side).exact_face(place_in_part(mesh, *side));
   }
 
-  /* Of words that the metric below can have, that is, not to new vertices; nor about a vertex with new edges, which the
-   * steps count. */
-  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
+  /* Of edge sequences that the metric below can have, that is, not to new vertices; nor about a vertex with new edges,
+   * which the steps count. */
+  bool sine_in_plane(const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,
                      Flat_edges& flat_edges, Sign& sine) const
   {
     const Surface& surface = mesh.surface();
@@ -500,8 +500,8 @@ public:
     if(surface.is_beside_split(a.tail) || surface.is_new(a.head) || surface.is_new(b.head))
       return false;
     if constexpr(Has_exact_faces<Metric>::value)
-      return m_metric.sine_in_plane(below(mesh), word_below(surface, a), word_below(surface, b), steps, flat_edges,
-                                    sine);
+      return m_metric.sine_in_plane(below(mesh), sequence_below(surface, a), sequence_below(surface, b), steps,
+                                    flat_edges, sine);
     else
       return false;
   }
@@ -569,14 +569,14 @@ private:
   }
 
   // Crossings of edges that are not there below are left out.
-  static Crossing_word word_below(const Surface& surface, Crossing_word word)
+  static Edge_sequence sequence_below(const Surface& surface, Edge_sequence sequence)
   {
     std::vector<Input_halfedge_index> crossed;
-    for(const Input_halfedge_index h : word.crossed)
+    for(const Input_halfedge_index h : sequence.crossed)
       if(const Input_halfedge_index along = surface.along(h); along != null_index)
         crossed.push_back(along);
-    word.crossed = std::move(crossed);
-    return word;
+    sequence.crossed = std::move(crossed);
+    return sequence;
   }
 
   Metric m_metric;

@@ -65,7 +65,7 @@ public:
   /* Returns the angle of a halfedge of the triangulation that starts at the vertex. */
   double operator()(Halfedge_index h) const
   {
-    return (*this)(Strip<Triangulation>(m_triangulation, m_triangulation.crossing_word(h)));
+    return (*this)(Strip<Triangulation>(m_triangulation, m_triangulation.edge_sequence(h)));
   }
 
   /* Returns the angle counterclockwise from one direction to another; infinite if the border intervenes. */

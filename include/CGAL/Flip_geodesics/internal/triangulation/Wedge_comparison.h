@@ -52,28 +52,28 @@ public:
       if(quick != EQUAL)
         return quick;
     }
-    const bool are_long = m_is_filtered && have_long_words(from, to);
+    const bool are_long = m_is_filtered && have_long_sequences(from, to);
     if(are_long) {
       const Comparison_result quick = by_vectors({{from, to}});
       if(quick != EQUAL)
         return quick;
     }
-    const Wedge_words words = wedge_words(m_triangulation, from, to);
+    const Wedge_edge_sequences sequences = wedge_sequences(m_triangulation, from, to);
     Sign sine;
-    if(is_in_plane(words, sine))
+    if(is_in_plane(sequences, sine))
       return comparison(sine);
     const Comparison_result quick = are_long ? EQUAL : by_vectors({{from, to}});
-    return quick != EQUAL ? quick : comparison(exact_sine({words}));
+    return quick != EQUAL ? quick : comparison(exact_sine({sequences}));
   }
 
   /* Compares for edge sequences that need not be edges of the triangulation; not around a point inside a face. */
-  Comparison_result operator()(const Wedge_words& words) const
+  Comparison_result operator()(const Wedge_edge_sequences& sequences) const
   {
-    const Comparison_result quick = counted(wedge_angle(m_triangulation, words).compare_with_straight());
+    const Comparison_result quick = counted(wedge_angle(m_triangulation, sequences).compare_with_straight());
     if(quick != EQUAL)
       return quick;
     Sign sine;
-    return comparison(is_in_plane(words, sine) ? sine : exact_sine({words}));
+    return comparison(is_in_plane(sequences, sine) ? sine : exact_sine({sequences}));
   }
 
   /* Compares the sum of two angles, each at most pi, after a filter failure. */
@@ -83,7 +83,7 @@ public:
     if(quick != EQUAL)
       return quick;
     return comparison(
-        exact_sine({wedge_words(m_triangulation, a.from, a.to), wedge_words(m_triangulation, b.from, b.to)}));
+        exact_sine({wedge_sequences(m_triangulation, a.from, a.to), wedge_sequences(m_triangulation, b.from, b.to)}));
   }
 
 private:
@@ -121,7 +121,7 @@ private:
   }
 
   // Returns whether examining the edge sequences of two edges takes longer than deriving their vectors.
-  bool have_long_words(Halfedge_index from, Halfedge_index to) const
+  bool have_long_sequences(Halfedge_index from, Halfedge_index to) const
   {
     constexpr Index many_letters = 16;
     if constexpr(Internals<Triangulation>::has_precise_numbers)
@@ -130,11 +130,11 @@ private:
       return false;
   }
 
-  bool is_in_plane(const Wedge_words& words, Sign& sine) const
+  bool is_in_plane(const Wedge_edge_sequences& sequences, Sign& sine) const
   {
     const auto by_metric = [&](Flat_edges& flat_edges) {
-      return m_triangulation.metric().sine_in_plane(m_triangulation.input(), words.from, words.to, words.steps,
-                                                    flat_edges, sine);
+      return m_triangulation.metric().sine_in_plane(m_triangulation.input(), sequences.from, sequences.to,
+                                                    sequences.steps, flat_edges, sine);
     };
     bool result;
     if constexpr(Internals<Triangulation>::has_precise_numbers) {
@@ -148,13 +148,13 @@ private:
     return result;
   }
 
-  Sign exact_sine(const std::vector<Wedge_words>& wedges) const
+  Sign exact_sine(const std::vector<Wedge_edge_sequences>& wedges) const
   {
     const Unfolding_chains<Triangulation> unfolding(m_triangulation);
     std::vector<Unfolding_chain> chains;
     chains.reserve(3 * wedges.size());
     bool is_opposite = false;
-    for(const Wedge_words& w : wedges) {
+    for(const Wedge_edge_sequences& w : wedges) {
       chains.push_back(unfolding.head(w.from, false));
       chains.push_back(unfolding.head(w.to, true));
       if(!m_triangulation.is_inserted(w.from.tail))

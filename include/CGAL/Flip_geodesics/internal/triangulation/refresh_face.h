@@ -37,7 +37,7 @@ Precise_edge precise_edge(const Triangulation& triangulation, Halfedge_index h)
   if constexpr(Internals<Triangulation>::has_precise_numbers)
     return Internals<Triangulation>::precise_edge(triangulation, h);
   else
-    return unfolded_edge(triangulation, triangulation.crossing_word(h));
+    return unfolded_edge(triangulation, triangulation.edge_sequence(h));
 }
 
 /* The wedge clockwise from one edge of an input vertex to another; the full turn if they are the same. */
@@ -199,7 +199,7 @@ std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Tr
 {
   const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
   const auto edge = [&](Halfedge_index side) {
-    const Strip<Triangulation> strip(triangulation, triangulation.crossing_word(side));
+    const Strip<Triangulation> strip(triangulation, triangulation.edge_sequence(side));
     return Face_measures::Length{well_rounded_length(strip.end()), strip.relative_error()};
   };
   return laid_out_face(triangulation.traits(),

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_BETWEEN_H
 
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
@@ -26,7 +26,7 @@ Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Ha
 {
   constexpr double pi = boost::math::constants::pi<double>();
   const auto strip = [&](Halfedge_index h) {
-    return Strip<Triangulation>(triangulation, triangulation.crossing_word(h));
+    return Strip<Triangulation>(triangulation, triangulation.edge_sequence(h));
   };
   const Strip<Triangulation> from = strip(a);
   double sum = 0, error = from.relative_error(), direction = std::arg(from.end());
@@ -49,9 +49,9 @@ Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Ha
 
 /* Returns the edge sequences of the wedge clockwise from one halfedge of a vertex to another. */
 template <class Triangulation>
-Wedge_words wedge_words(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
+Wedge_edge_sequences wedge_sequences(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
 {
-  Wedge_words result = {triangulation.crossing_word(from), triangulation.crossing_word(to), 0};
+  Wedge_edge_sequences result = {triangulation.edge_sequence(from), triangulation.edge_sequence(to), 0};
   result.steps = triangulation.input_edges_in_wedge(from, to) + (result.from.along != null_index ? 1 : 0);
   return result;
 }
@@ -63,7 +63,7 @@ Wedge_rotation wedge_rotation(const Triangulation& triangulation, Halfedge_index
 {
   if(vertex_kind(triangulation, triangulation.tail(a)) == Location_kind::FACE)
     return wedge_rotation_inside_face(triangulation, a, b);
-  return wedge_rotation(triangulation, wedge_words(triangulation, a, b));
+  return wedge_rotation(triangulation, wedge_sequences(triangulation, a, b));
 }
 
 template <class Triangulation>

@@ -96,14 +96,14 @@ private:
 };
 
 /*
- * Unfolds input faces into a plane, one after the other, each across a side of the previous one: its portal (`gate`).
+ * Unfolds input faces into a plane, one after the other, each across a side of the previous one: its portal (`portal`).
  *
- *                     apex                  Face entered across `gate`: its corners are the left end of the gate,
+ *                     apex                  Face entered across `portal`: its corners are the left end of the portal,
  *                    /    \                 the right end and the apex; its sides lead from the left end to the
  *              side 2      side 1           right one, to the apex, and back.
  *                  /        \
  *               left -------- right
- *                     gate
+ *                     portal
  *
  * The sides are products of the corners of the faces, never differences of positions, which would magnify errors at
  * short portals. The layout determines how numbers are computed and how their errors are bounded.
@@ -123,7 +123,7 @@ public:
     , m_halfedge(h)
     , m_sides(sides)
     , m_corners(corners)
-    , m_gate(sides[0])
+    , m_portal(sides[0])
     , m_right(corners[0])
     , m_left(corners[1])
   {
@@ -146,7 +146,7 @@ public:
   int number_of(Input_halfedge_index h) const { return h == m_halfedge ? 0 : (h == m_layout.next(m_halfedge) ? 1 : 2); }
 
   /* Returns the side across which the last face is left, from its left end to its right one. */
-  const Side& gate() const { return m_gate; }
+  const Side& portal() const { return m_portal; }
   const Corner& right() const { return m_right; }
   const Corner& left() const { return m_left; }
 
@@ -155,13 +155,13 @@ public:
   {
     m_right = m_corners[i];
     m_left = m_corners[i == 2 ? 0 : i + 1];
-    m_gate = m_layout.opposite(m_sides[i]);
+    m_portal = m_layout.opposite(m_sides[i]);
   }
 
   /* Enters the face of h, the halfedge of the portal in that face. */
   void enter(Input_halfedge_index h)
   {
-    const Sides sides = m_layout.sides(h, m_gate);
+    const Sides sides = m_layout.sides(h, m_portal);
     set_face(h, sides, m_layout.apex(sides, m_right, m_left, ++m_entered));
   }
 
@@ -175,12 +175,12 @@ public:
     for(std::size_t i = 0;; ++i) { // each face has one new corner; the others do not move
       visit(crossed[i], m_right, m_left);
       const Input_halfedge_index entered = twin_index(crossed[i]);
-      const Sides sides = m_layout.sides(entered, m_gate);
+      const Sides sides = m_layout.sides(entered, m_portal);
       const Corner apex = m_layout.apex(sides, m_right, m_left, ++m_entered);
       if(i + 1 == crossed.size())
         return set_face(entered, sides, apex);
       const bool is_leaving_right = crossed[i + 1] == m_layout.next(entered);
-      m_gate = m_layout.opposite(is_leaving_right ? sides[1] : sides[2]);
+      m_portal = m_layout.opposite(is_leaving_right ? sides[1] : sides[2]);
       (is_leaving_right ? m_left : m_right) = apex;
     }
   }
@@ -197,7 +197,7 @@ private:
   Input_halfedge_index m_halfedge;
   Sides m_sides;
   Corners m_corners;
-  Side m_gate;
+  Side m_portal;
   Corner m_right, m_left;
   std::size_t m_entered = 0;
 };

@@ -61,29 +61,29 @@ public:
   {
   }
 
-  Sign operator()(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
+  Sign operator()(const Edge_sequence& sequence, std::size_t gap, const Surface_location& point) const
   {
-    const std::array<double, 3> weights = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
-    if(word.along != null_index)
+    const std::array<double, 3> weights = weights_in_face(m_triangulation.input(), point, face_of_gap(sequence, gap));
+    if(sequence.along != null_index)
       return weights[2] > 0 ? POSITIVE : ZERO;
-    if(word.crossed.empty())
-      return orientation_of_weights(vertex_weights(m_triangulation, word.tail, word.face),
-                                    vertex_weights(m_triangulation, word.head, word.face), weights);
-    const Uncertain<Sign> quick = in_double(word, gap, weights);
+    if(sequence.crossed.empty())
+      return orientation_of_weights(vertex_weights(m_triangulation, sequence.tail, sequence.face),
+                                    vertex_weights(m_triangulation, sequence.head, sequence.face), weights);
+    const Uncertain<Sign> quick = in_double(sequence, gap, weights);
     if(quick.is_certain()) {
       ++m_statistics.by_strip;
       return quick.make_certain();
     }
-    return exactly(word, gap, weights);
+    return exactly(sequence, gap, weights);
   }
 
   /* Returns the signed distance of the point to the left of the edge, rounded. */
-  double distance(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
+  double distance(const Edge_sequence& sequence, std::size_t gap, const Surface_location& point) const
   {
-    const std::array<double, 3> w = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
-    if(word.crossed.empty())
+    const std::array<double, 3> w = weights_in_face(m_triangulation.input(), point, face_of_gap(sequence, gap));
+    if(sequence.crossed.empty())
       return 0; // decided exactly by the weights alone
-    const Strip<Triangulation> strip(m_triangulation, word);
+    const Strip<Triangulation> strip(m_triangulation, sequence);
     std::complex<double> position = 0;
     for(int i = 0; i < 3; ++i)
       position += w[i] / (w[0] + w[1] + w[2]) * strip.face(gap)[i].position;
@@ -91,9 +91,9 @@ public:
   }
 
 private:
-  Uncertain<Sign> in_double(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
+  Uncertain<Sign> in_double(const Edge_sequence& sequence, std::size_t gap, const std::array<double, 3>& w) const
   {
-    const Strip<Triangulation> strip(m_triangulation, word);
+    const Strip<Triangulation> strip(m_triangulation, sequence);
     const auto corners = strip.face(gap);
     const double sum = w[0] + w[1] + w[2];
     std::complex<double> position = 0;
@@ -110,11 +110,11 @@ private:
     return sine > 0 ? POSITIVE : NEGATIVE;
   }
 
-  Sign exactly(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& weights) const
+  Sign exactly(const Edge_sequence& sequence, std::size_t gap, const std::array<double, 3>& weights) const
   {
     const Unfolding_chains<Triangulation> unfolding(m_triangulation);
     return Exact_sign(m_statistics, sign_work_limit(m_triangulation))(
-        {unfolding.point(word, gap, weights), unfolding.head(word, true)});
+        {unfolding.point(sequence, gap, weights), unfolding.head(sequence, true)});
   }
 
   const Triangulation& m_triangulation;

@@ -270,19 +270,19 @@ public:
   /* An end of a crossed edge; the error is absolute. */
   using Point = typename Layout::Corner;
 
-  struct Gate
+  struct Portal
   {
     Point right, left;
   };
 
-  Precise_strip(const Triangulation& triangulation, const Crossing_word& word, bool has_gates)
+  Precise_strip(const Triangulation& triangulation, const Edge_sequence& sequence, bool has_portals)
   {
-    if(has_gates)
-      m_gates.reserve(word.crossed.size());
-    unfold(Layout(triangulation), word, has_gates);
+    if(has_portals)
+      m_portals.reserve(sequence.crossed.size());
+    unfold(Layout(triangulation), sequence, has_portals);
   }
 
-  const std::vector<Gate>& gates() const { return m_gates; }
+  const std::vector<Portal>& portals() const { return m_portals; }
   const Precise_edge& edge() const { return m_edge; }
 
   /* Returns the side of the line from tail to head on which a point lies. POSITIVE is the left side. */
@@ -297,16 +297,16 @@ public:
   }
 
 private:
-  void unfold(const Layout& layout, const Crossing_word& word, bool has_gates)
+  void unfold(const Layout& layout, const Edge_sequence& sequence, bool has_portals)
   {
-    const Input_halfedge_index reference = layout.next(layout.next(word.crossed.front()));
+    const Input_halfedge_index reference = layout.next(layout.next(sequence.crossed.front()));
     const auto sides = layout.sides(reference, {{{1, 0}, {}}, 0, {}, 0});
     const Point tail = {{}, 0}, right = layout.step(tail, sides[0]), left = layout.step(right, sides[1]);
     Face_strip<Layout> faces(layout, reference, sides, {tail, right, left});
     faces.leave_over(1);
-    faces.cross(word.crossed, [&](Input_halfedge_index, const Point& at_right, const Point& at_left) {
-      if(has_gates)
-        m_gates.push_back({at_right, at_left});
+    faces.cross(sequence.crossed, [&](Input_halfedge_index, const Point& at_right, const Point& at_left) {
+      if(has_portals)
+        m_portals.push_back({at_right, at_left});
     });
     set_edge(reference, faces.corners()[2], faces.side(2), faces.sides()[2]);
   }
@@ -328,20 +328,20 @@ private:
               0};
   }
 
-  std::vector<Gate> m_gates;
+  std::vector<Portal> m_portals;
   Precise_edge m_edge;
 };
 
 /* Returns an edge given by its edge sequence, unfolded from the input. It has no bound if an end is an inserted
  * vertex. */
 template <class Triangulation>
-Precise_edge unfolded_edge(const Triangulation& triangulation, const Crossing_word& word)
+Precise_edge unfolded_edge(const Triangulation& triangulation, const Edge_sequence& sequence)
 {
-  if(triangulation.is_inserted(word.tail) || triangulation.is_inserted(word.head))
+  if(triangulation.is_inserted(sequence.tail) || triangulation.is_inserted(sequence.head))
     return {};
-  if(word.along == null_index)
-    return Precise_strip<Triangulation>(triangulation, word, false).edge();
-  const Input_halfedge_index h = word.along;
+  if(sequence.along == null_index)
+    return Precise_strip<Triangulation>(triangulation, sequence, false).edge();
+  const Input_halfedge_index h = sequence.along;
   const Input_halfedge_index inside = triangulation.input().is_border(h) ? twin_index(h) : h;
   return precise_input_edge(h, precise_input_halfedge(triangulation, inside));
 }

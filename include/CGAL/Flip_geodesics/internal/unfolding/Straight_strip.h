@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRAIGHT_STRIP_H
 
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
@@ -37,7 +37,7 @@ namespace internal {
 struct Strip_obstacle
 {
   Vertex_index vertex = null_index;
-  std::size_t gate = 0;
+  std::size_t portal = 0;
   double missing_angle = 0;
 };
 
@@ -205,7 +205,7 @@ struct Line_contacts
 {
   struct Edge_end
   {
-    std::size_t gate;
+    std::size_t portal;
     bool is_left;
   };
   std::vector<Edge_end> ends; // each vertex occurs once per edge
@@ -221,7 +221,7 @@ template <class Triangulation>
 class Straight_strip
 {
   using Strip_in_double = Strip<Triangulation>;
-  using Gate = typename Strip_in_double::Gate;
+  using Portal = typename Strip_in_double::Portal;
   using Touched = Touched_vertices<Triangulation>;
 
 public:
@@ -233,133 +233,138 @@ public:
 
   /* Returns whether the faces of an edge sequence are consecutive, from one that contains the tail to one that contains
    * the head. The test is purely combinatorial. */
-  bool is_strip(const Crossing_word& word) const
+  bool is_strip(const Edge_sequence& sequence) const
   {
-    if(word.along != null_index)
-      return is_on_halfedge(m_triangulation, word.tail, word.along) &&
-             is_on_halfedge(m_triangulation, word.head, twin_index(word.along));
-    if(word.crossed.empty())
-      return word.face != null_index && is_in_face(m_triangulation, word.tail, word.face) &&
-             is_in_face(m_triangulation, word.head, word.face);
+    if(sequence.along != null_index)
+      return is_on_halfedge(m_triangulation, sequence.tail, sequence.along) &&
+             is_on_halfedge(m_triangulation, sequence.head, twin_index(sequence.along));
+    if(sequence.crossed.empty())
+      return sequence.face != null_index && is_in_face(m_triangulation, sequence.tail, sequence.face) &&
+             is_in_face(m_triangulation, sequence.head, sequence.face);
     const auto& input = m_triangulation.input();
-    for(std::size_t i = 0; i < word.crossed.size(); ++i) {
-      const Input_halfedge_index entered = twin_index(word.crossed[i]);
-      if(input.is_border(word.crossed[i]) || input.is_border(entered))
+    for(std::size_t i = 0; i < sequence.crossed.size(); ++i) {
+      const Input_halfedge_index entered = twin_index(sequence.crossed[i]);
+      if(input.is_border(sequence.crossed[i]) || input.is_border(entered))
         return false;
       const Input_halfedge_index right_side = input.next(entered), left_side = input.next(right_side);
-      if(i + 1 < word.crossed.size() && word.crossed[i + 1] != right_side && word.crossed[i + 1] != left_side)
+      if(i + 1 < sequence.crossed.size() && sequence.crossed[i + 1] != right_side &&
+         sequence.crossed[i + 1] != left_side)
         return false;
     }
-    return is_opposite_vertex(m_triangulation, word.tail, word.crossed.front()) &&
-           is_opposite_vertex(m_triangulation, word.head, twin_index(word.crossed.back()));
+    return is_opposite_vertex(m_triangulation, sequence.tail, sequence.crossed.front()) &&
+           is_opposite_vertex(m_triangulation, sequence.head, twin_index(sequence.crossed.back()));
   }
 
   /* Examines the line of an edge sequence whose strip is available in doubles. */
-  bool operator()(const Crossing_word& word, const Strip_in_double& strip) const
+  bool operator()(const Edge_sequence& sequence, const Strip_in_double& strip) const
   {
     Strip_obstacle obstacle;
-    return is_inside_face(word) || is_straight(word, strip, obstacle);
+    return is_inside_face(sequence) || is_straight(sequence, strip, obstacle);
   }
 
   /* Examines the line of an edge sequence, which need not be that of an edge of the triangulation. */
-  bool operator()(const Crossing_word& word) const
+  bool operator()(const Edge_sequence& sequence) const
   {
     Strip_obstacle obstacle;
-    return (*this)(word, obstacle);
+    return (*this)(sequence, obstacle);
   }
 
   /* Examines the line of an edge sequence and, if it is not locally shortest, determines the obstacle. */
-  bool operator()(const Crossing_word& word, Strip_obstacle& obstacle) const
+  bool operator()(const Edge_sequence& sequence, Strip_obstacle& obstacle) const
   {
-    if(!is_strip(word))
+    if(!is_strip(sequence))
       return false;
-    return is_inside_face(word) || is_straight(word, Strip_in_double(m_triangulation, word), obstacle);
+    return is_inside_face(sequence) || is_straight(sequence, Strip_in_double(m_triangulation, sequence), obstacle);
   }
 
   /* Examines the line of an edge sequence that crosses edges, and determines the ends of crossed edges on the line. */
-  bool operator()(const Crossing_word& word, Line_contacts& contacts) const
+  bool operator()(const Edge_sequence& sequence, Line_contacts& contacts) const
   {
     Strip_obstacle obstacle;
-    return is_strip(word) && is_straight(word, Strip_in_double(m_triangulation, word), obstacle, &contacts);
+    return is_strip(sequence) && is_straight(sequence, Strip_in_double(m_triangulation, sequence), obstacle, &contacts);
   }
 
 private:
-  static bool is_inside_face(const Crossing_word& word) { return word.along == null_index && word.crossed.empty(); }
+  static bool is_inside_face(const Edge_sequence& sequence)
+  {
+    return sequence.along == null_index && sequence.crossed.empty();
+  }
 
-  bool is_straight(const Crossing_word& word, const Strip_in_double& strip, Strip_obstacle& obstacle,
+  bool is_straight(const Edge_sequence& sequence, const Strip_in_double& strip, Strip_obstacle& obstacle,
                    Line_contacts* contacts = nullptr) const
   {
-    Touched touched(m_triangulation, word.tail, word.head, strip.length(), m_statistics);
-    if(word.along != null_index)
-      add_edge_along(word, touched);
-    else if(!is_inside(word, strip, touched, obstacle, contacts))
+    Touched touched(m_triangulation, sequence.tail, sequence.head, strip.length(), m_statistics);
+    if(sequence.along != null_index)
+      add_edge_along(sequence, touched);
+    else if(!is_inside(sequence, strip, touched, obstacle, contacts))
       return false;
     return touched.are_passed_straight(obstacle);
   }
 
   /* The sides of the line on which the ends of a portal lie. POSITIVE is the right side. */
-  struct Gate_sides
+  struct Portal_sides
   {
     Sign left, right;
   };
 
   // The whole input edge, of which the segment can be a part.
-  void add_edge_along(const Crossing_word& word, Touched& touched) const
+  void add_edge_along(const Edge_sequence& sequence, Touched& touched) const
   {
-    const double length = m_triangulation.metric().length(m_triangulation.input(), word.along);
-    const auto w = vertex_weights(m_triangulation, word.tail, word.along);
+    const double length = m_triangulation.metric().length(m_triangulation.input(), sequence.along);
+    const auto w = vertex_weights(m_triangulation, sequence.tail, sequence.along);
     const double from = -length * (w[1] / (w[0] + w[1]));
-    touched.add_edge(word.along, from, from + length);
+    touched.add_edge(sequence.along, from, from + length);
   }
 
-  bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched, Strip_obstacle& obstacle,
-                 Line_contacts* contacts) const
+  bool is_inside(const Edge_sequence& sequence, const Strip_in_double& strip, Touched& touched,
+                 Strip_obstacle& obstacle, Line_contacts* contacts) const
   {
     double passed = 0; // the part of the line that has been followed
-    Gate_sides_beyond_doubles precise(*this, word, strip);
-    Gate_sides before = {ZERO, ZERO};
-    for(std::size_t i = 0; i < strip.gates().size(); ++i) {
-      const Gate& gate = strip.gates()[i];
-      Gate_sides sides = in_double(strip, gate);
+    Portal_sides_beyond_doubles precise(*this, sequence, strip);
+    Portal_sides before = {ZERO, ZERO};
+    for(std::size_t i = 0; i < strip.portals().size(); ++i) {
+      const Portal& portal = strip.portals()[i];
+      Portal_sides sides = in_double(strip, portal);
       // Consecutive portals share an end, for which the proof is not repeated.
-      const bool is_left_shared = i > 0 && !is_right_shared(strip.gates()[i - 1], gate);
+      const bool is_left_shared = i > 0 && !is_right_shared(strip.portals()[i - 1], portal);
       if(sides.left == ZERO)
         sides.left = is_left_shared ? before.left : precise.side(i, true);
       if(sides.right == ZERO)
         sides.right = i > 0 && !is_left_shared ? before.right : precise.side(i, false);
       before = sides;
       const bool is_along = sides.left == ZERO && sides.right == ZERO;
-      if(sides.left == NEGATIVE || sides.right == NEGATIVE || (is_along && !runs_along(strip, gate, passed))) {
+      if(sides.left == NEGATIVE || sides.right == NEGATIVE || (is_along && !runs_along(strip, portal, passed))) {
         obstacle.vertex =
-            m_triangulation.input().tail(sides.left == NEGATIVE ? twin_index(gate.crossed) : gate.crossed);
-        obstacle.gate = i;
+            m_triangulation.input().tail(sides.left == NEGATIVE ? twin_index(portal.crossed) : portal.crossed);
+        obstacle.portal = i;
         return false;
       }
       if(contacts != nullptr)
         note_contacts(i, sides, *contacts);
       if(is_along) {
-        touched.add_edge(gate.crossed, along(strip, gate.right), along(strip, gate.left));
+        touched.add_edge(portal.crossed, along(strip, portal.right), along(strip, portal.left));
       } else if(sides.left == ZERO || sides.right == ZERO) {
-        touched.add_vertex(m_triangulation.input().tail(sides.left == ZERO ? twin_index(gate.crossed) : gate.crossed));
+        touched.add_vertex(
+            m_triangulation.input().tail(sides.left == ZERO ? twin_index(portal.crossed) : portal.crossed));
       }
     }
     m_statistics.by_strip += precise.is_exact_needed() ? 0 : 1;
     return true;
   }
 
-  static void note_contacts(std::size_t gate, const Gate_sides& sides, Line_contacts& contacts)
+  static void note_contacts(std::size_t portal, const Portal_sides& sides, Line_contacts& contacts)
   {
     if(sides.left == ZERO)
-      contacts.ends.push_back({gate, true});
+      contacts.ends.push_back({portal, true});
     if(sides.right == ZERO)
-      contacts.ends.push_back({gate, false});
+      contacts.ends.push_back({portal, false});
     contacts.have_edge = contacts.have_edge || (sides.left == ZERO && sides.right == ZERO);
   }
 
   // Returns whether two consecutive portals start at one vertex; otherwise they end at one.
-  bool is_right_shared(const Gate& gate, const Gate& next) const
+  bool is_right_shared(const Portal& portal, const Portal& next) const
   {
-    return next.crossed == m_triangulation.input().next(twin_index(gate.crossed));
+    return next.crossed == m_triangulation.input().next(twin_index(portal.crossed));
   }
 
   static double along(const Strip_in_double& strip, const std::complex<double>& p)
@@ -368,59 +373,61 @@ private:
   }
 
   // Advances to the first point of the line inside a portal on it, if there is one.
-  static bool runs_along(const Strip_in_double& strip, const Gate& gate, double& passed)
+  static bool runs_along(const Strip_in_double& strip, const Portal& portal, double& passed)
   {
-    const double right = along(strip, gate.right), left = along(strip, gate.left);
-    const double error = gate.right_error + gate.left_error + 4 * strip.relative_error() * strip.length();
+    const double right = along(strip, portal.right), left = along(strip, portal.left);
+    const double error = portal.right_error + portal.left_error + 4 * strip.relative_error() * strip.length();
     passed = (std::max)(passed, (std::min)(right, left) + error);
     return passed < (std::max)(right, left) - error && passed <= strip.length() - error;
   }
 
-  static Gate_sides in_double(const Strip_in_double& strip, const Gate& gate)
+  static Portal_sides in_double(const Strip_in_double& strip, const Portal& portal)
   {
     if(!(strip.relative_error() < 1))
       return {ZERO, ZERO};
     const std::complex<double> end = strip.end();
-    const double left_error = std::abs(end) * (gate.left_error + 2 * strip.relative_error() * std::abs(gate.left));
-    const double right_error = std::abs(end) * (gate.right_error + 2 * strip.relative_error() * std::abs(gate.right));
-    return {sign(std::imag(std::conj(end) * gate.left), left_error),
-            sign(-std::imag(std::conj(end) * gate.right), right_error)};
+    const double left_error = std::abs(end) * (portal.left_error + 2 * strip.relative_error() * std::abs(portal.left));
+    const double right_error =
+        std::abs(end) * (portal.right_error + 2 * strip.relative_error() * std::abs(portal.right));
+    return {sign(std::imag(std::conj(end) * portal.left), left_error),
+            sign(-std::imag(std::conj(end) * portal.right), right_error)};
   }
 
   static Sign sign(double value, double error) { return value > error ? POSITIVE : (value < -error ? NEGATIVE : ZERO); }
 
   // Computes the side of the line on which an end of a portal lies, by a double-double strip that is unfolded on first
   // use, or else exactly.
-  class Gate_sides_beyond_doubles
+  class Portal_sides_beyond_doubles
   {
     using Strip_beyond_doubles = Precise_strip<Triangulation>;
 
   public:
-    Gate_sides_beyond_doubles(const Straight_strip& owner, const Crossing_word& word, const Strip_in_double& strip)
+    Portal_sides_beyond_doubles(const Straight_strip& owner, const Edge_sequence& sequence,
+                                const Strip_in_double& strip)
       : m_triangulation(owner.m_triangulation)
       , m_statistics(owner.m_statistics)
-      , m_word(word)
+      , m_sequence(sequence)
       , m_strip_in_double(strip)
     {
     }
 
-    Sign side(std::size_t gate, bool is_left)
+    Sign side(std::size_t portal, bool is_left)
     {
-      const Uncertain<Sign> quick = quick_side(gate, is_left);
-      const Sign result = quick.is_certain() ? quick.make_certain() : exact_side(gate, is_left);
+      const Uncertain<Sign> quick = quick_side(portal, is_left);
+      const Sign result = quick.is_certain() ? quick.make_certain() : exact_side(portal, is_left);
       return is_left ? result : CGAL::opposite(result);
     }
 
     bool is_exact_needed() const { return m_is_exact_needed; }
 
   private:
-    Uncertain<Sign> quick_side(std::size_t gate, bool is_left)
+    Uncertain<Sign> quick_side(std::size_t portal, bool is_left)
     {
-      if(m_triangulation.is_inserted(m_word.tail) || m_triangulation.is_inserted(m_word.head))
+      if(m_triangulation.is_inserted(m_sequence.tail) || m_triangulation.is_inserted(m_sequence.head))
         return Uncertain<Sign>::indeterminate();
       if(!m_strip)
-        m_strip.emplace(m_triangulation, m_word, true);
-      const auto& ends = m_strip->gates()[gate];
+        m_strip.emplace(m_triangulation, m_sequence, true);
+      const auto& ends = m_strip->portals()[portal];
       return m_strip->side(is_left ? ends.left : ends.right);
     }
 
@@ -435,11 +442,11 @@ private:
     };
 
     // \pre no portal before has the same end
-    Sign exact_side(std::size_t gate, bool is_left)
+    Sign exact_side(std::size_t portal, bool is_left)
     {
       m_is_exact_needed = true;
-      const Touched_end end = touched_end(gate, is_left);
-      const Sign result = is_in_line(end) ? ZERO : sign(m_word, gate, is_left);
+      const Touched_end end = touched_end(portal, is_left);
+      const Sign result = is_in_line(end) ? ZERO : sign(m_sequence, portal, is_left);
       if(result == ZERO) {
         m_before_last = m_last;
         m_last = end;
@@ -447,36 +454,36 @@ private:
       return result;
     }
 
-    Touched_end touched_end(std::size_t gate, bool is_left) const
+    Touched_end touched_end(std::size_t portal, bool is_left) const
     {
-      const Input_halfedge_index h = m_word.crossed[gate];
-      const Gate& g = m_strip_in_double.gates()[gate];
+      const Input_halfedge_index h = m_sequence.crossed[portal];
+      const Portal& g = m_strip_in_double.portals()[portal];
       const std::complex<double> place = is_left ? g.left : g.right;
       const double error =
           (is_left ? g.left_error : g.right_error) + 2 * m_strip_in_double.relative_error() * std::abs(place);
       return {m_triangulation.input().tail(is_left ? twin_index(h) : h),
-              gate,
-              last_gate(gate, is_left),
+              portal,
+              last_portal(portal, is_left),
               is_left,
               place,
               error};
     }
 
-    std::size_t last_gate(std::size_t gate, bool is_left) const
+    std::size_t last_portal(std::size_t portal, bool is_left) const
     {
-      const std::vector<Input_halfedge_index>& crossed = m_word.crossed;
-      while(gate + 1 < crossed.size() &&
-            (crossed[gate + 1] != m_triangulation.input().next(twin_index(crossed[gate]))) == is_left)
-        ++gate;
-      return gate;
+      const std::vector<Input_halfedge_index>& crossed = m_sequence.crossed;
+      while(portal + 1 < crossed.size() &&
+            (crossed[portal + 1] != m_triangulation.input().next(twin_index(crossed[portal]))) == is_left)
+        ++portal;
+      return portal;
     }
 
     // The sign of the sine of the angle from the line to an end of a portal.
-    Sign sign(const Crossing_word& word, std::size_t gate, bool is_left) const
+    Sign sign(const Edge_sequence& sequence, std::size_t portal, bool is_left) const
     {
       const Unfolding_chains<Triangulation> unfolding(m_triangulation);
       return Exact_sign(m_statistics, sign_work_limit(m_triangulation))(
-          {unfolding.gate(word, gate, is_left), unfolding.head(word, true)});
+          {unfolding.portal(sequence, portal, is_left), unfolding.head(sequence, true)});
     }
 
     // Returns whether a vertex is on the line through the last two vertices found on the line, or through the tail and
@@ -492,17 +499,17 @@ private:
       const double distance = std::abs(m_last->place - (m_before_last ? m_before_last->place : 0.0));
       if(!(distance > m_last->error + (m_before_last ? m_before_last->error : 0)))
         return false;
-      Crossing_word part;
-      part.tail = m_before_last ? m_before_last->vertex : m_word.tail;
+      Edge_sequence part;
+      part.tail = m_before_last ? m_before_last->vertex : m_sequence.tail;
       part.head = end.vertex;
-      const auto begin = m_word.crossed.begin();
+      const auto begin = m_sequence.crossed.begin();
       part.crossed.assign(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end.first));
       return sign(part, m_last->first - first, m_last->is_left) == ZERO;
     }
 
     const Triangulation& m_triangulation;
     Decision_statistics& m_statistics;
-    const Crossing_word& m_word;
+    const Edge_sequence& m_sequence;
     const Strip_in_double& m_strip_in_double;
     std::optional<Strip_beyond_doubles> m_strip;
     std::optional<Touched_end> m_before_last, m_last; // of the vertices on the line

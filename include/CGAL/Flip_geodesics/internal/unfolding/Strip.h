@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 
@@ -62,7 +62,7 @@ public:
   using Vector = std::complex<double>;
 
   /// The two ends of a crossed input edge, as seen along the path.
-  struct Gate
+  struct Portal
   {
     Input_halfedge_index crossed; // the input halfedge as in the sequence; its tail is on the right
     Vector right, left;
@@ -72,16 +72,16 @@ public:
   /// A corner of an unfolded face, with a bound of its error.
   using Corner = typename Layout::Corner;
 
-  Strip(const Triangulation& triangulation, const Crossing_word& word)
+  Strip(const Triangulation& triangulation, const Edge_sequence& sequence)
     : m_triangulation(&triangulation)
   {
-    m_reference = tail_anchor(triangulation, word);
-    if(word.along != null_index)
-      lay_out_edge(word);
-    else if(word.crossed.empty())
-      lay_out_inside(word);
+    m_reference = tail_anchor(triangulation, sequence);
+    if(sequence.along != null_index)
+      lay_out_edge(sequence);
+    else if(sequence.crossed.empty())
+      lay_out_inside(sequence);
     else
-      unfold(word);
+      unfold(sequence);
   }
 
   Input_halfedge_index reference() const { return m_reference; }
@@ -93,19 +93,19 @@ public:
    */
   std::array<Corner, 3> face(std::size_t i) const
   {
-    const bool is_last = i == m_gates.size();
-    const Gate& gate = m_gates[is_last ? i - 1 : i];
-    const Corner right = {gate.right, gate.right_error}, left = {gate.left, gate.left_error};
+    const bool is_last = i == m_portals.size();
+    const Portal& portal = m_portals[is_last ? i - 1 : i];
+    const Corner right = {portal.right, portal.right_error}, left = {portal.left, portal.left_error};
     if(is_last)
       return {left, right, m_last_corner};
     if(i == 0)
       return {right, left, m_first_corner};
-    const Gate& before = m_gates[i - 1];
-    const bool is_right_kept = gate.crossed == m_triangulation->input().next(twin_index(before.crossed));
+    const Portal& before = m_portals[i - 1];
+    const bool is_right_kept = portal.crossed == m_triangulation->input().next(twin_index(before.crossed));
     return {right, left,
             is_right_kept ? Corner{before.left, before.left_error} : Corner{before.right, before.right_error}};
   }
-  const std::vector<Gate>& gates() const { return m_gates; }
+  const std::vector<Portal>& portals() const { return m_portals; }
   const Vector& end() const { return m_end; }
   double end_error() const { return m_error; }
 
@@ -118,7 +118,10 @@ public:
 
   /* Returns a bound of the error of arrival(), relative to its length: that of end(), and of the last face's
    * rotation. */
-  double arrival_error() const { return relative_error() + static_cast<double>(m_gates.size() + 3) * face_ratio_error; }
+  double arrival_error() const
+  {
+    return relative_error() + static_cast<double>(m_portals.size() + 3) * face_ratio_error;
+  }
 
   /* Returns a bound of the error of end(), relative to its length; infinite if the error is at least half that
    * length. */
@@ -135,31 +138,31 @@ public:
   double bend() const
   {
     double result = 0;
-    for(const Gate& gate : m_gates)
-      result = (std::max)(result, bend(gate));
+    for(const Portal& portal : m_portals)
+      result = (std::max)(result, bend(portal));
     return result;
   }
 
   /* Returns that angle for one crossed edge. */
-  double bend(const Gate& gate) const
+  double bend(const Portal& portal) const
   {
-    return (std::max)(wrong_side_angle(gate.left), wrong_side_angle(std::conj(gate.right), true));
+    return (std::max)(wrong_side_angle(portal.left), wrong_side_angle(std::conj(portal.right), true));
   }
 
   /* Returns the position at which the straight line crosses portal i, from 0 at the right end to 1 at the left end. */
   double crossing(std::size_t i) const
   {
-    const double right = (std::max)(-cross(m_end, m_gates[i].right), 0.0);
-    const double left = (std::max)(cross(m_end, m_gates[i].left), 0.0);
+    const double right = (std::max)(-cross(m_end, m_portals[i].right), 0.0);
+    const double left = (std::max)(cross(m_end, m_portals[i].left), 0.0);
     return right + left > 0 ? right / (right + left) : 0.5;
   }
 
   /* Returns the position at which portal i crosses the straight line, from 0 at the tail to 1 at the head. */
   double crossing_along(std::size_t i) const
   {
-    const Vector right = m_gates[i].right, gate = m_gates[i].left - right;
-    const double whole = cross(m_end, gate);
-    return whole > 0 ? (std::min)((std::max)(cross(right, gate) / whole, 0.0), 1.0) : 0.5;
+    const Vector right = m_portals[i].right, portal = m_portals[i].left - right;
+    const double whole = cross(m_end, portal);
+    return whole > 0 ? (std::min)((std::max)(cross(right, portal) / whole, 0.0), 1.0) : 0.5;
   }
 
 private:
@@ -174,13 +177,13 @@ private:
     return base > 0 ? std::asin((std::min)(-height / base, 1.0)) : 0;
   }
 
-  void lay_out_edge(const Crossing_word& word)
+  void lay_out_edge(const Edge_sequence& sequence)
   {
-    const Input_halfedge_index h = word.along;
+    const Input_halfedge_index h = sequence.along;
     m_error = 0; // the direction is exact
     m_end = m_triangulation->metric().length(m_triangulation->input(), h);
-    if(m_triangulation->is_inserted(word.tail) || m_triangulation->is_inserted(word.head)) {
-      m_end *= barycentric_difference(weights(word.tail, h), weights(word.head, h))[1];
+    if(m_triangulation->is_inserted(sequence.tail) || m_triangulation->is_inserted(sequence.head)) {
+      m_end *= barycentric_difference(weights(sequence.tail, h), weights(sequence.head, h))[1];
     } else {
       m_arrival_reference = twin_index(h);
       m_arrival = m_end;
@@ -188,10 +191,10 @@ private:
   }
 
   // Computed from weights of both ends in one face, so that the ends may be close together.
-  void lay_out_inside(const Crossing_word& word)
+  void lay_out_inside(const Edge_sequence& sequence)
   {
     const Face_vectors face = first_face();
-    const auto d = barycentric_difference(weights(word.tail, m_reference), weights(word.head, m_reference));
+    const auto d = barycentric_difference(weights(sequence.tail, m_reference), weights(sequence.head, m_reference));
     m_end = unfused(d[1] * face[0]) - unfused(d[2] * face[2]);
     m_error = face_ratio_error * (std::abs(d[1]) * std::abs(face[0]) + std::abs(d[2]) * std::abs(face[2]));
   }
@@ -209,34 +212,35 @@ private:
 
   // The corners of the first face relative to the tail of the edge sequence: the tails of the reference and of the next
   // and the previous halfedge.
-  std::array<Corner, 3> first_corners(const Crossing_word& word, const Face_vectors& f) const
+  std::array<Corner, 3> first_corners(const Edge_sequence& sequence, const Face_vectors& f) const
   {
-    if(!m_triangulation->is_inserted(word.tail)) {
+    if(!m_triangulation->is_inserted(sequence.tail)) {
       const double error = face_ratio_error * std::abs(f[0]);
       return {{{0, 0}, {f[0], error}, {f[0] + f[1], error + face_ratio_error * std::abs(f[1])}}};
     }
-    return Layout::corners(f, weights(word.tail, m_reference));
+    return Layout::corners(f, weights(sequence.tail, m_reference));
   }
 
-  void unfold(const Crossing_word& word)
+  void unfold(const Edge_sequence& sequence)
   {
     const Face_vectors sides = first_face();
-    const std::array<Corner, 3> first = first_corners(word, sides);
+    const std::array<Corner, 3> first = first_corners(sequence, sides);
     Face_strip<Layout> faces(Layout(*m_triangulation), m_reference, sides, first);
-    const int side = faces.number_of(word.crossed.front());
+    const int side = faces.number_of(sequence.crossed.front());
     faces.leave_over(side);
     m_first_corner = first[(side + 2) % 3];
-    m_gates.resize(word.crossed.size());
-    Gate* here = m_gates.data();
-    faces.cross(word.crossed, [&](Input_halfedge_index crossed, const Corner& right, const Corner& left) {
+    m_portals.resize(sequence.crossed.size());
+    Portal* here = m_portals.data();
+    faces.cross(sequence.crossed, [&](Input_halfedge_index crossed, const Corner& right, const Corner& left) {
       *here++ = {crossed, right.position, left.position, right.error, left.error};
     });
     m_last_corner = faces.corners()[2];
-    if(m_triangulation->is_inserted(word.head))
-      return end_in_face(weights(word.head, faces.halfedge()), faces.sides(), Layout::turn_error(word.crossed.size()));
+    if(m_triangulation->is_inserted(sequence.head))
+      return end_in_face(weights(sequence.head, faces.halfedge()), faces.sides(),
+                         Layout::turn_error(sequence.crossed.size()));
     m_end = m_last_corner.position;
     m_error = m_last_corner.error;
-    if(!m_triangulation->is_inserted(word.tail)) {
+    if(!m_triangulation->is_inserted(sequence.tail)) {
       m_arrival_reference = faces.side(2);
       m_arrival = product(-m_end, std::conj(faces.sides()[2]));
     }
@@ -246,22 +250,22 @@ private:
   void end_in_face(const std::array<double, 3>& w, const Face_vectors& face, double turn_error)
   {
     const double sum = w[0] + w[1] + w[2], at_left = w[0] / sum, at_right = w[1] / sum, at_apex = w[2] / sum;
-    const Gate& gate = m_gates.back();
+    const Portal& portal = m_portals.back();
     const double from_right = unfused(at_left * std::abs(face[0])) + unfused(at_apex * std::abs(face[1]));
     const double from_left = unfused(at_right * std::abs(face[0])) + unfused(at_apex * std::abs(face[2]));
     if(from_right < from_left) {
-      m_end = gate.right + unfused(at_apex * face[1]) - unfused(at_left * face[0]);
-      m_error = gate.right_error + turn_error * from_right;
+      m_end = portal.right + unfused(at_apex * face[1]) - unfused(at_left * face[0]);
+      m_error = portal.right_error + turn_error * from_right;
     } else {
-      m_end = gate.left + unfused(at_right * face[0]) - unfused(at_apex * face[2]);
-      m_error = gate.left_error + turn_error * from_left;
+      m_end = portal.left + unfused(at_right * face[0]) - unfused(at_apex * face[2]);
+      m_error = portal.left_error + turn_error * from_left;
     }
     m_error += face_ratio_error * std::abs(m_end);
   }
 
   const Triangulation* m_triangulation;
   Input_halfedge_index m_reference = null_index, m_arrival_reference = null_index;
-  std::vector<Gate> m_gates;
+  std::vector<Portal> m_portals;
   Corner m_first_corner = {0, 0}, m_last_corner = {0, 0}; // of the first and last face, not on a portal
   Vector m_end, m_arrival;
   double m_error = 0;

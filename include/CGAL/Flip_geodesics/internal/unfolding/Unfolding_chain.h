@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
@@ -138,31 +138,31 @@ public:
   }
 
   /* Returns the head of an edge sequence relative to its tail. */
-  Unfolding_chain head(const Crossing_word& word, bool is_conjugate) const
+  Unfolding_chain head(const Edge_sequence& sequence, bool is_conjugate) const
   {
     Unfolding_chain result;
-    if(word.along == null_index && word.crossed.empty())
-      result = inside_face(word);
-    else if(word.along == null_index && m_triangulation.is_inserted(word.head))
-      result = point_in_face(word, word.crossed.size(), weights(word.head, word.last_face()));
+    if(sequence.along == null_index && sequence.crossed.empty())
+      result = inside_face(sequence);
+    else if(sequence.along == null_index && m_triangulation.is_inserted(sequence.head))
+      result = point_in_face(sequence, sequence.crossed.size(), weights(sequence.head, sequence.last_face()));
     else
-      result = gate(word, word.crossed.size(), false);
+      result = portal(sequence, sequence.crossed.size(), false);
     result.is_conjugate = is_conjugate;
     return result;
   }
 
   /* Returns an end of the crossed edge with the given number; after the last one, the apex of the last face. */
-  Unfolding_chain gate(const Crossing_word& word, std::size_t number, bool is_left) const
+  Unfolding_chain portal(const Edge_sequence& sequence, std::size_t number, bool is_left) const
   {
     Unfolding_chain result;
     result.reads_left = is_left;
-    if(word.along != null_index)
+    if(sequence.along != null_index)
       return result;
     result.steps.reserve(number + 1);
-    start(word, result);
+    start(sequence, result);
     for(std::size_t i = 0; i < number; ++i) {
-      const Input_halfedge_index entered = twin_index(word.crossed[i]);
-      const bool is_leaving_right = i + 1 < word.crossed.size() && word.crossed[i + 1] == next(entered);
+      const Input_halfedge_index entered = twin_index(sequence.crossed[i]);
+      const bool is_leaving_right = i + 1 < sequence.crossed.size() && sequence.crossed[i + 1] == next(entered);
       result.steps.push_back({is_leaving_right ? Kind::NEW_LEFT : Kind::NEW_RIGHT, &face(entered)});
     }
     return result;
@@ -172,17 +172,17 @@ public:
    * Returns a point of the face between portals gap - 1 and gap, by weights relative to the halfedge across which the
    * face is left, or entered if it is the last.
    */
-  Unfolding_chain point(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
+  Unfolding_chain point(const Edge_sequence& sequence, std::size_t gap, const std::array<double, 3>& w) const
   {
     const Weights n = integer_weights(w);
-    if(gap == word.crossed.size())
-      return point_in_face(word, gap, n);
-    const Input_halfedge_index told_from = word.crossed[gap];
+    if(gap == sequence.crossed.size())
+      return point_in_face(sequence, gap, n);
+    const Input_halfedge_index told_from = sequence.crossed[gap];
     if(gap > 0)
-      return point_in_face(word, gap, turned(n, told_from, twin_index(word.crossed[gap - 1])));
-    const Input_halfedge_index h = tail_anchor(m_triangulation, word);
+      return point_in_face(sequence, gap, turned(n, told_from, twin_index(sequence.crossed[gap - 1])));
+    const Input_halfedge_index h = tail_anchor(m_triangulation, sequence);
     const Weights v = turned(n, told_from, h);
-    const std::array<Weights, 3> corners = corners_from(word, h);
+    const std::array<Weights, 3> corners = corners_from(sequence, h);
     Weights sum = {0, 0, 0};
     for(int i = 0; i < 3; ++i)
       for(int k = 0; k < 3; ++k)
@@ -220,9 +220,9 @@ private:
   }
 
   // The corners of the face of h relative to the tail of an edge sequence in it, times the sum of its weights.
-  std::array<Weights, 3> corners_from(const Crossing_word& word, Input_halfedge_index h) const
+  std::array<Weights, 3> corners_from(const Edge_sequence& sequence, Input_halfedge_index h) const
   {
-    const Weights w = weights(word.tail, h);
+    const Weights w = weights(sequence.tail, h);
     std::array<Weights, 3> result;
     for(int i = 0; i < 3; ++i) {
       result[i] = {0, 0, 0};
@@ -232,16 +232,16 @@ private:
     return result;
   }
 
-  void start(const Crossing_word& word, Unfolding_chain& chain) const
+  void start(const Edge_sequence& sequence, Unfolding_chain& chain) const
   {
-    const Input_halfedge_index h = tail_anchor(m_triangulation, word), first = word.crossed.front();
-    if(!m_triangulation.is_inserted(word.tail)) {
+    const Input_halfedge_index h = tail_anchor(m_triangulation, sequence), first = sequence.crossed.front();
+    if(!m_triangulation.is_inserted(sequence.tail)) {
       chain.steps.push_back({Kind::START, &face(h)});
       return;
     }
-    const Weights w = weights(word.tail, h);
+    const Weights w = weights(sequence.tail, h);
     const int side = first == h ? 0 : (first == next(h) ? 1 : 2);
-    const std::array<Weights, 3> corners = corners_from(word, h);
+    const std::array<Weights, 3> corners = corners_from(sequence, h);
     Weights to_right = {0, 0, 0};
     to_right[side] = -(w[0] + w[1] + w[2]);
     chain.right = Side_combination(face(h), corners[side]);
@@ -251,10 +251,10 @@ private:
   }
 
   // The vector between two points of one face.
-  Unfolding_chain inside_face(const Crossing_word& word) const
+  Unfolding_chain inside_face(const Edge_sequence& sequence) const
   {
-    const Input_halfedge_index h = tail_anchor(m_triangulation, word);
-    const Weights from = weights(word.tail, h), to = weights(word.head, h);
+    const Input_halfedge_index h = tail_anchor(m_triangulation, sequence);
+    const Weights from = weights(sequence.tail, h), to = weights(sequence.head, h);
     const Integer from_sum = from[0] + from[1] + from[2], to_sum = to[0] + to[1] + to[2];
     Unfolding_chain result;
     result.right = Side_combination(face(h), {Integer(to[1] * from_sum - from[1] * to_sum), Integer(0),
@@ -264,9 +264,9 @@ private:
   }
 
   // By weights relative to the halfedge across which the face is entered.
-  Unfolding_chain point_in_face(const Crossing_word& word, std::size_t gap, const Weights& w) const
+  Unfolding_chain point_in_face(const Edge_sequence& sequence, std::size_t gap, const Weights& w) const
   {
-    Unfolding_chain result = gate(word, gap, false);
+    Unfolding_chain result = portal(sequence, gap, false);
     result.steps.back().kind = Kind::POINT;
     result.weights = w;
     return result;
@@ -295,7 +295,7 @@ public:
    * The ends of a portal, and the vector from the left one to the right one, which is a product of corners, never a
    * difference of positions; differences would magnify errors at short portals.
    */
-  struct Gate
+  struct Portal
   {
     Complex right, left, to_right;
   };
@@ -321,46 +321,46 @@ public:
   }
 
   /* Returns the portal before the first step. */
-  Gate first_gate() const { return {m_ring.one(), m_ring.zero(), m_ring.zero()}; }
+  Portal first_portal() const { return {m_ring.one(), m_ring.zero(), m_ring.zero()}; }
 
   /* Applies a step of a chain to a portal. */
-  void apply(const Unfolding_chain& chain, const Unfolding_step& step, Gate& gate) const
+  void apply(const Unfolding_chain& chain, const Unfolding_step& step, Portal& portal) const
   {
     const Integer& length = step.squared_length();
     if(step.kind == Kind::START_INSIDE) {
-      gate = {combined(step, chain.right), combined(step, chain.left), combined(step, chain.to_right)};
+      portal = {combined(step, chain.right), combined(step, chain.left), combined(step, chain.to_right)};
       return;
     }
     const auto q = m_ring.side(step.dot(), step.squared_root(), 1, length);
     if(step.kind == Kind::CORNER) {
-      gate.right = m_ring.times_side(gate.right, q);
+      portal.right = m_ring.times_side(portal.right, q);
       return;
     }
-    const Complex to_apex = m_ring.times_side(step.kind == Kind::START ? gate.right : gate.to_right, q);
-    gate.right = m_ring.rescale(gate.right, length);
-    const Complex apex = m_ring.add(gate.right, to_apex);
+    const Complex to_apex = m_ring.times_side(step.kind == Kind::START ? portal.right : portal.to_right, q);
+    portal.right = m_ring.rescale(portal.right, length);
+    const Complex apex = m_ring.add(portal.right, to_apex);
     if(step.kind == Kind::POINT) {
-      gate.right = m_ring.add(m_ring.add(m_ring.times_integer(m_ring.rescale(gate.left, length), chain.weights[0]),
-                                         m_ring.times_integer(gate.right, chain.weights[1])),
-                              m_ring.times_integer(apex, chain.weights[2]));
+      portal.right = m_ring.add(m_ring.add(m_ring.times_integer(m_ring.rescale(portal.left, length), chain.weights[0]),
+                                           m_ring.times_integer(portal.right, chain.weights[1])),
+                                m_ring.times_integer(apex, chain.weights[2]));
     } else if(step.kind == Kind::NEW_RIGHT) {
       const auto p = m_ring.side(step.face->dot_previous, step.squared_root(), -1, length);
-      gate.to_right = m_ring.negate(m_ring.times_side(gate.to_right, p));
-      gate.left = m_ring.rescale(gate.left, length);
-      gate.right = apex;
+      portal.to_right = m_ring.negate(m_ring.times_side(portal.to_right, p));
+      portal.left = m_ring.rescale(portal.left, length);
+      portal.right = apex;
     } else {
-      gate.to_right = m_ring.negate(to_apex);
-      gate.left = apex;
+      portal.to_right = m_ring.negate(to_apex);
+      portal.left = apex;
     }
   }
 
   /* Returns the number of a chain. */
   Complex value(const Unfolding_chain& chain) const
   {
-    Gate gate = first_gate();
+    Portal portal = first_portal();
     for(const Unfolding_step& step : chain.steps)
-      apply(chain, step, gate);
-    const Complex& result = chain.reads_left ? gate.left : gate.right;
+      apply(chain, step, portal);
+    const Complex& result = chain.reads_left ? portal.left : portal.right;
     return chain.is_conjugate ? m_ring.conjugate(result) : result;
   }
 

@@ -57,9 +57,9 @@ struct Wedge_rotation
 
 /* Two straight lines from one vertex, given by their edge sequences, and the number of input corners clockwise between
  * their references. */
-struct Wedge_words
+struct Wedge_edge_sequences
 {
-  Crossing_word from, to;
+  Edge_sequence from, to;
   Index steps;
 };
 
@@ -71,7 +71,7 @@ inline double error_of_wedge_angle(double from, double to, Index steps)
 
 /* The angle counterclockwise from a halfedge of the input to the straight line of an edge sequence that starts at the
  * same vertex, and a bound of its error. Only at vertices of the input. */
-struct Word_angle
+struct Edge_sequence_angle
 {
   Input_halfedge_index reference = null_index;
   double angle = 0;
@@ -83,7 +83,7 @@ struct Word_angle
 struct Edge_end
 {
   Halfedge_index halfedge = null_index;
-  Word_angle direction;
+  Edge_sequence_angle direction;
   bool is_along = false; // whether it is an edge of the input
 };
 
@@ -97,7 +97,7 @@ struct Measured_edge
 
 /* At the tail of an edge sequence. */
 template <class Triangulation>
-Word_angle tail_angle(const Strip<Triangulation>& strip)
+Edge_sequence_angle tail_angle(const Strip<Triangulation>& strip)
 {
   return {strip.reference(), angle_from_reference(strip.end()), strip.relative_error()};
 }
@@ -105,7 +105,8 @@ Word_angle tail_angle(const Strip<Triangulation>& strip)
 /* Returns the angle clockwise from one straight line to another, with a number of input corners between their
  * references. */
 template <class Triangulation>
-Wedge_angle wedge_angle(const Triangulation& triangulation, const Word_angle& from, const Word_angle& to, Index steps)
+Wedge_angle wedge_angle(const Triangulation& triangulation, const Edge_sequence_angle& from,
+                        const Edge_sequence_angle& to, Index steps)
 {
   return {from.angle - to.angle + sum_of_input_corners(triangulation, from.reference, steps).value(),
           error_of_wedge_angle(from.error, to.error, steps)};
@@ -114,25 +115,25 @@ Wedge_angle wedge_angle(const Triangulation& triangulation, const Word_angle& fr
 /* Computes the wedge between two edge sequences from the input: the input corners between their reference halfedges,
  * corrected by their strips at both ends. \pre not around a point inside a face */
 template <class Triangulation>
-Wedge_rotation wedge_rotation(const Triangulation& triangulation, const Wedge_words& words)
+Wedge_rotation wedge_rotation(const Triangulation& triangulation, const Wedge_edge_sequences& sequences)
 {
   constexpr double pi = boost::math::constants::pi<double>();
-  const Strip<Triangulation> from(triangulation, words.from), to(triangulation, words.to);
-  const bool is_on_edge = triangulation.is_inserted(words.from.tail);
+  const Strip<Triangulation> from(triangulation, sequences.from), to(triangulation, sequences.to);
+  const bool is_on_edge = triangulation.is_inserted(sequences.from.tail);
   Angle_sum corners;
   if(!is_on_edge)
-    corners = sum_of_input_corners(triangulation, from.reference(), words.steps);
-  const double between = is_on_edge ? words.steps * pi : corners.value();
-  const std::complex<double> half_turns = is_on_edge && words.steps % 2 != 0 ? -1 : 1;
+    corners = sum_of_input_corners(triangulation, from.reference(), sequences.steps);
+  const double between = is_on_edge ? sequences.steps * pi : corners.value();
+  const std::complex<double> half_turns = is_on_edge && sequences.steps % 2 != 0 ? -1 : 1;
   const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
-  return {{sum, error_of_wedge_angle(from.relative_error(), to.relative_error(), words.steps)},
+  return {{sum, error_of_wedge_angle(from.relative_error(), to.relative_error(), sequences.steps)},
           product(product(from.end(), std::conj(to.end())), half_turns * corners.rotation())};
 }
 
 template <class Triangulation>
-Wedge_angle wedge_angle(const Triangulation& triangulation, const Wedge_words& words)
+Wedge_angle wedge_angle(const Triangulation& triangulation, const Wedge_edge_sequences& sequences)
 {
-  return wedge_rotation(triangulation, words).angle;
+  return wedge_rotation(triangulation, sequences).angle;
 }
 
 } // namespace internal

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_CORRIDOR_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_CORRIDOR_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_TRANSPORT_SLEEVE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_TRANSPORT_SLEEVE_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
 
@@ -28,7 +28,7 @@ namespace internal {
 
 /* A part of a curve that crosses edges but passes no vertex: its first face, given by any halfedge, and the crossed
  * edges. */
-struct Corridor_leg
+struct Sleeve_segment
 {
   Input_halfedge_index face;
   std::vector<Input_halfedge_index> crossed; // in order, each as a side of the face before it
@@ -37,9 +37,9 @@ struct Corridor_leg
 };
 
 /* Returns the reverse part. */
-inline Corridor_leg reversed(const Corridor_leg& leg)
+inline Sleeve_segment reversed(const Sleeve_segment& leg)
 {
-  Corridor_leg result = {leg.last_face(), {}};
+  Sleeve_segment result = {leg.last_face(), {}};
   for(std::size_t i = leg.crossed.size(); i-- > 0;)
     result.crossed.push_back(twin_index(leg.crossed[i]));
   return result;
@@ -47,7 +47,7 @@ inline Corridor_leg reversed(const Corridor_leg& leg)
 
 /* Returns the weights of a canonical surface point in a face that contains it, relative to the face's halfedge h. */
 template <class Input_mesh>
-std::array<double, 3> weights_told_from(const Input_mesh& input, const Surface_location& place, Input_halfedge_index h)
+std::array<double, 3> weights_seen_from(const Input_mesh& input, const Surface_location& place, Input_halfedge_index h)
 {
   if(kind(place) != Location_kind::VERTEX)
     return weights_in_face(input, place, h);
@@ -73,18 +73,18 @@ public:
   {
     double distance = 0; // from the line
     Vertex_index vertex = null_index;
-    std::size_t gate = 0;
+    std::size_t portal = 0;
   };
 
   /* \param start, end canonical surface points
    * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error */
-  Unfolded_leg(const Triangulation& triangulation, const Surface_location& start, const Corridor_leg& leg,
+  Unfolded_leg(const Triangulation& triangulation, const Surface_location& start, const Sleeve_segment& leg,
                const Surface_location& end)
     : m_triangulation(triangulation)
     , m_halfedge(leg.face)
   {
     lay_out_first_face(start);
-    m_gates.reserve(leg.crossed.size());
+    m_portals.reserve(leg.crossed.size());
     for(Input_halfedge_index h : leg.crossed)
       pass(h);
     find_end(end);
@@ -100,16 +100,16 @@ public:
   {
     Violation worst;
     const double length = std::abs(m_end);
-    for(std::size_t i = 0; length > 0 && i < m_gates.size(); ++i) {
-      const Gate& gate = m_gates[i];
-      note(cross(gate.left, m_end) / length, head(gate.crossed), i, worst);
-      note(cross(m_end, gate.right) / length, tail(gate.crossed), i, worst);
+    for(std::size_t i = 0; length > 0 && i < m_portals.size(); ++i) {
+      const Portal& portal = m_portals[i];
+      note(cross(portal.left, m_end) / length, head(portal.crossed), i, worst);
+      note(cross(m_end, portal.right) / length, tail(portal.crossed), i, worst);
     }
     return worst;
   }
 
 private:
-  struct Gate
+  struct Portal
   {
     Vector right, left;
     Input_halfedge_index crossed;
@@ -118,10 +118,10 @@ private:
   Vertex_index tail(Input_halfedge_index h) const { return m_triangulation.input().tail(h); }
   Vertex_index head(Input_halfedge_index h) const { return tail(twin_index(h)); }
 
-  static void note(double distance, Vertex_index v, std::size_t gate, Violation& worst)
+  static void note(double distance, Vertex_index v, std::size_t portal, Violation& worst)
   {
     if(distance > worst.distance)
-      worst = {distance, v, gate};
+      worst = {distance, v, portal};
   }
 
   // Computes the vectors of the last face, rotated such that its halfedge has the given direction.
@@ -136,7 +136,7 @@ private:
   void lay_out_first_face(const Surface_location& start)
   {
     lay_out(1);
-    const std::array<double, 3> w = weights_told_from(m_triangulation.input(), start, m_halfedge);
+    const std::array<double, 3> w = weights_seen_from(m_triangulation.input(), start, m_halfedge);
     const double sum = w[0] + w[1] + w[2];
     for(std::size_t i = 0; i < 3; ++i) // from the corner's two sides
       m_corners[i] = w[(i + 2) % 3] / sum * m_vectors[(i + 2) % 3] - w[(i + 1) % 3] / sum * m_vectors[i];
@@ -146,10 +146,10 @@ private:
   {
     const auto& input = m_triangulation.input();
     const std::size_t side = h == m_halfedge ? 0 : (h == input.next(m_halfedge) ? 1 : 2);
-    const Vector right = m_corners[side], left = m_corners[(side + 1) % 3], gate = -m_vectors[side];
-    m_gates.push_back({right, left, h});
+    const Vector right = m_corners[side], left = m_corners[(side + 1) % 3], portal = -m_vectors[side];
+    m_portals.push_back({right, left, h});
     m_halfedge = twin_index(h);
-    lay_out(gate);
+    lay_out(portal);
     const bool is_near_right = std::norm(m_vectors[1]) < std::norm(m_vectors[2]);
     m_corners = {left, right, is_near_right ? right + m_vectors[1] : left - m_vectors[2]};
   }
@@ -157,7 +157,7 @@ private:
   // From the corner with the largest weight.
   void find_end(const Surface_location& end)
   {
-    const std::array<double, 3> w = weights_told_from(m_triangulation.input(), end, m_halfedge);
+    const std::array<double, 3> w = weights_seen_from(m_triangulation.input(), end, m_halfedge);
     const double sum = w[0] + w[1] + w[2];
     const auto k = static_cast<std::size_t>((std::max_element)(w.begin(), w.end()) - w.begin());
     m_end = m_corners[k] + w[(k + 1) % 3] / sum * m_vectors[k] - w[(k + 2) % 3] / sum * m_vectors[(k + 2) % 3];
@@ -166,7 +166,7 @@ private:
   const Triangulation& m_triangulation;
   Input_halfedge_index m_halfedge; // the reference of the last face
   std::array<Vector, 3> m_vectors = {}, m_corners = {};
-  std::vector<Gate> m_gates;
+  std::vector<Portal> m_portals;
   Vector m_turn = 1, m_end = 0;
 };
 
@@ -175,7 +175,7 @@ private:
  * are transported along it, and it can be shortened to a geodesic. Consecutive points differ.
  */
 template <class Triangulation>
-class Corridor
+class Transport_sleeve
 {
 public:
   using Vector = std::complex<double>;
@@ -191,7 +191,7 @@ public:
   /* \throws Invalid_curve_error if the range is empty, or two consecutive points have no common face
    * \throws Invalid_location_error */
   template <class LocationRange>
-  Corridor(const Triangulation& triangulation, const LocationRange& locations)
+  Transport_sleeve(const Triangulation& triangulation, const LocationRange& locations)
     : m_triangulation(triangulation)
   {
     std::size_t position = 0;
@@ -202,13 +202,13 @@ public:
   }
 
   const std::vector<Surface_location>& places() const { return m_places; }
-  const std::vector<Corridor_leg>& legs() const { return m_legs; }
+  const std::vector<Sleeve_segment>& legs() const { return m_legs; }
 
   void reverse()
   {
     std::reverse(m_places.begin(), m_places.end());
     std::reverse(m_legs.begin(), m_legs.end());
-    for(Corridor_leg& leg : m_legs)
+    for(Sleeve_segment& leg : m_legs)
       leg = reversed(leg);
   }
 
@@ -308,7 +308,7 @@ private:
     m_places.push_back(place);
   }
 
-  Start start_at(const Surface_location& place, const Corridor_leg& leg, const Surface_location& end) const
+  Start start_at(const Surface_location& place, const Sleeve_segment& leg, const Surface_location& end) const
   {
     Start result = {Unfolded_leg<Triangulation>(m_triangulation, place, leg, end).end(), 0};
     result.position = Place_frame<Triangulation>(m_triangulation, place, leg.face).position(leg.face, result.unit());
@@ -324,7 +324,7 @@ private:
   void join_pieces()
   {
     std::vector<Surface_location> places = {m_places.front()};
-    std::vector<Corridor_leg> legs;
+    std::vector<Sleeve_segment> legs;
     for(std::size_t i = 0; i < m_legs.size(); ++i) {
       if(i == 0 || kind(m_places[i]) == Location_kind::VERTEX) {
         if(i > 0)
@@ -332,7 +332,7 @@ private:
         legs.push_back(m_legs[i]);
         continue;
       }
-      Corridor_leg& leg = legs.back();
+      Sleeve_segment& leg = legs.back();
       if(!is_same_face(leg.last_face(), m_legs[i].face))
         push(leg, location_anchor(input(), m_places[i], leg.last_face()));
       for(Input_halfedge_index h : m_legs[i].crossed)
@@ -346,7 +346,7 @@ private:
       trim(i);
   }
 
-  static void push(Corridor_leg& leg, Input_halfedge_index h)
+  static void push(Sleeve_segment& leg, Input_halfedge_index h)
   {
     if(!leg.crossed.empty() && leg.crossed.back() == twin_index(h))
       leg.crossed.pop_back();
@@ -365,7 +365,7 @@ private:
   // A part must not cross the edges on which its ends lie.
   void trim(std::size_t i)
   {
-    Corridor_leg& leg = m_legs[i];
+    Sleeve_segment& leg = m_legs[i];
     std::size_t first = 0;
     while(first < leg.crossed.size() && is_on_edge(m_places[i], leg.crossed[first]))
       leg.face = twin_index(leg.crossed[first++]);
@@ -388,26 +388,26 @@ private:
       const auto violation = leg.violation();
       if(!(violation.distance > straight_in_sleeve * std::abs(leg.end())))
         continue;
-      divide(i, violation.vertex, violation.gate);
+      divide(i, violation.vertex, violation.portal);
       has_changed = true;
     }
     return has_changed;
   }
 
-  void divide(std::size_t i, Vertex_index v, std::size_t gate)
+  void divide(std::size_t i, Vertex_index v, std::size_t portal)
   {
-    const Corridor_leg leg = m_legs[i];
+    const Sleeve_segment leg = m_legs[i];
     const auto has_vertex = [&](std::size_t g) {
       return input().tail(leg.crossed[g]) == v || input().tail(twin_index(leg.crossed[g])) == v;
     };
-    std::size_t first = gate, last = gate + 1;
+    std::size_t first = portal, last = portal + 1;
     while(first > 0 && has_vertex(first - 1))
       --first;
     while(last < leg.crossed.size() && has_vertex(last))
       ++last;
     const auto at = [&](std::size_t g) { return leg.crossed.begin() + static_cast<std::ptrdiff_t>(g); };
     m_legs[i].crossed.assign(leg.crossed.begin(), at(first));
-    const Corridor_leg rest = {twin_index(leg.crossed[last - 1]), {at(last), leg.crossed.end()}};
+    const Sleeve_segment rest = {twin_index(leg.crossed[last - 1]), {at(last), leg.crossed.end()}};
     const auto next = static_cast<std::ptrdiff_t>(i + 1);
     m_legs.insert(m_legs.begin() + next, rest);
     m_places.insert(m_places.begin() + next, canonical_location(input(), {input().outgoing(v), {{1, 0, 0}}}));
@@ -445,7 +445,7 @@ private:
   // full turn.
   void go_round(std::size_t i, bool is_left, bool is_direct)
   {
-    Corridor_leg& leg = m_legs[i - 1];
+    Sleeve_segment& leg = m_legs[i - 1];
     const auto about = frame(i);
     Input_halfedge_index h = about.corner(leg.last_face());
     const Input_halfedge_index last = about.corner(m_legs[i].face);
@@ -464,11 +464,11 @@ private:
 
   const Triangulation& m_triangulation;
   std::vector<Surface_location> m_places;
-  std::vector<Corridor_leg> m_legs;
+  std::vector<Sleeve_segment> m_legs;
 };
 
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_CORRIDOR_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_TRANSPORT_SLEEVE_H

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_BUNDLE_ORDER_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_BUNDLE_ORDER_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
 #include <algorithm>
 #include <array>
@@ -77,23 +77,23 @@ void for_each_vertex(const Triangulation& triangulation, const std::vector<Halfe
  * `Crossing_equations`.
  */
 template <class Network>
-class Stack_pairs
+class Bundle_pairs
 {
   using Triangulation = typename Network::Triangulation;
 
 public:
   using Segment_pair = std::pair<Segment_index, Segment_index>;
 
-  explicit Stack_pairs(const Network& network)
+  explicit Bundle_pairs(const Network& network)
     : m_network(network)
-    , m_stack_of(static_cast<std::size_t>(network.end_of_segment_ids()), null_index)
-    , m_rank(m_stack_of.size())
+    , m_bundle_of(static_cast<std::size_t>(network.end_of_segment_ids()), null_index)
+    , m_rank(m_bundle_of.size())
     , m_pairs(1, {null_index, null_index})
   {
     for(Halfedge_index h : occupied_halfedges(network))
       if(is_first_side(h))
-        add_stack(Triangulation::edge(h));
-    m_stacks = Buckets(static_cast<Index>(m_edges.size()), m_stack_of);
+        add_bundle(Triangulation::edge(h));
+    m_bundles = Buckets(static_cast<Index>(m_edges.size()), m_bundle_of);
   }
 
   const Network& network() const { return m_network; }
@@ -102,13 +102,13 @@ public:
   const Order_conflict& conflict() const { return m_conflict; }
 
   /* Edges with more than one segment are numbered; their segments are sorted by age. */
-  Index number_of_stacks() const { return static_cast<Index>(m_edges.size()); }
-  Edge_index edge(Index stack) const { return m_edges[stack]; }
-  Buckets::Range segments(Index stack) const { return m_stacks[stack]; }
+  Index number_of_bundles() const { return static_cast<Index>(m_edges.size()); }
+  Edge_index edge(Index bundle) const { return m_edges[bundle]; }
+  Buckets::Range segments(Index bundle) const { return m_bundles[bundle]; }
   /* Returns the bundle of a segment, or `null_index` if it is alone on its edge. */
-  Index stack_of(Segment_index s) const { return m_stack_of[s]; }
+  Index bundle_of(Segment_index s) const { return m_bundle_of[s]; }
 
-  Index number_of_variables() const { return static_cast<Index>(m_pairs.size() + m_stack_of.size()); }
+  Index number_of_variables() const { return static_cast<Index>(m_pairs.size() + m_bundle_of.size()); }
   Index end_of_pairs() const { return static_cast<Index>(m_pairs.size()); }
   const Segment_pair& segments_of_pair(Index v) const { return m_pairs[v]; }
   Literal segment_literal(Segment_index s) const { return 2 * (end_of_pairs() + s.idx()); }
@@ -118,7 +118,7 @@ public:
   Literal is_left(Segment_index s, Segment_index t) const
   {
     const Index i = (std::min)(m_rank[s], m_rank[t]), j = (std::max)(m_rank[s], m_rank[t]);
-    return opposite_if(s > t, 2 * (m_first_pair[m_stack_of[s]] + j * (j - 1) / 2 + i));
+    return opposite_if(s > t, 2 * (m_first_pair[m_bundle_of[s]] + j * (j - 1) / 2 + i));
   }
 
   /* Returns the literal that s is left of t as seen along halfedge h. \pre s and t differ and are on the edge of h */
@@ -131,9 +131,9 @@ private:
   // Literals, twice the variables, must fit into an Index.
   static constexpr std::size_t most_pairs = std::size_t(1) << 29;
 
-  void add_stack(Edge_index e)
+  void add_bundle(Edge_index e)
   {
-    std::vector<Segment_index> segments = m_network.stack(e);
+    std::vector<Segment_index> segments = m_network.bundle(e);
     if(segments.size() < 2)
       return;
     if(m_conflict || m_pairs.size() + segments.size() * (segments.size() - 1) / 2 > most_pairs) {
@@ -145,7 +145,7 @@ private:
     std::sort(segments.begin(), segments.end());
     m_first_pair.push_back(end_of_pairs());
     for(std::size_t j = 0; j < segments.size(); ++j) {
-      m_stack_of[segments[j]] = static_cast<Index>(m_edges.size());
+      m_bundle_of[segments[j]] = static_cast<Index>(m_edges.size());
       m_rank[segments[j]] = static_cast<Index>(j);
       for(std::size_t i = 0; i < j; ++i)
         m_pairs.emplace_back(segments[i], segments[j]);
@@ -156,9 +156,9 @@ private:
   const Network& m_network;
   std::vector<Edge_index> m_edges; // by bundle
   std::vector<Index> m_first_pair; // by bundle
-  Indexed_by<Segment_index, std::vector<Index>> m_stack_of, m_rank;
+  Indexed_by<Segment_index, std::vector<Index>> m_bundle_of, m_rank;
   std::vector<Segment_pair> m_pairs; // by variable
-  Buckets m_stacks;
+  Buckets m_bundles;
   Order_conflict m_conflict;
 };
 
@@ -194,7 +194,7 @@ struct Parity_sum
  *     ---+---+---+---+--->
  *
  * and the end x of a curve is between a and b if and only if [a<x] + [b<x] is odd. The order of two ends is known if
- * they are on different incident edges; otherwise it is one of the variables of `Stack_pairs`. Two curves that run
+ * they are on different incident edges; otherwise it is one of the variables of `Bundle_pairs`. Two curves that run
  * together from one incident edge to another therefore have the same order before and after, which is an equation in
  * two variables, and curves that part have a known order. If a curve turns back beside another one, the latter lies on
  * opposite sides of its two segments, as seen along the curve. All ends, and the border, must lie on one side of a
@@ -216,7 +216,7 @@ public:
     Vertex_index vertex;
   };
 
-  explicit Crossing_equations(const Stack_pairs<Network>& pairs)
+  explicit Crossing_equations(const Bundle_pairs<Network>& pairs)
     : m_pairs(pairs)
     , m_network(pairs.network())
     , m_triangulation(m_network.triangulation())
@@ -230,7 +230,7 @@ public:
     } while(!m_conflict && merge_combinations());
   }
 
-  const Stack_pairs<Network>& pairs() const { return m_pairs; }
+  const Bundle_pairs<Network>& pairs() const { return m_pairs; }
   /* The first contradiction found, after which equations are left out. */
   const Order_conflict& conflict() const { return m_conflict; }
   Parity_classes& classes() { return m_classes; }
@@ -249,15 +249,15 @@ private:
   void add_vertex(Iterator first, Iterator last)
   {
     const auto is_shared = [&](Halfedge_index h) {
-      return m_pairs.stack_of(m_network.outermost(h, Side::LEFT)) != null_index;
+      return m_pairs.bundle_of(m_network.outermost(h, Side::LEFT)) != null_index;
     };
     if(m_conflict || std::none_of(first, last, is_shared))
       return;
     m_vertex = m_triangulation.tail(*first);
-    number_spokes();
+    number_outgoing_halfedges();
     count_single_ends(first, last);
     for(auto h = first; h != last; ++h) {
-      const std::vector<Segment_index> segments = m_network.stack(Triangulation::edge(*h));
+      const std::vector<Segment_index> segments = m_network.bundle(Triangulation::edge(*h));
       for(auto s = segments.begin(); s != segments.end(); ++s) {
         add_joint({*h, *s});
         for(auto t = segments.begin(); t != s; ++t)
@@ -266,9 +266,9 @@ private:
     }
   }
 
-  void number_spokes()
+  void number_outgoing_halfedges()
   {
-    const std::vector<Halfedge_index> all = spokes(m_triangulation, m_vertex);
+    const std::vector<Halfedge_index> all = outgoing_halfedges(m_triangulation, m_vertex);
     for(std::size_t i = 0; i < all.size(); ++i)
       m_position[all[i]] = static_cast<Index>(i);
     m_has_border = m_triangulation.is_border(all.front());
@@ -279,16 +279,16 @@ private:
   void count_single_ends(Iterator first, Iterator last)
   {
     for(auto h = first; h != last; ++h)
-      for(Segment_index s : m_network.stack(Triangulation::edge(*h)))
+      for(Segment_index s : m_network.bundle(Triangulation::edge(*h)))
         m_single_ends_before[m_position[*h] + 1] += mate({*h, s}).is_none() ? 1 : 0;
     for(std::size_t i = 1; i < m_single_ends_before.size(); ++i)
       m_single_ends_before[i] += m_single_ends_before[i - 1];
   }
 
-  bool is_head(const Strand_end& end) const { return end.halfedge != m_network.halfedge(end.segment); }
+  bool is_head(const Segment_end& end) const { return end.halfedge != m_network.halfedge(end.segment); }
 
   // The end that a joint connects with this one, unless the node is fixed.
-  Strand_end mate(const Strand_end& end) const
+  Segment_end mate(const Segment_end& end) const
   {
     const Segment_index x = is_head(end) ? end.segment : m_network.previous(end.segment);
     if(x == null_index || m_network.is_head_fixed(x))
@@ -298,12 +298,12 @@ private:
   }
 
   // Returns, for the joint of two ends, the literal that the single ends of its vertex lie between the two.
-  Literal contains_single_ends(const Strand_end& a, const Strand_end& b) const
+  Literal contains_single_ends(const Segment_end& a, const Segment_end& b) const
   {
     return m_pairs.segment_literal(is_head(a) ? a.segment : b.segment);
   }
 
-  Literal is_before(const Strand_end& a, const Strand_end& b) const
+  Literal is_before(const Segment_end& a, const Segment_end& b) const
   {
     if(a.halfedge == b.halfedge)
       return m_pairs.is_left(a.halfedge, a.segment, b.segment);
@@ -311,9 +311,9 @@ private:
   }
 
   // Adds the equations of a joint and the single ends on incident edges other than its own.
-  void add_joint(const Strand_end& a)
+  void add_joint(const Segment_end& a)
   {
-    const Strand_end b = mate(a);
+    const Segment_end b = mate(a);
     if(b.is_none() || !is_head(a))
       return;
     const Index p = (std::min)(m_position[a.halfedge], m_position[b.halfedge]);
@@ -326,9 +326,9 @@ private:
   }
 
   // Adds the equation of two ends on one incident edge and the ends connected to them.
-  void add_neighbors(const Strand_end& a, const Strand_end& c)
+  void add_neighbors(const Segment_end& a, const Segment_end& c)
   {
-    const Strand_end b = mate(a), d = mate(c);
+    const Segment_end b = mate(a), d = mate(c);
     if(b == c || (b.is_none() && d.is_none()))
       return;
     if(b.is_none())
@@ -339,17 +339,17 @@ private:
       add_joints(a, b, c, d);
   }
 
-  void add_joint_beside_single_end(const Strand_end& a, const Strand_end& b, const Strand_end& x)
+  void add_joint_beside_single_end(const Segment_end& a, const Segment_end& b, const Segment_end& x)
   {
     const bool is_repeated = a.halfedge == b.halfedge && !is_head(a);
     if(!is_repeated)
       add_equation({is_before(a, x), is_before(b, x), contains_single_ends(a, b)});
   }
 
-  void add_joints(const Strand_end& a, const Strand_end& b, const Strand_end& c, const Strand_end& d)
+  void add_joints(const Segment_end& a, const Segment_end& b, const Segment_end& c, const Segment_end& d)
   {
-    const bool is_one_spoke = a.halfedge == b.halfedge && c.halfedge == d.halfedge;
-    const bool is_repeated = is_one_spoke && !(is_head(a) && is_head(c));
+    const bool is_one_outgoing_halfedge = a.halfedge == b.halfedge && c.halfedge == d.halfedge;
+    const bool is_repeated = is_one_outgoing_halfedge && !(is_head(a) && is_head(c));
     if(!is_repeated)
       add_equation({is_before(a, c), is_before(a, d), is_before(b, c), is_before(b, d)});
   }
@@ -417,7 +417,7 @@ private:
     return has_merged && !m_conflict;
   }
 
-  const Stack_pairs<Network>& m_pairs;
+  const Bundle_pairs<Network>& m_pairs;
   const Network& m_network;
   const Triangulation& m_triangulation;
   Parity_classes m_classes;
@@ -435,4 +435,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_BUNDLE_ORDER_H

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WORDS_OF_PLACES_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WORDS_OF_PLACES_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_EDGE_SEQUENCES_OF_PLACES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_EDGE_SEQUENCES_OF_PLACES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -27,7 +27,7 @@ namespace internal {
 /* A segment of a curve given by surface points: its edge sequence, and which points are its crossed edges. */
 struct Segment_of_places
 {
-  Crossing_word word;
+  Edge_sequence sequence;
   std::size_t start = 0;         // the number of the point at which it starts; crossed edges follow
   std::vector<bool> is_as_given; // false if the sequence has the other side of the edge
 };
@@ -35,12 +35,12 @@ struct Segment_of_places
 /* Constructs edge sequences from end points and crossed edges, whose sides may be given arbitrarily, and rejects points
  * that do not form a path. Each point has a number, which error messages contain. */
 template <class Triangulation>
-class Words_of_places
+class Edge_sequences_of_places
 {
   using Places = Places_on_input<Triangulation>;
 
 public:
-  explicit Words_of_places(const Places& places)
+  explicit Edge_sequences_of_places(const Places& places)
     : m_places(places)
   {
   }
@@ -51,7 +51,7 @@ public:
     if(m_is_started)
       arrive(v, number);
     m_segment = {};
-    m_segment.word.tail = v;
+    m_segment.sequence.tail = v;
     m_segment.start = number;
     m_is_started = true;
   }
@@ -62,7 +62,7 @@ public:
     const auto& input = m_places.input();
     if(input.is_border(h) || input.is_border(twin_index(h)))
       refuse(number, "is a crossed edge on the border");
-    std::vector<Input_halfedge_index>& crossed = m_segment.word.crossed;
+    std::vector<Input_halfedge_index>& crossed = m_segment.sequence.crossed;
     const bool is_as_given = leads_on_through(h);
     h = is_as_given ? h : twin_index(h);
     if(!is_as_given && !leads_on_through(h))
@@ -77,11 +77,11 @@ public:
   /* Ends the last segment. */
   void arrive(Vertex_index v, std::size_t number)
   {
-    Crossing_word& word = m_segment.word;
-    word.head = v;
-    if(word.crossed.empty())
+    Edge_sequence& sequence = m_segment.sequence;
+    sequence.head = v;
+    if(sequence.crossed.empty())
       find_common_face(number);
-    else if(!is_opposite_vertex(m_places, v, twin_index(word.crossed.back())))
+    else if(!is_opposite_vertex(m_places, v, twin_index(sequence.crossed.back())))
       refuse(number, "is not opposite to the crossed edge before");
     m_segments.push_back(m_segment);
   }
@@ -96,28 +96,28 @@ private:
 
   bool leads_on_through(Input_halfedge_index h) const
   {
-    const Crossing_word& word = m_segment.word;
-    if(word.crossed.empty())
-      return is_opposite_vertex(m_places, word.tail, h);
-    const Input_halfedge_index entered = twin_index(word.crossed.back());
+    const Edge_sequence& sequence = m_segment.sequence;
+    if(sequence.crossed.empty())
+      return is_opposite_vertex(m_places, sequence.tail, h);
+    const Input_halfedge_index entered = twin_index(sequence.crossed.back());
     return h == m_places.input().next(entered) || h == m_places.input().next(m_places.input().next(entered));
   }
 
   // No edge is crossed: both ends lie on one edge, or else in one face.
   void find_common_face(std::size_t number)
   {
-    Crossing_word& word = m_segment.word;
-    if(are_same(word.tail, word.head))
+    Edge_sequence& sequence = m_segment.sequence;
+    if(are_same(sequence.tail, sequence.head))
       refuse(number, "is the same as the one before");
-    for(Input_halfedge_index h : edges_at(word.tail))
-      if(is_on_halfedge(m_places, word.head, twin_index(h)) && leads_along(h)) {
-        word.along = h;
+    for(Input_halfedge_index h : edges_at(sequence.tail))
+      if(is_on_halfedge(m_places, sequence.head, twin_index(h)) && leads_along(h)) {
+        sequence.along = h;
         return;
       }
-    for(Input_halfedge_index h : edges_at(word.tail))
-      if(!m_places.input().is_border(h) && is_in_face(m_places, word.head, h)) {
+    for(Input_halfedge_index h : edges_at(sequence.tail))
+      if(!m_places.input().is_border(h) && is_in_face(m_places, sequence.head, h)) {
         check_triangle(m_places.input(), h);
-        word.face = h;
+        sequence.face = h;
         return;
       }
     refuse(number, "is in no face with the one before, and no edge is crossed in between");
@@ -145,13 +145,13 @@ private:
   // Returns whether h leads from the tail to the head, both of which lie on its edge.
   bool leads_along(Input_halfedge_index h) const
   {
-    const Crossing_word& word = m_segment.word;
-    if(m_places.is_inserted(word.tail) && vertex_kind(m_places, word.tail) == Location_kind::FACE)
+    const Edge_sequence& sequence = m_segment.sequence;
+    if(m_places.is_inserted(sequence.tail) && vertex_kind(m_places, sequence.tail) == Location_kind::FACE)
       return false;
-    if(!m_places.is_inserted(word.tail) || !m_places.is_inserted(word.head))
+    if(!m_places.is_inserted(sequence.tail) || !m_places.is_inserted(sequence.head))
       return true;
-    const auto a = integer_weights(vertex_weights(m_places, word.tail, h));
-    const auto b = integer_weights(vertex_weights(m_places, word.head, h));
+    const auto a = integer_weights(vertex_weights(m_places, sequence.tail, h));
+    const auto b = integer_weights(vertex_weights(m_places, sequence.head, h));
     return a[1] * b[0] < b[1] * a[0];
   }
 
@@ -187,12 +187,12 @@ struct Portal_turn
 template <class Triangulation>
 std::vector<Portal> portals_of(const Triangulation& triangulation, const Strip<Triangulation>& strip)
 {
-  const auto& gates = strip.gates();
-  std::vector<Portal> result = {{gates[0].left - gates[0].right, LEFT_END}};
-  for(std::size_t i = 1; i < gates.size(); ++i) {
-    const bool is_right_kept = gates[i].crossed == triangulation.input().next(twin_index(gates[i - 1].crossed));
-    result.push_back(
-        {(is_right_kept ? gates[i].left : gates[i].right) - gates[0].right, is_right_kept ? LEFT_END : RIGHT_END});
+  const auto& portals = strip.portals();
+  std::vector<Portal> result = {{portals[0].left - portals[0].right, LEFT_END}};
+  for(std::size_t i = 1; i < portals.size(); ++i) {
+    const bool is_right_kept = portals[i].crossed == triangulation.input().next(twin_index(portals[i - 1].crossed));
+    result.push_back({(is_right_kept ? portals[i].left : portals[i].right) - portals[0].right,
+                      is_right_kept ? LEFT_END : RIGHT_END});
   }
   return result;
 }
@@ -202,7 +202,7 @@ std::vector<Portal> portals_of(const Triangulation& triangulation, const Strip<T
 template <class Triangulation>
 Portal_turn largest_turn(const Triangulation& triangulation, const Strip<Triangulation>& strip)
 {
-  const Plane_vector origin = strip.gates()[0].right, target = strip.end() - origin;
+  const Plane_vector origin = strip.portals()[0].right, target = strip.end() - origin;
   Funnel funnel;
   funnel.pull(portals_of(triangulation, strip), -origin, target);
   Portal_turn result;
@@ -222,4 +222,4 @@ Portal_turn largest_turn(const Triangulation& triangulation, const Strip<Triangu
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WORDS_OF_PLACES_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_EDGE_SEQUENCES_OF_PLACES_H

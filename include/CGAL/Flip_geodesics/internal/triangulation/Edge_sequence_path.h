@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_PATH_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_PATH_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_SEQUENCE_PATH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_SEQUENCE_PATH_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
-#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 
 #include <algorithm>
@@ -27,99 +27,99 @@ namespace internal {
  * data.
  */
 template <class Triangulation, class Letter = Input_halfedge_index>
-class Word_path
+class Edge_sequence_path
 {
 public:
   /* Starts a path at a vertex, into the input face of its anchor. The memory of an old sequence can be reused. */
-  Word_path(const Triangulation& triangulation, Vertex_index start, Input_halfedge_index start_anchor,
-            std::vector<Letter> memory = {})
+  Edge_sequence_path(const Triangulation& triangulation, Vertex_index start, Input_halfedge_index start_anchor,
+                     std::vector<Letter> memory = {})
     : m_triangulation(triangulation)
     , m_start(start)
     , m_start_anchor(start_anchor)
-    , m_letters(std::move(memory))
+    , m_crossed_edges(std::move(memory))
   {
-    m_letters.clear();
+    m_crossed_edges.clear();
   }
 
-  void cross(Input_halfedge_index letter)
+  void cross(Input_halfedge_index crossed_edge)
   {
-    if(is_taken_back(letter))
-      m_letters.pop_back();
+    if(is_taken_back(crossed_edge))
+      m_crossed_edges.pop_back();
     else
-      m_letters.push_back(letter);
+      m_crossed_edges.push_back(crossed_edge);
   }
 
   /* Crosses a range of an edge sequence. Since the range is reduced, edges cancel only where the two sequences meet. */
-  void cross(const std::vector<Letter>& letters, std::size_t first, std::size_t last)
+  void cross(const std::vector<Letter>& crossed_edges, std::size_t first, std::size_t last)
   {
-    for(; first < last && is_taken_back(Input_halfedge_index(letters[first])); ++first)
-      m_letters.pop_back();
-    const auto begin = letters.begin();
-    m_letters.insert(m_letters.end(), begin + static_cast<std::ptrdiff_t>(first),
-                     begin + static_cast<std::ptrdiff_t>((std::max)(first, last)));
+    for(; first < last && is_taken_back(Input_halfedge_index(crossed_edges[first])); ++first)
+      m_crossed_edges.pop_back();
+    const auto begin = crossed_edges.begin();
+    m_crossed_edges.insert(m_crossed_edges.end(), begin + static_cast<std::ptrdiff_t>(first),
+                           begin + static_cast<std::ptrdiff_t>((std::max)(first, last)));
   }
 
   /* Crosses the edges of a sequence, or of its reverse. */
-  void cross(const Crossing_word& word, bool is_reversed)
+  void cross(const Edge_sequence& sequence, bool is_reversed)
   {
     if(!is_reversed)
-      return cross(word.crossed, 0, word.crossed.size());
-    std::size_t last = word.crossed.size();
-    for(; last > 0 && is_taken_back(twin_index(word.crossed[last - 1])); --last)
-      m_letters.pop_back();
-    m_letters.reserve(m_letters.size() + last);
+      return cross(sequence.crossed, 0, sequence.crossed.size());
+    std::size_t last = sequence.crossed.size();
+    for(; last > 0 && is_taken_back(twin_index(sequence.crossed[last - 1])); --last)
+      m_crossed_edges.pop_back();
+    m_crossed_edges.reserve(m_crossed_edges.size() + last);
     for(; last > 0; --last)
-      m_letters.push_back(twin_index(word.crossed[last - 1]));
+      m_crossed_edges.push_back(twin_index(sequence.crossed[last - 1]));
   }
 
   /* Turns clockwise around vertex v across a number of input edges, beginning with the one in the direction of
-   * `spoke`. */
-  void turn(Vertex_index v, Input_halfedge_index spoke, Index number)
+   * `outgoing_halfedge`. */
+  void turn(Vertex_index v, Input_halfedge_index outgoing_halfedge, Index number)
   {
-    for(Index i = 0; i < number; ++i, spoke = next_spoke(m_triangulation, v, spoke))
-      cross(spoke);
+    for(Index i = 0; i < number; ++i, outgoing_halfedge = next_outgoing_halfedge(m_triangulation, v, outgoing_halfedge))
+      cross(outgoing_halfedge);
   }
 
   /* Returns the edge sequence of the shortened path, which ends at a vertex in the input face of its anchor; leaves the
    * path empty. */
-  Crossing_word finish(Vertex_index end, Input_halfedge_index end_anchor)
+  Edge_sequence finish(Vertex_index end, Input_halfedge_index end_anchor)
   {
-    Crossing_word word = trim(end, end_anchor);
-    word.crossed = take_letters();
-    return word;
+    Edge_sequence sequence = trim(end, end_anchor);
+    sequence.crossed = take_crossed_edges();
+    return sequence;
   }
 
   /* Drops the crossed edges that touch the ends of a path that ends as for `finish()`. Returns the sequence without its
    * edges. */
-  Crossing_word trim(Vertex_index end, Input_halfedge_index end_anchor)
+  Edge_sequence trim(Vertex_index end, Input_halfedge_index end_anchor)
   {
     Input_halfedge_index first_anchor = m_start_anchor, last_anchor = end_anchor;
-    auto first = m_letters.begin(), last = m_letters.end();
+    auto first = m_crossed_edges.begin(), last = m_crossed_edges.end();
     for(; first != last && touches(m_start, first_anchor, Input_halfedge_index(*first)); ++first)
       first_anchor = across(m_start, Input_halfedge_index(*first), first_anchor);
     for(; first != last && touches(end, last_anchor, twin_index(Input_halfedge_index(*(last - 1)))); --last)
       last_anchor = across(end, twin_index(Input_halfedge_index(*(last - 1))), last_anchor);
-    const auto skipped = first - m_letters.begin();
-    m_letters.erase(last, m_letters.end()); // invalidates `first` if no edge remains
-    m_letters.erase(m_letters.begin(), m_letters.begin() + skipped);
-    Crossing_word word;
-    word.tail = m_start;
-    word.head = end;
-    if(m_letters.empty())
-      place_in_face(first_anchor, last_anchor, word);
-    return word;
+    const auto skipped = first - m_crossed_edges.begin();
+    m_crossed_edges.erase(last, m_crossed_edges.end()); // invalidates `first` if no edge remains
+    m_crossed_edges.erase(m_crossed_edges.begin(), m_crossed_edges.begin() + skipped);
+    Edge_sequence sequence;
+    sequence.tail = m_start;
+    sequence.head = end;
+    if(m_crossed_edges.empty())
+      place_in_face(first_anchor, last_anchor, sequence);
+    return sequence;
   }
 
   /* Moves the crossed edges out. */
-  std::vector<Letter> take_letters() { return std::move(m_letters); }
+  std::vector<Letter> take_crossed_edges() { return std::move(m_crossed_edges); }
 
 private:
   const auto& input() const { return m_triangulation.input(); }
 
   // Returns whether crossing an edge cancels the last crossing.
-  bool is_taken_back(Input_halfedge_index letter) const
+  bool is_taken_back(Input_halfedge_index crossed_edge) const
   {
-    return !m_letters.empty() && Input_halfedge_index(m_letters.back()) == twin_index(letter);
+    return !m_crossed_edges.empty() && Input_halfedge_index(m_crossed_edges.back()) == twin_index(crossed_edge);
   }
 
   // Returns whether a side of the anchor's face touches the vertex.
@@ -144,20 +144,20 @@ private:
   }
 
   // A path that crosses nothing runs along an input edge or through the interior of a face.
-  void place_in_face(Input_halfedge_index k, Input_halfedge_index l, Crossing_word& word) const
+  void place_in_face(Input_halfedge_index k, Input_halfedge_index l, Edge_sequence& sequence) const
   {
-    const Location_kind at_k = vertex_kind(m_triangulation, word.tail);
-    const Location_kind at_l = vertex_kind(m_triangulation, word.head);
+    const Location_kind at_k = vertex_kind(m_triangulation, sequence.tail);
+    const Location_kind at_l = vertex_kind(m_triangulation, sequence.head);
     if(at_k == Location_kind::VERTEX && at_l == Location_kind::VERTEX)
-      word.along = input().next(k) == l ? k : twin_index(l);
+      sequence.along = input().next(k) == l ? k : twin_index(l);
     else if(at_k == Location_kind::VERTEX && at_l == Location_kind::EDGE && l != input().next(k))
-      word.along = l == k ? k : twin_index(l);
+      sequence.along = l == k ? k : twin_index(l);
     else if(at_k == Location_kind::EDGE && at_l == Location_kind::VERTEX && k != input().next(l))
-      word.along = k == l ? twin_index(k) : k;
+      sequence.along = k == l ? twin_index(k) : k;
     else if(at_k == Location_kind::EDGE && at_l == Location_kind::EDGE && k == l)
-      word.along = is_before(word.tail, word.head, k) ? k : twin_index(k);
+      sequence.along = is_before(sequence.tail, sequence.head, k) ? k : twin_index(k);
     else
-      word.face = k;
+      sequence.face = k;
   }
 
   // Returns whether the first of two points of an input edge is nearer to the tail of halfedge h.
@@ -171,7 +171,7 @@ private:
   const Triangulation& m_triangulation;
   Vertex_index m_start;
   Input_halfedge_index m_start_anchor;
-  std::vector<Letter> m_letters;
+  std::vector<Letter> m_crossed_edges;
 };
 
 /*
@@ -193,10 +193,10 @@ private:
  * corner in which the edge starts. That corner is found by counting from an edge that has never been flipped.
  */
 template <class Triangulation>
-class Word_tracer
+class Edge_sequence_tracer
 {
 public:
-  explicit Word_tracer(const Triangulation& triangulation)
+  explicit Edge_sequence_tracer(const Triangulation& triangulation)
     : m_triangulation(triangulation)
   {
   }
@@ -206,24 +206,24 @@ public:
    * sequence must be derived otherwise. Linear in the degree of the tail and in the number of triangles that bundles
    * pass. \pre no point was inserted
    */
-  bool operator()(Halfedge_index h, Crossing_word& word)
+  bool operator()(Halfedge_index h, Edge_sequence& sequence)
   {
-    const Input_halfedge_index spoke = spoke_before(h);
-    if(spoke == null_index)
+    const Input_halfedge_index outgoing_halfedge = outgoing_halfedge_before(h);
+    if(outgoing_halfedge == null_index)
       return false;
-    word.tail = m_triangulation.tail(h);
-    word.head = m_triangulation.head(h);
-    word.face = null_index;
+    sequence.tail = m_triangulation.tail(h);
+    sequence.head = m_triangulation.head(h);
+    sequence.face = null_index;
     const Index number = crossings(h);
-    word.along = number == 0 ? spoke : null_index;
-    word.crossed.assign(static_cast<std::size_t>(number), meets_on_right); // placeholders for the crossed edges
+    sequence.along = number == 0 ? outgoing_halfedge : null_index;
+    sequence.crossed.assign(static_cast<std::size_t>(number), meets_on_right); // placeholders for the crossed edges
     if(number == 0)
       return true;
-    find_meetings_on_left(h, word.crossed);
-    Input_halfedge_index crossed = input().next(spoke);
-    for(Input_halfedge_index& letter : word.crossed) {
-      const bool is_left_kept = letter == meets_on_left;
-      letter = crossed;
+    find_meetings_on_left(h, sequence.crossed);
+    Input_halfedge_index crossed = input().next(outgoing_halfedge);
+    for(Input_halfedge_index& crossed_edge : sequence.crossed) {
+      const bool is_left_kept = crossed_edge == meets_on_left;
+      crossed_edge = crossed;
       const Input_halfedge_index right_side = input().next(twin_index(crossed));
       crossed = is_left_kept ? input().next(right_side) : right_side;
     }
@@ -239,7 +239,7 @@ private:
   struct Bundle
   {
     Halfedge_index halfedge;
-    Index first, letter, size;
+    Index first, crossed_edge, size;
   };
 
   const auto& input() const { return m_triangulation.input(); }
@@ -249,7 +249,7 @@ private:
   bool is_along(Halfedge_index h) const { return m_triangulation.crossings(Triangulation::edge(h)) < 0; }
 
   // The input halfedge at the tail of h along which h lies, or else the first one clockwise; null_index if unknown.
-  Input_halfedge_index spoke_before(Halfedge_index h) const
+  Input_halfedge_index outgoing_halfedge_before(Halfedge_index h) const
   {
     Index passed = is_along(h) ? 1 : 0;
     for(Halfedge_index g = h; m_triangulation.version(Triangulation::edge(g)) != 0;) {
@@ -293,12 +293,12 @@ private:
     const Index around_k = clamped(passing.cutting[0]);
     const Index up_to_m = clamped(passing.cutting[0] + passing.emanating[2]);
     for(Index i = around_k; i + 1 < up_to_m; ++i)
-      meetings[static_cast<std::size_t>(bundle.letter + i)] = meets_on_left;
+      meetings[static_cast<std::size_t>(bundle.crossed_edge + i)] = meets_on_left;
     if(around_k > 1)
-      m_bundles.push_back({Triangulation::twin(to_k), bundle.first, bundle.letter, around_k});
+      m_bundles.push_back({Triangulation::twin(to_k), bundle.first, bundle.crossed_edge, around_k});
     if(bundle.size - up_to_m > 1)
       m_bundles.push_back({Triangulation::twin(to_m), bundle.first + up_to_m + number_at_l - number,
-                           bundle.letter + up_to_m, bundle.size - up_to_m});
+                           bundle.crossed_edge + up_to_m, bundle.size - up_to_m});
   }
 
   const Triangulation& m_triangulation;
@@ -309,4 +309,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_PATH_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_SEQUENCE_PATH_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_ANGLE_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_ANGLE_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_SEQUENCE_ANGLE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_SEQUENCE_ANGLE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
@@ -26,35 +26,36 @@ namespace internal {
 
 /* At the head of an edge sequence, for its reverse direction. */
 template <class Triangulation>
-Word_angle head_angle(const Triangulation& triangulation, const Strip<Triangulation>& strip, const Crossing_word& word)
+Edge_sequence_angle head_angle(const Triangulation& triangulation, const Strip<Triangulation>& strip,
+                               const Edge_sequence& sequence)
 {
   if(strip.arrival_reference() == null_index)
-    return tail_angle(Strip<Triangulation>(triangulation, word.reversed()));
+    return tail_angle(Strip<Triangulation>(triangulation, sequence.reversed()));
   return {strip.arrival_reference(), angle_from_reference(strip.arrival()), strip.arrival_error()};
 }
 
 /* A straight line as seen from one of its ends. */
-struct Seen_word
+struct Seen_edge_sequence
 {
-  const Crossing_word& word;
+  const Edge_sequence& sequence;
   bool is_from_tail;
-  Word_angle angle;
+  Edge_sequence_angle angle;
 
-  Crossing_word seen() const { return is_from_tail ? word : word.reversed(); }
+  Edge_sequence seen() const { return is_from_tail ? sequence : sequence.reversed(); }
 };
 
 /* Returns the exact position of one straight line relative to another in one corner: CLOCKWISE, COUNTERCLOCKWISE, or
  * COLLINEAR if they have the same direction. In a degenerate face that is a half plane, they can be opposite. */
 template <class Triangulation>
 Orientation order_in_one_corner(const Triangulation& triangulation, Decision_statistics& statistics,
-                                const Seen_word& from, const Seen_word& to)
+                                const Seen_edge_sequence& from, const Seen_edge_sequence& to)
 {
   constexpr double half_pi = boost::math::constants::half_pi<double>();
   const double turn = from.angle.angle - to.angle.angle, error = 1.6 * (from.angle.error + to.angle.error);
   if(std::abs(turn) > error && std::abs(turn) < half_pi)
     return turn > 0 ? CLOCKWISE : COUNTERCLOCKWISE;
   const Unfolding_chains<Triangulation> unfolding(triangulation);
-  const Crossing_word first = from.seen(), second = to.seen();
+  const Edge_sequence first = from.seen(), second = to.seen();
   const Sign sine = Exact_sign(statistics, sign_work_limit(triangulation))(
       {unfolding.head(first, false), unfolding.head(second, true)});
   if(sine == ZERO && std::abs(turn) < half_pi)
@@ -73,7 +74,7 @@ struct Compared_angle
  * in between, 0 if the lines have the same direction. */
 template <class Triangulation>
 Compared_angle compared_angle_clockwise(const Triangulation& triangulation, Decision_statistics& statistics,
-                                        const Seen_word& from, const Seen_word& to)
+                                        const Seen_edge_sequence& from, const Seen_edge_sequence& to)
 {
   const auto& input = triangulation.input();
   const Input_halfedge_index first = from.angle.reference, last = to.angle.reference;
@@ -87,15 +88,16 @@ Compared_angle compared_angle_clockwise(const Triangulation& triangulation, Deci
   const Wedge_angle angle = wedge_angle(triangulation, from.angle, to.angle, steps);
   const Comparison_result quick = angle.compare_with_straight();
   if(quick == EQUAL)
-    return {Wedge_comparison<Triangulation>(triangulation, statistics)(Wedge_words{from.seen(), to.seen(), steps}),
-            angle.value};
+    return {
+        Wedge_comparison<Triangulation>(triangulation, statistics)(Wedge_edge_sequences{from.seen(), to.seen(), steps}),
+        angle.value};
   ++statistics.by_strip;
   return {quick, angle.value};
 }
 
 template <class Triangulation>
 Comparison_result compare_clockwise(const Triangulation& triangulation, Decision_statistics& statistics,
-                                    const Seen_word& from, const Seen_word& to)
+                                    const Seen_edge_sequence& from, const Seen_edge_sequence& to)
 {
   return compared_angle_clockwise(triangulation, statistics, from, to).with_straight;
 }
@@ -104,4 +106,4 @@ Comparison_result compare_clockwise(const Triangulation& triangulation, Decision
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_ANGLE_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_SEQUENCE_ANGLE_H

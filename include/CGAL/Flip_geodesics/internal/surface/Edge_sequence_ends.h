@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_EDGE_SEQUENCE_ENDS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_EDGE_SEQUENCE_ENDS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
@@ -24,11 +24,11 @@ Location_kind vertex_kind(const Triangulation& triangulation, Vertex_index v)
 
 /* Returns the halfedge to which the corners of the face of a gap refer: that between crossed edges gap - 1 and gap of
  * an edge sequence. */
-inline Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t gap)
+inline Input_halfedge_index face_of_gap(const Edge_sequence& sequence, std::size_t gap)
 {
-  if(word.along != null_index)
-    return word.along;
-  return gap < word.crossed.size() ? word.crossed[gap] : word.last_face();
+  if(sequence.along != null_index)
+    return sequence.along;
+  return gap < sequence.crossed.size() ? sequence.crossed[gap] : sequence.last_face();
 }
 
 /*
@@ -104,21 +104,23 @@ bool is_opposite_vertex(const Triangulation& triangulation, Vertex_index v, Inpu
 
 /* An end of an edge sequence as seen from there: the input halfedge along which it leaves, the first one that it
  * crosses, a halfedge of its first face, each `null_index` if there is none; and the vertex. */
-struct Word_end
+struct Edge_sequence_end
 {
   Input_halfedge_index along, crossed, face;
   Vertex_index vertex;
 };
 
-inline Word_end tail_end(const Crossing_word& word)
+inline Edge_sequence_end tail_end(const Edge_sequence& sequence)
 {
-  return {word.along, word.crossed.empty() ? null_index : word.crossed.front(), word.first_face(), word.tail};
+  return {sequence.along, sequence.crossed.empty() ? null_index : sequence.crossed.front(), sequence.first_face(),
+          sequence.tail};
 }
 
-inline Word_end head_end(const Crossing_word& word)
+inline Edge_sequence_end head_end(const Edge_sequence& sequence)
 {
-  return {word.along == null_index ? null_index : twin_index(word.along),
-          word.crossed.empty() ? null_index : twin_index(word.crossed.back()), word.last_face(), word.head};
+  return {sequence.along == null_index ? null_index : twin_index(sequence.along),
+          sequence.crossed.empty() ? null_index : twin_index(sequence.crossed.back()), sequence.last_face(),
+          sequence.head};
 }
 
 /*
@@ -126,7 +128,7 @@ inline Word_end head_end(const Crossing_word& word)
  * it is that halfedge, whose face is on the left. The directions of edges at a vertex refer to it.
  */
 template <class Triangulation>
-Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Word_end& tail)
+Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Edge_sequence_end& tail)
 {
   if(tail.along != null_index)
     return tail.along;
@@ -136,9 +138,9 @@ Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Word_
 }
 
 template <class Triangulation>
-Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Crossing_word& word)
+Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Edge_sequence& sequence)
 {
-  return tail_anchor(triangulation, tail_end(word));
+  return tail_anchor(triangulation, tail_end(sequence));
 }
 
 /*
@@ -147,7 +149,7 @@ Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Cross
  * meets.
  */
 template <class Triangulation>
-Input_halfedge_index head_anchor(const Triangulation& triangulation, const Word_end& head)
+Input_halfedge_index head_anchor(const Triangulation& triangulation, const Edge_sequence_end& head)
 {
   if(head.along == null_index)
     return tail_anchor(triangulation, head);
@@ -156,16 +158,17 @@ Input_halfedge_index head_anchor(const Triangulation& triangulation, const Word_
 }
 
 template <class Triangulation>
-Input_halfedge_index head_anchor(const Triangulation& triangulation, const Crossing_word& word)
+Input_halfedge_index head_anchor(const Triangulation& triangulation, const Edge_sequence& sequence)
 {
-  return head_anchor(triangulation, head_end(word));
+  return head_anchor(triangulation, head_end(sequence));
 }
 
-/* Returns the direction of an input edge after `spoke`, clockwise around vertex v. */
+/* Returns the direction of an input edge after `outgoing_halfedge`, clockwise around vertex v. */
 template <class Triangulation>
-Input_halfedge_index next_spoke(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index spoke)
+Input_halfedge_index next_outgoing_halfedge(const Triangulation& triangulation, Vertex_index v,
+                                            Input_halfedge_index outgoing_halfedge)
 {
-  const Input_halfedge_index t = twin_index(spoke);
+  const Input_halfedge_index t = twin_index(outgoing_halfedge);
   return triangulation.is_inserted(v) ? t : triangulation.input().next(t);
 }
 
@@ -198,4 +201,4 @@ std::array<double, 3> vertex_weights(const Triangulation& triangulation, Vertex_
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_EDGE_SEQUENCE_ENDS_H

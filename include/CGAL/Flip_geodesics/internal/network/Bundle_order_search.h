@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_SEARCH_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_SEARCH_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_BUNDLE_ORDER_SEARCH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_BUNDLE_ORDER_SEARCH_H
 
+#include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
-#include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,7 +31,7 @@ namespace internal {
  * steps, one was aborted.
  */
 template <class Network>
-class Stack_order_search
+class Bundle_order_search
 {
   using Triangulation = typename Network::Triangulation;
   using Equation = typename Crossing_equations<Network>::Equation;
@@ -40,7 +40,7 @@ public:
   /* The number of segments examined for one subproblem, about 1 s, after which no choice is reversed any more. */
   static constexpr std::size_t default_most_work = 200000000;
 
-  explicit Stack_order_search(Crossing_equations<Network>& equations, std::size_t most_work = default_most_work)
+  explicit Bundle_order_search(Crossing_equations<Network>& equations, std::size_t most_work = default_most_work)
     : m_equations(equations)
     , m_pairs(equations.pairs())
     , m_triangulation(m_pairs.network().triangulation())
@@ -65,19 +65,19 @@ public:
         if(m_choices_of[i].size() > 0 && !has_fitting_defaults(i) && !search(i))
           return m_conflict;
     }
-    for(Index i = 0; i < m_pairs.number_of_stacks(); ++i)
+    for(Index i = 0; i < m_pairs.number_of_bundles(); ++i)
       if(!is_ordered(i))
         return {m_triangulation.tail(first_side(m_pairs.edge(i)))};
     return {};
   }
 
   /* Returns the segments of a bundle from left to right. \pre `run()` has found no conflict */
-  std::vector<Segment_index> order(Index stack) const
+  std::vector<Segment_index> order(Index bundle) const
   {
-    const auto segments = m_pairs.segments(stack);
+    const auto segments = m_pairs.segments(bundle);
     std::vector<Segment_index> result(static_cast<std::size_t>(segments.size()));
     for(Index i : segments)
-      result[static_cast<std::size_t>(number_on_left(stack, Segment_index(i)))] = Segment_index(i);
+      result[static_cast<std::size_t>(number_on_left(bundle, Segment_index(i)))] = Segment_index(i);
     return result;
   }
 
@@ -155,23 +155,23 @@ private:
 
   bool imply_from_known_pairs()
   {
-    for(Index i = 0; i < m_pairs.number_of_stacks(); ++i)
-      if(!imply_in_stack(i))
+    for(Index i = 0; i < m_pairs.number_of_bundles(); ++i)
+      if(!imply_in_bundle(i))
         return false;
     return propagate(true);
   }
 
   // Orders s and t if some u is known to lie between them; examines 64 such u at a time.
-  bool imply_in_stack(Index stack)
+  bool imply_in_bundle(Index bundle)
   {
-    const auto segments = m_pairs.segments(stack);
+    const auto segments = m_pairs.segments(bundle);
     const Bit_matrix right = bits_of([&](Segment_index s, Segment_index t) { return is_left(s, t); }, segments);
     const Bit_matrix left = bits_of([&](Segment_index s, Segment_index t) { return is_left(t, s); }, segments);
     for(Index i = 0; i < segments.size(); ++i)
       for(Index j = 0; j < segments.size(); ++j) {
         const Segment_index s(segments.first[i]), t(segments.first[j]);
         if(s != t && !is_left(s, t) && have_common_bit(right[i], left[j]) && !assign(m_pairs.is_left(s, t)))
-          return fail_at_stack(s);
+          return fail_at_bundle(s);
       }
     return true;
   }
@@ -230,7 +230,7 @@ private:
   bool imply_from_order(Index pair)
   {
     auto [s, t] = m_pairs.segments_of_pair(pair);
-    const auto segments = m_pairs.segments(m_pairs.stack_of(s));
+    const auto segments = m_pairs.segments(m_pairs.bundle_of(s));
     m_work += static_cast<std::size_t>(segments.size());
     if(!is_left(s, t))
       std::swap(s, t);
@@ -239,32 +239,32 @@ private:
       if(u == s || u == t)
         continue;
       if((is_left(u, s) && !assign(m_pairs.is_left(u, t))) || (is_left(t, u) && !assign(m_pairs.is_left(s, u))))
-        return fail_at_stack(s);
+        return fail_at_bundle(s);
     }
     return true;
   }
 
-  bool fail_at_stack(Segment_index s)
+  bool fail_at_bundle(Segment_index s)
   {
-    m_conflict.v = m_triangulation.tail(first_side(m_pairs.edge(m_pairs.stack_of(s))));
+    m_conflict.v = m_triangulation.tail(first_side(m_pairs.edge(m_pairs.bundle_of(s))));
     return false;
   }
 
-  Index number_on_left(Index stack, Segment_index s) const
+  Index number_on_left(Index bundle, Segment_index s) const
   {
     Index count = 0;
-    for(Index t : m_pairs.segments(stack))
+    for(Index t : m_pairs.segments(bundle))
       count += t != s.idx() && is_left(Segment_index(t), s) ? 1 : 0;
     return count;
   }
 
   // No three segments are cyclically left of each other if and only if the numbers of segments to the left all differ.
-  bool is_ordered(Index stack) const
+  bool is_ordered(Index bundle) const
   {
-    const auto segments = m_pairs.segments(stack);
+    const auto segments = m_pairs.segments(bundle);
     std::vector<char> is_taken(static_cast<std::size_t>(segments.size()), 0);
     for(Index s : segments) {
-      char& place = is_taken[static_cast<std::size_t>(number_on_left(stack, Segment_index(s)))];
+      char& place = is_taken[static_cast<std::size_t>(number_on_left(bundle, Segment_index(s)))];
       if(place != 0)
         return false;
       place = 1;
@@ -287,17 +287,17 @@ private:
       first = first == null_index ? c : first;
       problems.unite(2 * first, 2 * c);
     };
-    std::vector<Index> stack_class(static_cast<std::size_t>(m_pairs.number_of_stacks()), null_index);
+    std::vector<Index> bundle_class(static_cast<std::size_t>(m_pairs.number_of_bundles()), null_index);
     for(Index v = 1; v < m_pairs.end_of_pairs(); ++v)
-      join(stack_class[m_pairs.stack_of(m_pairs.segments_of_pair(v).first)], 2 * v);
+      join(bundle_class[m_pairs.bundle_of(m_pairs.segments_of_pair(v).first)], 2 * v);
     for(const Equation& equation : m_equations.long_equations()) {
       Index first = null_index;
       for(Literal a : equation.literals)
         join(first, a);
     }
     const auto problem_of = [&](Index c) { return c == null_index ? c : variable(problems.representative(2 * c)); };
-    std::transform(stack_class.begin(), stack_class.end(), stack_class.begin(), problem_of);
-    m_stacks_of = Buckets(m_pairs.number_of_variables(), stack_class);
+    std::transform(bundle_class.begin(), bundle_class.end(), bundle_class.begin(), problem_of);
+    m_bundles_of = Buckets(m_pairs.number_of_variables(), bundle_class);
     find_choices(problem_of);
   }
 
@@ -313,9 +313,9 @@ private:
     m_choices.clear();
     const std::vector<Halfedge_index> headings = initial_headings();
     for(Segment_index s(1); s.idx() < m_pairs.network().end_of_segment_ids(); ++s) {
-      if(m_pairs.stack_of(s) == null_index)
+      if(m_pairs.bundle_of(s) == null_index)
         continue;
-      const auto segments = m_pairs.segments(m_pairs.stack_of(s));
+      const auto segments = m_pairs.segments(m_pairs.bundle_of(s));
       for(auto t = std::upper_bound(segments.begin(), segments.end(), s.idx()); t != segments.end(); ++t) {
         const Literal a = class_of(m_pairs.is_left(headings[static_cast<std::size_t>(s.idx())], s, Segment_index(*t)));
         if(!is_unknown(a) || is_known[variable(a)] != 0)
@@ -361,8 +361,8 @@ private:
     const std::size_t trail_size = m_trail.size();
     for(Index i : m_choices_of[problem])
       assign(m_choices[i]);
-    const auto stacks = m_stacks_of[problem];
-    if(propagate(false) && std::all_of(stacks.begin(), stacks.end(), [&](Index i) { return is_ordered(i); }))
+    const auto bundles = m_bundles_of[problem];
+    if(propagate(false) && std::all_of(bundles.begin(), bundles.end(), [&](Index i) { return is_ordered(i); }))
       return true;
     undo(trail_size);
     return false;
@@ -443,7 +443,7 @@ private:
   /// @}
 
   Crossing_equations<Network>& m_equations;
-  const Stack_pairs<Network>& m_pairs;
+  const Bundle_pairs<Network>& m_pairs;
   const Triangulation& m_triangulation;
   const std::size_t m_most_work;
 
@@ -457,8 +457,8 @@ private:
   Order_conflict m_conflict;    // the last one; other choices may avoid it
 
   std::vector<Literal> m_choices;
-  Buckets m_choices_of, m_stacks_of; // by subproblem
-  std::vector<Index> m_queue;        // the choices of a subproblem
+  Buckets m_choices_of, m_bundles_of; // by subproblem
+  std::vector<Index> m_queue;         // the choices of a subproblem
   std::vector<Choice> m_made;
   std::size_t m_work = 0;
 };
@@ -467,4 +467,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_SEARCH_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_BUNDLE_ORDER_SEARCH_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SPOKES_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SPOKES_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OUTGOING_HALFEDGES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OUTGOING_HALFEDGES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -58,7 +58,7 @@ Input_halfedge_index previous_umbrella(const Input_mesh& input, Input_halfedge_i
 
 /* Returns the halfedge of a triangulation that leads along a border halfedge of the input from its vertex. */
 template <class Triangulation>
-Halfedge_index first_spoke(const Triangulation& triangulation, Input_halfedge_index border)
+Halfedge_index first_outgoing_halfedge(const Triangulation& triangulation, Input_halfedge_index border)
 {
   Halfedge_index h = as_intrinsic(border);
   while(triangulation.tail(h) != triangulation.input().tail(border)) { // the edge was split
@@ -78,21 +78,22 @@ Halfedge_index outgoing_beside(const Triangulation& triangulation, Input_halfedg
   const Input_halfedge_index border = border_of_umbrella(input, h);
   if(border == null_index || next_umbrella(input, border) == border)
     return triangulation.outgoing(input.tail(h));
-  return first_spoke(triangulation, border);
+  return first_outgoing_halfedge(triangulation, border);
 }
 
 /* Calls function(h) for the outgoing halfedges of a vertex, clockwise, in all umbrellas except that of `border`, a
  * border halfedge of the triangulation. */
 template <class Triangulation, class Function>
-void for_each_spoke_of_other_umbrellas(const Triangulation& triangulation, Halfedge_index border,
-                                       const Function& function)
+void for_each_outgoing_halfedge_of_other_umbrellas(const Triangulation& triangulation, Halfedge_index border,
+                                                   const Function& function)
 {
   if(triangulation.is_inserted(triangulation.tail(border)))
     return;
-  const Input_halfedge_index first = triangulation.crossing_word(border).along;
+  const Input_halfedge_index first = triangulation.edge_sequence(border).along;
   for(Input_halfedge_index next = next_umbrella(triangulation.input(), first); next != first;
       next = next_umbrella(triangulation.input(), next))
-    for(Halfedge_index h = first_spoke(triangulation, next); h != null_index; h = triangulation.clockwise(h))
+    for(Halfedge_index h = first_outgoing_halfedge(triangulation, next); h != null_index;
+        h = triangulation.clockwise(h))
       function(h);
 }
 
@@ -106,11 +107,12 @@ Halfedge_index index_of(const Walker& h)
 /* Replaces the contents of a range by the outgoing halfedges of v, clockwise, from the border if there is one, as
  * walkers or by their indices. At a non-manifold vertex they are grouped by umbrella, in the order in which the border
  * connects these. */
-template <class Triangulation, class Spoke>
-void collect_spokes(const Triangulation& triangulation, Vertex_index v, std::vector<Spoke>& result)
+template <class Triangulation, class Outgoing_halfedge>
+void collect_outgoing_halfedges(const Triangulation& triangulation, Vertex_index v,
+                                std::vector<Outgoing_halfedge>& result)
 {
   using Walker = typename Triangulation::Walker;
-  constexpr bool are_walkers = std::is_same<Spoke, Walker>::value;
+  constexpr bool are_walkers = std::is_same<Outgoing_halfedge, Walker>::value;
   const auto add = [&result](const Walker& h) {
     if constexpr(are_walkers)
       result.push_back(h);
@@ -132,29 +134,30 @@ void collect_spokes(const Triangulation& triangulation, Vertex_index v, std::vec
     return;
   for(h = first.clockwise(); !h.is_none(); h = h.clockwise())
     add(h);
-  if constexpr(Has_words<Triangulation>::value) // the others are manifolds
-    for_each_spoke_of_other_umbrellas(triangulation, index_of(result.front()),
-                                      [&](Halfedge_index g) { add(triangulation.walker(g)); });
+  if constexpr(Has_edge_sequences<Triangulation>::value) // the others are manifolds
+    for_each_outgoing_halfedge_of_other_umbrellas(triangulation, index_of(result.front()),
+                                                  [&](Halfedge_index g) { add(triangulation.walker(g)); });
 }
 
 /* Returns the outgoing halfedges of v, clockwise, from the border if there is one. */
 template <class Triangulation>
-std::vector<Halfedge_index> spokes(const Triangulation& triangulation, Vertex_index v)
+std::vector<Halfedge_index> outgoing_halfedges(const Triangulation& triangulation, Vertex_index v)
 {
   std::vector<Halfedge_index> result;
-  collect_spokes(triangulation, v, result);
+  collect_outgoing_halfedges(triangulation, v, result);
   return result;
 }
 
 /* Returns the outgoing halfedges of the vertex of an input halfedge that belong to the same umbrella. */
 template <class Triangulation>
-std::vector<Halfedge_index> spokes_beside(const Triangulation& triangulation, Input_halfedge_index h)
+std::vector<Halfedge_index> outgoing_halfedges_beside(const Triangulation& triangulation, Input_halfedge_index h)
 {
   const Input_halfedge_index border = border_of_umbrella(triangulation.input(), h);
   if(border == null_index)
-    return spokes(triangulation, triangulation.input().tail(h));
+    return outgoing_halfedges(triangulation, triangulation.input().tail(h));
   std::vector<Halfedge_index> result;
-  for(Halfedge_index g = first_spoke(triangulation, border); g != null_index; g = triangulation.clockwise(g))
+  for(Halfedge_index g = first_outgoing_halfedge(triangulation, border); g != null_index;
+      g = triangulation.clockwise(g))
     result.push_back(g);
   return result;
 }
@@ -165,7 +168,7 @@ template <class Triangulation>
 Halfedge_index halfedge_between(const Triangulation& triangulation, Vertex_index v, Vertex_index w)
 {
   Halfedge_index best = null_index;
-  for(Halfedge_index h : spokes(triangulation, v)) {
+  for(Halfedge_index h : outgoing_halfedges(triangulation, v)) {
     if(triangulation.head(h) != w)
       continue;
     const bool is_better = best == null_index || triangulation.length(h) < triangulation.length(best) ||
@@ -188,4 +191,4 @@ void check_has_no_curves(const Triangulation& triangulation, const std::string& 
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SPOKES_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OUTGOING_HALFEDGES_H
