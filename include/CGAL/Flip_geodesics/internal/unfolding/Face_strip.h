@@ -103,7 +103,7 @@ private:
  *              side 2      side 1           right one, to the apex, and back.
  *                  /        \
  *               left -------- right
- *                     portal
+ *                    portal
  *
  * The sides are products of the corners of the faces, never differences of positions, which would magnify errors at
  * short portals. The layout determines how numbers are computed and how their errors are bounded.
