@@ -122,10 +122,10 @@ row() { # title, statistics, verdict
 faults=()
 
 # Computes curves on a mesh, has them checked, and adds a row to the table.
-run() { # title, file name of the results, format of the viewable file, mesh, options
-  local title=$1 out=$results/$2 viewer=$results/$2.$3 mesh=$4
-  shift 4
-  "$program" "$mesh" "$@" --quiet --polylines "$out.polylines" --stats "$out.csv" --mesh "$viewer"
+run() { # title, file name of the results, format of the viewable file, command, mesh, options
+  local title=$1 out=$results/$2 viewer=$results/$2.$3 command=$4 mesh=$5
+  shift 5
+  "$program" "$command" "$mesh" "$@" --quiet --polylines "$out.polylines" --stats "$out.csv" --mesh "$viewer"
   "$checker" "$mesh" "$out.polylines" --stats "$out.csv" --csv "$out.check.csv" 2> "$out.check.txt" ||
     faults+=("$out.check.csv")
   row "$title" "$out.csv" "$out.check.txt" >> "$results/table.txt"
@@ -166,13 +166,13 @@ around=400 along=200
 } > "$results/torus_loops.txt"
 
 echo "== an example: one geodesic on $(basename "$scan")"
-"$program" "$scan" --from 100 --to 20000
+"$program" path "$scan" --from 100 --to 20000
 echo
 echo "== computing"
-run "$(basename "$scan"), a scan" scan ply "$scan" --random 100 --seed 1
-run "$(basename "$part"), a CAD part" part obj "$part" --random 100 --seed 1
-run "torus, generated" torus vtp "$torus" --random 100 --seed 1
-run "torus, closed geodesics" torus_loops vtp "$torus" --loop "$results/torus_loops.txt"
+run "$(basename "$scan"), a scan" scan ply path "$scan" --random 100 --seed 1
+run "$(basename "$part"), a CAD part" part obj path "$part" --random 100 --seed 1
+run "torus, generated" torus vtp path "$torus" --random 100 --seed 1
+run "torus, closed geodesics" torus_loops vtp loop "$torus" --loop "$results/torus_loops.txt"
 
 echo
 echo "Geodesics between random vertices, and closed ones. Medians per curve; wrong: by an independent checker."
@@ -182,8 +182,8 @@ cat "$results/table.txt"
 echo
 echo "Surfaces with curves to look at, for example with MeshLab or ParaView:"
 ls "$results"/*.ply "$results"/*.obj "$results"/*.vtp
-"$program" "$scan" --random 8 --seed 1 --quiet --page "$results/scan.html"
-"$program" "$torus" --loop "$results/torus_loops.txt" --quiet --page "$results/torus_loops.html"
+"$program" path "$scan" --random 8 --seed 1 --quiet --page "$results/scan.html"
+"$program" loop "$torus" --loop "$results/torus_loops.txt" --quiet --page "$results/torus_loops.html"
 echo "Pages for a browser, with the curves and the flips step by step:"
 ls "$results"/*.html
 if [ ${#faults[@]} -ne 0 ]; then

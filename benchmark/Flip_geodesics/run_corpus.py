@@ -163,8 +163,9 @@ def process_mesh(mesh, category, arguments):
         polylines, stats, checked = (os.path.join(folder, name) for name in ("curves.txt", "stats.csv", "check.csv"))
         asked_of_program, asked_of_checker = asked_curves(path, folder, arguments)
         start = time.monotonic()
-        status, message = run([arguments.program, path, *asked_of_program, "--kernel", arguments.kernel, "--polylines",
-                               polylines, "--stats", stats, "--quiet"], arguments.timeout)
+        command = "spline" if arguments.curves == "splines" else "path"
+        status, message = run([arguments.program, command, path, *asked_of_program, "--kernel", arguments.kernel,
+                               "--polylines", polylines, "--stats", stats, "--quiet"], arguments.timeout)
         seconds = time.monotonic() - start
         row = {"mesh": mesh, "category": category, "seconds": f"{seconds:.3f}", "message": message,
                "exit_status": "" if status is None else status}

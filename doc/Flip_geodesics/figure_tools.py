@@ -46,10 +46,10 @@ class Tools:
         path.write_text(''.join(' '.join(map(str, curve)) + '\n' for curve in curves))
         return path
 
-    def curves(self, mesh, *arguments):
+    def curves(self, command, mesh, *arguments):
         """The page that the program writes of some curves."""
         page = self.folder / 'page.html'
-        self.run('flip_geodesics', mesh, *arguments, '--quiet', '--page', page)
+        self.run('flip_geodesics', command, mesh, *arguments, '--quiet', '--page', page)
         return Page(page)
 
 

@@ -91,7 +91,7 @@ def fan(tools):
     graph = Graph(points, faces)
     source = graph.nearest((0, 15, -60))
     targets = spread(graph, source, 70)
-    page = tools.curves(mesh, '--pairs', tools.lines('pairs', [(source, t) for t in targets]))
+    page = tools.curves('path', mesh, '--pairs', tools.lines('pairs', [(source, t) for t in targets]))
     panel = surface_panel(points, faces)
     panel.tubes(page.curves.values(), RESULT, 0.005)
     panel.balls([points[t] for t in targets], FIXED, 0.012)
@@ -110,7 +110,7 @@ def rings(tools):
               ((-0.42, -0.55, 0.1), (1, 0.3, -0.5), 0.12), ((0.42, -0.55, 0.1), (1, -0.3, 0.5), 0.12),  # legs
               ((-0.25, 0.78, 0), (1, -1, 0), 0.1), ((0.25, 0.7, 0), (1, 1, 0), 0.1))  # ears
     loops = [ring(graph, *place) for place in places]
-    page = tools.curves(mesh, '--loop', tools.lines('loops', loops))
+    page = tools.curves('loop', mesh, '--loop', tools.lines('loops', loops))
     panel = surface_panel(points, faces)
     panel.dashes([[points[v] for v in loop + loop[:1]] for loop in loops], START, 0.006)
     panel.tubes(page.curves.values(), RESULT, 0.012)
@@ -139,7 +139,7 @@ def patchwork(tools):
     """The boundaries of a segmentation, pulled tight."""
     mesh = tools.mesh('bunny00.off')
     points, faces, labels = segments(tools, mesh)
-    tight = tools.curves(mesh, '--segmentation', tools.lines('labels.seg', [[x] for x in labels]))
+    tight = tools.curves('network', mesh, '--segmentation', tools.lines('labels.seg', [[x] for x in labels]))
     panel = patches(points, faces, labels)
     panel.tubes(tight.curves.values(), RESULT, 0.008)
     panel.look((0.35, 0.2, 1))
@@ -152,8 +152,8 @@ def spline_on_head(tools):
     points, faces = read_off(mesh)
     places = (-0.08, 0.36), (0.1, 0.22), (0.07, 0.0), (-0.07, -0.12), (-0.2, 0.0), (-0.22, 0.22)
     controls = [in_front(points, *p) for p in places]
-    polygon = tools.curves(mesh, '--pairs', tools.lines('pairs', zip(controls, controls[1:] + controls[:1])))
-    curve = tools.curves(mesh, '--bezier', tools.lines('controls', [('o', *controls)]))
+    polygon = tools.curves('path', mesh, '--pairs', tools.lines('pairs', zip(controls, controls[1:] + controls[:1])))
+    curve = tools.curves('spline', mesh, '--bezier', tools.lines('controls', [('o', *controls)]))
     panel = surface_panel(points, faces)
     panel.dashes(polygon.curves.values(), START, 0.008)
     panel.tubes(curve.curves.values(), RESULT, 0.014)
@@ -168,7 +168,7 @@ def distances(tools):
     points, faces = read_off(mesh)
     source = Graph(points, faces).nearest((-0.05, -0.1, -0.3))
     levels = ','.join(str(round(0.04 * k, 2)) for k in range(1, 50))
-    page = tools.curves(mesh, '--source', source, '--isolines', levels)
+    page = tools.curves('distance', mesh, '--source', source, '--isolines', levels)
     panel = surface_panel(points, faces)
     panel.tubes(page.curves.values(), RESULT, 0.0045)
     panel.balls([points[source]], FIXED, 0.035)
@@ -187,7 +187,7 @@ def heat_panel(tools, mesh, source, target, lines=12):
     panel = Panel(size_of(points))
     panel.colored_surface(points, faces, heat, [(most * k / 4, name) for k, name in enumerate(HEAT)])
     panel.contours(points, faces, heat, [most * k / lines for k in range(1, lines)], INK, 0.0018)
-    panel.tubes(tools.curves(mesh, '--from', source, '--to', target).curves.values(), WHITE, 0.012)
+    panel.tubes(tools.curves('path', mesh, '--from', source, '--to', target).curves.values(), WHITE, 0.012)
     panel.balls([points[source], points[target]], FIXED, 0.026)
     return panel
 
@@ -217,7 +217,8 @@ def detour(tools, *arguments):
     """The path with the detour, straightened."""
     mesh = tools.mesh('eight.off')
     path = detour_path(Graph(*read_off(mesh)))
-    return tools.curves(mesh, '--edges', tools.lines('path', [path]), *arguments)
+    command = 'refine' if {'--refine', '--delaunay'} & set(arguments) else 'path'
+    return tools.curves(command, mesh, '--edges', tools.lines('path', [path]), *arguments)
 
 
 NEAR = {'direction': (0.9, 1, 0.1), 'target': (0.095, 0.085, 0.0), 'zoom': 2.3}
@@ -311,8 +312,8 @@ def network(tools):
     mesh = tools.mesh('bunny00.off')
     points, faces, labels = segments(tools, mesh)
     segmentation = tools.lines('labels.seg', [[x] for x in labels])
-    tight = tools.curves(mesh, '--segmentation', segmentation)
-    free = tools.curves(mesh, '--segmentation', segmentation, '--free-junctions', '--stop-length', 0.85)
+    tight = tools.curves('network', mesh, '--segmentation', segmentation)
+    free = tools.curves('network', mesh, '--segmentation', segmentation, '--free-junctions', '--stop-length', 0.85)
     panels = [patches(points, faces, labels) for _ in range(3)]
     panels[0].dashes(tight.runs[0].state(0).lines, START, 0.006)
     panels[1].tubes(tight.curves.values(), RESULT, 0.006)
@@ -358,7 +359,7 @@ def seams(tools):
                         out.write('vt {} {}\n'.format(*plane[-1]))
                     texts = (f'{k % around * along + m % along + 1}/{n}' for (k, m), n in zip(face, (-3, -2, -1)))
                     out.write('f {} {} {}\n'.format(*texts))
-    page = tools.curves(mesh, '--seams')
+    page = tools.curves('network', mesh, '--seams')
     panels = []
     for is_tight in (False, True):
         panel = surface_panel(page.points, page.faces)
@@ -398,7 +399,7 @@ def loops(tools):
     start = [[around // 8 * i * along + j for j in range(along)] for i in range(8)]
     start.append([i * along + (round(6 * math.sin(10 * math.pi * i / around)) + 12) % along for i in range(around)])
     start[-1] = staircase(start[-1], along)
-    page = tools.curves(tools.torus(around, along), '--loop', tools.lines('loops', start))
+    page = tools.curves('loop', tools.torus(around, along), '--loop', tools.lines('loops', start))
     before, after = (surface_panel(page.points, page.faces) for _ in range(2))
     before.dashes([[page.points[v] for v in loop + loop[:1]] for loop in start], START, 0.009)
     after.tubes(page.curves.values(), RESULT, 0.009)
@@ -463,7 +464,7 @@ def cross_field(tools):
     mesh = tools.torus(72, 36)
     source, target = 9, 1340
     tools.run('cross_field_example', mesh, source, target)
-    page = tools.curves(mesh, '--from', source, '--to', target)
+    page = tools.curves('path', mesh, '--from', source, '--to', target)
     panel = surface_panel(page.points, page.faces)
     panel.tubes(read_vtp(tools.folder / 'cross_field.vtp'), SECOND, 0.003)
     panel.tubes(page.curves.values(), RESULT, 0.01)
@@ -515,7 +516,7 @@ def cut(tools):
     loops = [['o', *(i * along + j for j in range(along))] for i in range(0, around, around // 3)]
     result = tools.folder / 'cut.off'
     network = tools.lines('network', loops)
-    tools.run('flip_geodesics', mesh, '--network', network, '--cut', result, '--quiet')
+    tools.run('flip_geodesics', 'network', mesh, '--network', network, '--cut', result, '--quiet')
     points, faces = read_off(result)
     pieces = Graph(points, faces).components()
     panels = []
@@ -572,7 +573,7 @@ def is_torn(points, plane, face):
 def logarithmic_map(tools):
     """The plane about one vertex, a grid and circles, laid over a scan by the logarithmic map."""
     mesh = tools.mesh('bunny00.off')
-    start = tools.curves(mesh, '--random', 1)
+    start = tools.curves('path', mesh, '--random', 1)
     source = Graph(start.points, start.faces).nearest((0.1, 0.05, 0.45))
     tools.run('geodesic_tree_example', mesh, source)
     data = read_obj(tools.folder / 'logarithmic_map.obj')
@@ -643,7 +644,7 @@ def tree(tools):
     """The tree of geodesics from one vertex, and what is replaced in it to make all paths shortest."""
     mesh = tools.mesh('eight.off')
     source = Graph(*read_off(mesh)).nearest((0.14, 0.1, 0.1))
-    trees = [tools.curves(mesh, '--source', source, *arguments) for arguments in ((), ('--shortest',))]
+    trees = [tools.curves('log', mesh, '--source', source, *arguments) for arguments in ((), ('--shortest',))]
     lines = [{tuple(line) for line in page.curves.values()} for page in trees]
     panels = []
     for page, own, other in zip(trees, lines, lines[::-1]):
@@ -666,7 +667,7 @@ def shortest_path(tools):
     ends = 12, 2440
     tools.run('shortest_path_example', mesh, *ends)
     shortest, = read_vtp(tools.folder / 'shortest_path.vtp')
-    page = tools.curves(mesh, '--from', ends[0], '--to', ends[1], '--search', 'dijkstra')
+    page = tools.curves('path', mesh, '--from', ends[0], '--to', ends[1], '--search', 'dijkstra')
     panels = []
     for view in (LYING, {'direction': (0, 0.9, 1), 'up': (0, 0, 1)}):
         panel = surface_panel(page.points, page.faces)
@@ -784,10 +785,10 @@ def spline(tools):
     points, faces = read_off(mesh)
     controls = [in_front(points, *p) for p in ((-0.12, -0.3), (-0.02, 0.05), (0.3, -0.02), (0.36, -0.32))]
     panel = surface_panel(points, faces)
-    polygon = tools.curves(mesh, '--pairs', tools.lines('pairs', zip(controls, controls[1:])))
+    polygon = tools.curves('path', mesh, '--pairs', tools.lines('pairs', zip(controls, controls[1:])))
     panel.dashes(polygon.curves.values(), START, 0.009)
     for kind, name in (((), RESULT), (('s',), SECOND)):
-        curve = tools.curves(mesh, '--bezier', tools.lines('controls', [(*kind, *controls)]))
+        curve = tools.curves('spline', mesh, '--bezier', tools.lines('controls', [(*kind, *controls)]))
         panel.tubes(curve.curves.values(), name, 0.012)
     panel.balls([points[v] for v in controls], FIXED, 0.03)
     panel.look((0.35, 0.2, 1))
@@ -814,7 +815,7 @@ def page(tools):
     graph = Graph(*read_off(mesh))
     others = ((0.2, 0, 0.3), (0, 0.1, 0.48)), ((0.2, 0, -0.3), (0, 0.1, -0.48))
     paths = [detour_path(graph), *(graph.path(*map(graph.nearest, ends)) for ends in others)]
-    tools.run('flip_geodesics', mesh, '--edges', tools.lines('paths', paths), '--quiet', '--page', path)
+    tools.run('flip_geodesics', 'path', mesh, '--edges', tools.lines('paths', paths), '--quiet', '--page', path)
     with Browser(tools.folder, 1200, 750) as browser:
         browser.open(f'{path.as_uri()}#curve=0&step=6&edges=1')
         browser.wait('document.documentElement.dataset.state === "ready"')
@@ -823,9 +824,9 @@ def page(tools):
 
 @figure(1560)
 def live_page(tools):
-    """The page of --live in a browser: a path through points that were clicked, and its certificate."""
+    """The page of the command view in a browser: a path through points that were clicked, and its certificate."""
     path = tools.folder / 'live.html'
-    tools.run('flip_geodesics', tools.torus(120, 48), '--quiet', '--live', path)
+    tools.run('flip_geodesics', 'view', tools.torus(120, 48), '--quiet', '--output', path)
     state = 'document.documentElement.dataset'
     with Browser(tools.folder, 1200, 780) as browser:
         browser.open(path.as_uri())

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_COMMAND_LINE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_COMMAND_LINE_H
 
+#include "bad_input.h"
 #include "decimal_numbers.h"
 #include "program_options.h"
 #include "run/parallel_runs.h"
@@ -10,9 +11,13 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -20,59 +25,109 @@
 
 namespace program {
 
+/// The numbers that an option takes.
+struct Range
+{
+  double least, most = std::numeric_limits<double>::infinity();
+  bool is_least_excluded = false, is_most_excluded = false;
+
+  bool contains(double x) const
+  {
+    return (is_least_excluded ? x > least : x >= least) && (is_most_excluded ? x < most : x <= most);
+  }
+
+  std::string text() const
+  {
+    std::ostringstream out;
+    out.precision(std::numeric_limits<float>::max_digits10); // more than the limits have
+    out << (is_least_excluded ? "more than " : "at least ") << least;
+    if(std::isfinite(most))
+      out << " and " << (is_most_excluded ? "less than " : "at most ") << most;
+    return out.str();
+  }
+};
+
 /*!
- * The options of the program, in the groups of `--help`.
- *
- * Most of them belong to one of three questions: which curves, how they are computed, and what is written.
+ * The commands of the program. Options that several commands share are added by one function for all of them.
  */
 class Command_line
 {
 public:
   explicit Command_line(Options& options)
     : m_options(options)
-    , m_app("Pulls curves on a triangle mesh tight: geodesics by edge flips", "flip_geodesics")
+    , m_app("Computes geodesic curves on a triangle mesh", "flip_geodesics")
   {
     m_app.set_version_flag("--version", "flip_geodesics " FLIP_GEODESICS_VERSION, "Print the version and exit");
+    m_app.require_subcommand(1);
+    m_app.formatter(std::make_shared<Formatter>());
     m_app.get_formatter()->column_width(28);
-    m_app.footer("\nExamples:\n"
-                 "  flip_geodesics bunny.off --from 0 --to 1000 --mesh path.glb\n"
-                 "  flip_geodesics bunny.off --random 100 --seed 1 --stats paths.csv\n"
-                 "  flip_geodesics bunny.off --network curves.txt --page curves.html");
-    add_mesh();
-    add_curves_from_vertices();
-    add_other_ways();
-    add_curves_from_files();
-    add_curves_from_sources();
-    add_arithmetic();
-    add_limits();
-    add_files_of_curves();
-    add_meshes();
-    add_messages();
+    m_app.footer("\nflip_geodesics COMMAND --help lists the options of a command. Examples:\n"
+                 "  flip_geodesics path bunny.off --from 0 --to 1000 --mesh path.glb\n"
+                 "  flip_geodesics distance bunny.off --source 0,500 --spacing 0.1 --mesh isolines.vtp\n"
+                 "  flip_geodesics view bunny.off --output bunny.html");
+    add_commands_of_triangulations();
+    add_commands_of_distances();
+    add_commands_of_meshes();
   }
 
-  /// Reads the arguments into the options. \throws CLI::ParseError
-  void parse(int argc, const char* const* argv) { m_app.parse(argc, argv); }
+  /// Reads the arguments into the options. \throws CLI::ParseError, Bad_input
+  void parse(int argc, const char* const* argv)
+  {
+    m_app.parse(argc, argv);
+    m_options.command = m_app.get_subcommands().front()->get_name();
+    for(const Choice& choice : m_choices)
+      if(choice.command->get_name() == m_options.command)
+        check(choice);
+  }
 
   std::string help() const { return m_app.help(); }
 
-  /// What is wrong with the arguments, after `parse()` has thrown: with the option that may have been meant.
+  /// Describes what is wrong with the arguments after `parse()` has thrown, with the option that may be meant.
   std::string describe(const CLI::ParseError& error) const
   {
-    for(const std::string& argument : m_app.remaining())
-      if(is_like_an_option(argument)) {
-        const std::string unknown = argument.substr(0, argument.find('='));
-        const std::string name = unknown[1] == '-' ? unknown : '-' + unknown;
-        const std::string meant = unknown.size() > 2 ? nearest_option(name) : ""; // one letter is near many
-        return unknown + " is not known; " + (meant.empty() ? "see --help" : "did you mean " + meant + "?");
-      }
-    if(!m_app.remaining().empty())
-      return "'" + m_app.remaining().front() +
-             "' is not expected: one mesh, and an option before each other value; "
-             "see --help";
-    return error.what() + std::string("; see --help");
+    const std::vector<CLI::App*> given = m_app.get_subcommands();
+    const std::vector<std::string> remaining = m_app.remaining(true);
+    const auto is_word = [](const std::string& argument) { return !is_like_an_option(argument); };
+    const auto word = std::find_if(remaining.begin(), remaining.end(), is_word);
+    if(given.empty() && word != remaining.end())
+      return "'" + *word + "' is not a command; give one before the mesh: " + names_of_commands();
+    if(given.empty())
+      return "give a command: " + names_of_commands() + "; see --help";
+    const std::string help = "; see flip_geodesics " + given.front()->get_name() + " --help";
+    for(const std::string& argument : remaining)
+      if(is_like_an_option(argument))
+        return describe_unknown(argument.substr(0, argument.find('=')), *given.front(), help);
+    if(word != remaining.end())
+      return "'" + *word + "' is not expected: one mesh, and an option before each other value" + help;
+    return error.what() + help;
   }
 
 private:
+  // A line per option, and one empty line between groups.
+  struct Formatter : CLI::Formatter
+  {
+    std::string make_option_opts(const CLI::Option* option) const override
+    {
+      const std::string type = option->get_type_name();
+      return type.empty() ? type : ' ' + type;
+    }
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
+    {
+      std::string text = CLI::Formatter::make_help(app, name, mode);
+      for(std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;)
+        text.erase(at, 1);
+      return text;
+    }
+  };
+
+  // Options of which one at most may be given, or none may be missing.
+  struct Choice
+  {
+    const CLI::App* command;
+    std::vector<const CLI::Option*> options;
+    bool is_required, is_exclusive;
+  };
+
   // What an option holds that may lack.
   template <class Value>
   struct Held
@@ -84,226 +139,385 @@ private:
   {
     using Type = Value;
   };
-  template <class Value>
-  using Number_of = typename Held<Value>::Type;
+
+  static constexpr Range any = {-std::numeric_limits<double>::infinity()};
+  static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
+  static constexpr Range not_negative = {0};
 
   // Decimal, as numbers are in files; CLI11 itself would take them for octal after a zero.
   template <class Number>
-  static Number number(const std::string& name, const std::string& text)
+  static Number number(const std::string& name, const std::string& text, const Range& range)
   {
     Number result = 0;
     if(const char* const error = parse_number(text, result))
       throw CLI::ValidationError(name, "'" + text + "' " + error);
+    if(!range.contains(static_cast<double>(result)))
+      throw CLI::ValidationError(name, "'" + text + "' is out of range; give " + range.text());
     return result;
   }
 
-  CLI::Option* add(const char* name, const char* type, std::string& value, const char* description)
+  template <class Text>
+  CLI::Option* add_text(const char* name, const char* type, Text& value, const char* description)
   {
-    return m_app.add_option(name, value, description)->type_name(type)->group(m_group);
-  }
-  CLI::Option* add(const char* name, const char* type, std::optional<std::string>& value, const char* description)
-  {
-    return m_app.add_option(name, value, description)->type_name(type)->group(m_group);
-  }
-  CLI::Option* add(const char* name, const char* type, std::vector<std::string>& value, const char* description)
-  {
-    return m_app.add_option(name, value, description)->type_name(type)->group(m_group);
+    return m_command->add_option(name, value, description)->type_name(type)->group(m_group);
   }
 
   // A number, or none that is given.
   template <class Value>
-  CLI::Option* add(const char* name, const char* type, Value& value, const char* description)
+  CLI::Option* add(const char* name, const char* type, Value& value, const Range& range, const char* description)
   {
-    const auto read = [name, &value](const std::string& text) { value = number<Number_of<Value>>(name, text); };
-    CLI::Option* const option =
-        m_app.add_option_function<std::string>(name, read, description)->type_name(type)->group(m_group);
-    if constexpr(std::is_arithmetic<Value>::value)
-      option->default_str(std::to_string(value));
-    return option;
+    const auto read = [name, range, &value](const std::string& text) {
+      value = number<typename Held<Value>::Type>(name, text, range);
+    };
+    CLI::Option* const option = m_command->add_option_function<std::string>(name, read, description);
+    return option->type_name(type)->group(m_group);
   }
 
-  void add(const char* name, bool& value, const char* description)
+  CLI::Option* add(const char* name, bool& value, const char* description)
   {
-    m_app.add_flag(name, value, description)->group(m_group);
+    return m_command->add_flag(name, value, description)->group(m_group);
   }
 
   // Numbers with commas between, none of which is left out. May be repeated.
   template <class Number>
-  void add_list(const char* name, const char* type, std::vector<Number>& numbers, const char* description)
+  CLI::Option* add_list(const char* name, const char* type, std::vector<Number>& numbers, const Range& range,
+                        const char* description)
   {
-    const auto append = [name, &numbers](const std::vector<std::string>& texts) {
+    const auto append = [name, range, &numbers](const std::vector<std::string>& texts) {
       for(const std::string& text : texts)
-        append_numbers(name, text, numbers);
+        for(std::size_t start = 0, comma = 0; comma < text.size(); start = comma + 1) {
+          comma = (std::min)(text.find(',', start), text.size());
+          numbers.push_back(number<Number>(name, text.substr(start, comma - start), range));
+          if(comma + 1 == text.size())
+            throw CLI::ValidationError(name, "'" + text + "' ends with a comma");
+        }
     };
-    m_app.add_option_function<std::vector<std::string>>(name, append, description)
+    return m_command->add_option_function<std::vector<std::string>>(name, append, description)
         ->type_name(type)
         ->group(m_group)
         ->allow_extra_args(false);
   }
 
-  template <class Number>
-  static void append_numbers(const std::string& name, const std::string& text, std::vector<Number>& numbers)
+  void choose(const std::vector<std::string>& names, bool is_required, bool is_exclusive = true)
   {
-    const char* next = text.data();
-    const char* const end = next + text.size();
-    while(true) {
-      const char* const comma = std::find(next, end, ',');
-      const std::string item(next, comma);
-      numbers.emplace_back();
-      if(const char* const error = parse_number(item, numbers.back()))
-        throw CLI::ValidationError(name, "'" + item + "' in '" + text + "' " + error);
-      if(comma == end)
-        return;
-      next = comma + 1;
+    Choice choice = {m_command, {}, is_required, is_exclusive};
+    for(const std::string& name : names)
+      choice.options.push_back(m_command->get_option(name));
+    m_choices.push_back(choice);
+  }
+
+  void exclude(const std::string& name, const std::vector<std::string>& others)
+  {
+    for(const std::string& other : others)
+      choose({name, other}, false);
+  }
+
+  static void check(const Choice& choice)
+  {
+    const CLI::Option* given = nullptr;
+    std::string names;
+    for(const CLI::Option* option : choice.options) {
+      names += (names.empty() ? "" : ", ") + option->get_name();
+      if(option->count() == 0)
+        continue;
+      if(given != nullptr && choice.is_exclusive)
+        throw Bad_input(given->get_name() + " and " + option->get_name() + " do not go together; give one of them");
+      given = option;
     }
+    if(given == nullptr && choice.is_required)
+      throw Bad_input("give one of " + names);
   }
 
-  void add_mesh()
+  // A command, with the options that all of them have.
+  void begin(const char* name, const char* description, const char* examples)
   {
-    m_app.add_option("MESH", m_options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL, TS; - for standard input")
-        ->type_name("FILE")
+    m_command = m_app.add_subcommand(name, description);
+    m_command->footer(std::string("\nExamples:\n") + examples);
+    m_group = "Options";
+    add_text("MESH", "FILE", m_options.mesh, "OFF, OBJ, PLY, STL or TS file; - for standard input")
+        ->group("Positionals")
         ->required();
-    m_group = "The mesh";
-    add("--format", "NAME", m_options.format, "Format of MESH: off, obj, ply, stl or ts [by the extension]");
-    add("--repair", m_options.is_repaired,
-        "Make a triangle mesh of any polygons: triangulate, orient, cut apart, stitch, drop; and say what was done");
-    add("--weld", "TOLERANCE", m_options.weld,
-        "With --repair: merge points at most this far apart, relative to the longest side of the bounding box [0]");
-    add("--repaired", "FILE", m_options.results.repaired,
-        "With --repair: write the repaired mesh, which the results are about: .off, .obj, .ply, .stl or .vtp");
-    add("--mollify", "MARGIN", m_options.mollify,
-        "Lengthen all edges until triangles have this margin of the mean edge length: for degenerate meshes");
-    add("--refuse-zero-edges", m_options.are_zero_edges_refused,
-        "Curves that meet an edge of length zero fail; else such edges are contracted for them");
+    add_text("--format", "NAME", m_options.format, "off, obj, ply, stl or ts [by the extension]");
+    const std::string command = name;
+    CLI::Option* const repair =
+        command == "repair" ? nullptr : add("--repair", m_options.is_repaired, "repair the mesh first");
+    CLI::Option* const weld = add("--weld", "TOLERANCE", m_options.weld, {0, 1, false, true},
+                                  "merge points this close in the repair, relative to the box [0]");
+    if(repair != nullptr)
+      weld->needs(repair);
+    add("--force", m_options.is_replacing_input, "let a result replace a file that is read");
+    add("-q,--quiet", m_options.is_quiet, "print neither table nor progress");
+    add_text("--output-format", "NAME", m_options.output_format, "format of a mesh written to -, standard output");
   }
 
-  void add_curves_from_vertices()
+  void add_ends()
   {
-    m_group = "Curves between vertices, which are counted from 0";
-    add("--from", "VERTEX", m_options.from, "Source of one geodesic");
-    add("--to", "VERTEX", m_options.to, "Target of one geodesic");
-    add("--pairs", "FILE", m_options.pairs, "A geodesic per line `source target`; # starts a comment");
-    add("--random", "NUMBER", m_options.random, "So many geodesics between random vertices of a component");
-    add("--seed", "NUMBER", m_options.seed, "Seed of --random");
-    add("--shortest", m_options.is_shortest,
-        "With --from, --pairs or --random: the shortest of all paths, and whether that is proven; with --source: "
-        "replace paths that are not globally shortest");
-    add("--landmarks", "NUMBER", m_options.landmarks,
-        "With --shortest: so many landmarks, which are made before and make hundreds of paths faster; 8 are good");
-    add("--trace", "VERTEX,ANGLE,LENGTH", m_options.traces,
-        "A straightest geodesic from a vertex: its direction, in radians as in --map, and its length; may be repeated")
-        ->allow_extra_args(false);
+    m_group = "Curves: one kind of them; vertices are counted from 0";
+    CLI::Option* const from = add("--from", "VERTEX", m_options.from, any, "source of one path");
+    CLI::Option* const to = add("--to", "VERTEX", m_options.to, any, "target of one path");
+    from->needs(to);
+    to->needs(from);
   }
 
-  void add_other_ways()
+  void add_pairs()
   {
-    m_group = "Other ways between vertices";
-    add("--ways", "NUMBER", m_options.ways,
-        "With --from, --pairs or --random: the shortest paths of so many homotopy classes, around handles and borders");
-    add("--avoid", "FILE", m_options.obstacles,
-        "With --ways: what they do not cross; a wall of edges per line, as vertices, or `f n n ...` faces");
+    add_ends();
+    add_text("--pairs", "FILE", m_options.pairs, "a path per line `source target`; # starts a comment");
+    add("--random", "NUMBER", m_options.random, {1, 1e7}, "paths between random vertices of one component");
+    add("--seed", "NUMBER", m_options.seed, not_negative, "seed of --random [1]");
   }
 
-  void add_curves_from_files()
+  void add_files_of_paths()
   {
-    m_group = "Curves from files";
-    add("--edges", "FILE", m_options.edges, "A path of edges per line, as vertices, each straightened by itself");
-    add("--loop", "FILE", m_options.loop, "A closed loop of edges per line, each straightened by itself");
-    add("--network", "FILE", m_options.network,
-        "Curves straightened together: a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
-    add("--points", "FILE", m_options.points,
-        "A geodesic per line, through points anywhere: `v`, `a,b,t` on an edge or `a,b,c,t,u` in a face");
-    add("--bezier", "FILE", m_options.bezier,
-        "A geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
-    add("--rounds", "NUMBER", m_options.rounds, "How often the pieces of --bezier are halved; 5 if not given");
-    add("--draw", "FILE", m_options.draw,
-        "A polyline per line, drawn on the mesh and pulled tight: points as above, after `o` closed; or, in a file "
-        ".polylines.txt, points in space");
-    add("--snap", m_options.is_snapped, "Move the polylines of --draw to edges first, and do not insert their points");
-    add("--as-drawn", m_options.is_as_drawn,
-        "Keep the polylines of --draw as they are, and do not shorten them; they may cross");
-    add("--segmentation", "FILE", m_options.segmentation,
-        "A label per line for each face; the network of the boundaries between labels");
-    add("--free-junctions", m_options.has_free_junctions,
-        "Where boundaries meet they need not stay: each region of --segmentation has its own closed curves");
-    add("--seams", m_options.has_seams, "The network of the texture seams of an OBJ file");
+    add_text("--edges", "FILE", m_options.edges, "a path of edges per line, as vertices");
+    add_text("--points", "FILE", m_options.points,
+             "a path per line through points: `v`, `a,b,t` on an edge, `a,b,c,t,u` in a face");
+    add_draw();
+    add("--snap", m_options.is_snapped, "move the polylines of --draw to edges first")
+        ->needs(m_command->get_option("--draw"));
   }
 
-  void add_curves_from_sources()
+  CLI::Option* add_draw()
   {
-    m_group = "Curves from sources";
-    add_list("--source", "VERTEX", m_options.sources,
-             "The tree of geodesics from this vertex to all others; a curve per edge of the tree. With --isolines, "
-             "--spacing or --voronoi: vertices `v,v,...`, and no tree");
-    add_list("--isolines", "DISTANCE", m_options.isolines,
-             "With --source: the curves at these distances, `d,d,...`, from the nearest");
-    add("--spacing", "DISTANCE", m_options.spacing,
-        "With --source: the curves at all multiples of this distance, in the place of --isolines");
-    add("--voronoi", m_options.has_voronoi, "With --source: the curves on which the nearest of them changes");
-    add("--tolerance", "LENGTH", m_options.tolerance,
-        "How far these curves may lie from the true curves; not given, a thousandth of the size, and no "
-        "less than a millionth");
+    return add_text("--draw", "FILE", m_options.draw,
+                    "a polyline per line through such points, after `o` closed; or FILE.polylines.txt");
+  }
+
+  CLI::Option* add_loop()
+  {
+    return add_text("--loop", "FILE", m_options.loop, "a closed loop of edges per line, as vertices");
+  }
+
+  void add_networks()
+  {
+    add_text("--network", "FILE", m_options.network, "a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
+    add_text("--segmentation", "FILE", m_options.segmentation, "a label per line for each face: their boundaries");
+    add("--free-junctions", m_options.has_free_junctions, "let the vertices move where boundaries of labels meet")
+        ->needs(m_command->get_option("--segmentation"));
+    add("--seams", m_options.has_seams, "the texture seams of an OBJ file");
+  }
+
+  void add_splines()
+  {
+    add_text("--bezier", "FILE", m_options.bezier,
+             "control points per line; after `s` of a cubic B-spline, after `o` of a closed one");
+    add("--rounds", "NUMBER", m_options.rounds, {0, 16}, "how often the pieces of splines are halved [5]")
+        ->needs(m_command->get_option("--bezier"));
   }
 
   void add_arithmetic()
   {
     m_group = "How curves are computed";
-    add("--kernel", "NAME", m_options.kernel,
-        "Arithmetic: certified, which decides and proves exactly, or double; certified if not given");
-    add("--search", "NAME", m_options.search,
-        "Search of the edge paths: lookback (soon pulled tight), astar or dijkstra (shortest)")
-        ->capture_default_str();
-    add("--threads", "NUMBER", m_options.threads, "Compute so many curves at the same time")
-        ->group(has_threads ? m_group : ""); // not in the help of a program that cannot
+    add_text("--kernel", "NAME", m_options.kernel, "certified, with exact decisions, or double [certified]")
+        ->check(CLI::IsMember({"certified", "double"}).description(""));
+    add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
+        "lengthen all edges by this part of their mean length");
+    add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract edges of length zero for curves");
+    add_most_memory();
   }
 
-  void add_limits()
+  void add_most_memory()
   {
-    m_group = "When to stop";
-    add("--stop-length", "RATIO", m_options.stop_length,
-        "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
-    add("--most-memory", "MEGABYTES", m_options.most_memory,
-        "Stop where the flips of a curve, or a network, take more; not given, three quarters of the machine's memory");
+    add("--most-memory", "MEGABYTES", m_options.most_memory, {0, 1e9, true},
+        "stop when a curve takes more [3/4 of the machine's memory]");
+  }
+
+  void add_search()
+  {
+    add_text("--search", "NAME", m_options.search, "of edge paths: lookback, astar or dijkstra [lookback]")
+        ->check(CLI::IsMember({"lookback", "astar", "dijkstra"}).description(""));
+  }
+
+  void add_threads()
+  {
+    if(has_threads)
+      add("--threads", "NUMBER", m_options.threads, {1, 1024}, "compute so many curves at the same time [1]");
+  }
+
+  void add_stop_length()
+  {
+    add("--stop-length", "RATIO", m_options.stop_length, {0, 1}, "stop at this share of the initial length [0]");
   }
 
   void add_files_of_curves()
   {
-    m_group = "Files of curves";
-    add("--mesh", "FILE", m_options.results.viewer,
-        "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
-    add("--tubes", "RADIUS", m_options.results.tubes,
-        "With --mesh: how thick curves are, 0 for lines; not given, a five-hundredth of the size of the mesh");
-    add("--page", "FILE", m_options.results.page,
-        "Write a page for a browser: surface, curves, and the flips step by step");
-    add("--live", "FILE", m_options.results.live,
-        "Write a page that computes: curves through points that are dragged on this mesh; needs no curves here");
-    add("--polylines", "FILE", m_options.results.polylines,
-        "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
-    add("--stats", "FILE", m_options.results.stats, "Write a line per curve, comma-separated, with a header");
-    add("--map", "FILE", m_options.results.map,
-        "With --source: write a line per vertex, `vertex,distance,angle,x,y`: its polar coordinates");
-    add("--output-format", "NAME", m_options.output_format, "Format of a mesh written to -, standard output");
+    m_group = "Results";
+    CLI::Option* const viewer = add_text("-o,--mesh", "FILE", m_options.results.viewer,
+                                         "surface and curves: .obj, .ply, .vtp or .glb; curves: .polylines.txt");
+    add("--tubes", "RADIUS", m_options.results.tubes, not_negative,
+        "of curves in --mesh, 0 for lines [1/500 of the mesh]")
+        ->needs(viewer);
+    add_text("--page", "FILE", m_options.results.page, "page for a browser: surface, curves and flips");
+    add_text("--polylines", "FILE", m_options.results.polylines, "line per point, `curve a b t x y z`: (1-t) a + t b");
+    add_text("--stats", "FILE", m_options.results.stats, "CSV, a line per curve");
+    add_text("--insert", "FILE", m_options.meshes.insertion,
+             "mesh with the curves as edges: .off, .obj, .ply, .stl, .vtp");
+    add_text("--cut", "FILE", m_options.meshes.cut, "mesh cut open along the curves, as above");
+    if(m_command->get_option_no_throw("--threads") != nullptr)
+      exclude("--threads", {"--page"}); // which shows the steps of the curves one after the other
   }
 
-  void add_meshes()
+  void add_output(std::string& file, const char* description)
   {
-    m_group = "The triangulation, and meshes from it";
-    add("--delaunay", m_options.meshes.is_delaunay, "Flip the other edges to constrained Delaunay");
-    add("--refine", "ANGLE", m_options.meshes.refine, "Insert vertices until no angle is smaller, in degrees");
-    add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, "With --refine: until no edge is longer, too");
-    add("--most-vertices", "NUMBER", m_options.meshes.most_vertices,
-        "With --refine: insert no more than so many; a million if not given");
-    add("--subdivision", "FILE", m_options.meshes.subdivision,
-        "Write the common subdivision of mesh and triangulation: .off, .obj, .ply, .stl or .vtp");
-    add("--insert", "FILE", m_options.meshes.insertion, "Write the mesh with the curves as edges, as above");
-    add("--cut", "FILE", m_options.meshes.cut, "Write the mesh cut open along the curves, as above");
+    m_group = "Results";
+    add_text("-o,--output", "FILE", file, description)->required();
   }
 
-  void add_messages()
+  void add_commands_of_triangulations()
   {
-    m_group = "Others";
-    add("--force", m_options.is_replacing_input, "Let a result replace the mesh or a file of curves that is read");
-    add("--quiet", m_options.is_quiet, "No table and no progress");
+    begin("path", "Shorten paths to geodesics, each by itself",
+          "  flip_geodesics path bunny.off --from 0 --to 1000 --mesh path.glb\n"
+          "  flip_geodesics path bunny.off --random 100 --seed 1 --stats paths.csv\n"
+          "  flip_geodesics path bunny.off --draw pen.polylines.txt --page paths.html");
+    add_pairs();
+    add_files_of_paths();
+    choose({"--from", "--pairs", "--random", "--edges", "--points", "--draw"}, true);
+    add_arithmetic();
+    add_search();
+    add_stop_length();
+    add_threads();
+    add_files_of_curves();
+
+    begin("loop", "Shorten closed curves to geodesics, each by itself",
+          "  flip_geodesics loop bunny.off --loop loops.txt --mesh loops.vtp\n"
+          "  flip_geodesics loop bunny.off --loop loops.txt --stop-length 0.9 --polylines loops.out\n"
+          "  flip_geodesics loop bunny.off --loop loops.txt --page loops.html");
+    m_group = "Curves";
+    add_loop()->required();
+    add_arithmetic();
+    add_stop_length();
+    add_threads();
+    add_files_of_curves();
+
+    begin("network", "Shorten curves together: networks, boundaries of regions, seams",
+          "  flip_geodesics network bunny.off --network curves.txt --stop-length 0.9 --mesh curves.ply\n"
+          "  flip_geodesics network bunny.off --segmentation labels.seg --mesh boundaries.ply\n"
+          "  flip_geodesics network textured.obj --seams --cut pieces.off");
+    m_group = "Curves: one kind of them";
+    add_networks();
+    choose({"--network", "--segmentation", "--seams"}, true);
+    add_arithmetic();
+    add_stop_length();
+    add_files_of_curves();
+
+    begin("spline", "Compute geodesic Bezier curves and B-splines",
+          "  flip_geodesics spline bunny.off --bezier control_points.txt --mesh curves.obj\n"
+          "  flip_geodesics spline bunny.off --bezier control_points.txt --rounds 7 --polylines curves.txt\n"
+          "  flip_geodesics spline bunny.off --bezier control_points.txt --page curves.html");
+    m_group = "Curves";
+    add_splines();
+    m_command->get_option("--bezier")->required();
+    add_arithmetic();
+    add_search();
+    add_threads();
+    add_files_of_curves();
+
+    begin("refine", "Flip and refine the triangulation that has the curves as edges",
+          "  flip_geodesics refine bunny.off --from 0 --to 1000 --refine 25 --subdivision refined.off\n"
+          "  flip_geodesics refine bunny.off --network curves.txt --delaunay --subdivision common.vtp\n"
+          "  flip_geodesics refine bunny.off --loop loop.txt --refine 0 --longest-edge 0.01 --subdivision fine.ply");
+    add_ends();
+    add_files_of_paths();
+    add_loop();
+    add_networks();
+    add_splines();
+    choose({"--from", "--edges", "--points", "--draw", "--loop", "--network", "--segmentation", "--seams", "--bezier"},
+           true);
+    m_group = "The triangulation";
+    add("--delaunay", m_options.meshes.is_delaunay, "flip the other edges to constrained Delaunay");
+    CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
+                                    "insert vertices until no angle is smaller, in degrees");
+    add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70}, "and until no edge is longer")
+        ->needs(refine);
+    add("--most-vertices", "NUMBER", m_options.meshes.most_vertices, not_negative, "insert no more [1000000]")
+        ->needs(refine);
+    add_text("--subdivision", "FILE", m_options.meshes.subdivision, "common subdivision of mesh and triangulation");
+    choose({"--delaunay", "--refine", "--subdivision"}, true, false);
+    add_arithmetic();
+    add_search();
+    add_stop_length();
+    exclude("--stop-length", {"--bezier"});
+    add_files_of_curves();
+  }
+
+  void add_commands_of_distances()
+  {
+    begin("shortest", "Compute globally shortest paths, or the shortest ones of several homotopy classes",
+          "  flip_geodesics shortest bunny.off --from 0 --to 1000 --mesh path.glb\n"
+          "  flip_geodesics shortest bunny.off --pairs pairs.txt --landmarks 8 --stats paths.csv\n"
+          "  flip_geodesics shortest torus.off --from 0 --to 150 --ways 4 --avoid walls.txt --mesh ways.vtp");
+    add_pairs();
+    choose({"--from", "--pairs", "--random"}, true);
+    m_group = "Homotopy classes and obstacles";
+    add("--ways", "NUMBER", m_options.ways, {1, 1000}, "shortest paths of so many homotopy classes");
+    add_text("--avoid", "FILE", m_options.obstacles, "barrier of edges per line, as vertices, or `f n n ...` faces");
+    add_arithmetic();
+    add_search();
+    add_threads();
+    add("--landmarks", "NUMBER", m_options.landmarks, {1, 1000},
+        "make so many first, for hundreds of paths; 8 are good");
+    for(const char* const name : {"--ways", "--avoid"})
+      exclude(name, {"--kernel", "--mollify", "--refuse-zero-edges", "--search", "--landmarks"});
+    add_files_of_curves();
+
+    begin("trace", "Trace straightest geodesics from vertices",
+          "  flip_geodesics trace bunny.off --trace 0,1.57,20 --mesh straight.vtp\n"
+          "  flip_geodesics trace bunny.off --trace 0,1.57,20 --trace 0,4.71,20 --polylines straight.txt\n"
+          "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
+    m_group = "Curves";
+    add_text("--trace", "VERTEX,ANGLE,LENGTH", m_options.traces, "a curve: its start, direction in radians, and length")
+        ->allow_extra_args(false)
+        ->required();
+    add_files_of_curves();
+
+    begin("distance", "Compute isolines of distances and Voronoi diagrams",
+          "  flip_geodesics distance bunny.off --source 0,500,900 --isolines 0.1,0.2,0.3 --mesh isolines.vtp\n"
+          "  flip_geodesics distance bunny.off --source 0 --spacing 0.1 --polylines isolines.txt\n"
+          "  flip_geodesics distance bunny.off --source 0,500 --voronoi --cut cells.off");
+    m_group = "Curves";
+    add_list("--source", "VERTEX,...", m_options.sources, any, "sources of the distances")->required();
+    add_list("--isolines", "DISTANCE,...", m_options.isolines, positive, "curves at these distances from the nearest");
+    add("--spacing", "DISTANCE", m_options.spacing, positive, "curves at all multiples of this distance");
+    add("--voronoi", m_options.has_voronoi, "curves on which the nearest source changes");
+    add("--tolerance", "LENGTH", m_options.tolerance, positive,
+        "how far these may lie from the true curves [1/1000 of the mesh]");
+    choose({"--isolines", "--spacing"}, false);
+    choose({"--isolines", "--spacing", "--voronoi"}, true, false);
+    add_files_of_curves();
+
+    begin("log", "Compute the tree of geodesics from a vertex and its logarithmic map",
+          "  flip_geodesics log bunny.off --source 0 --map map.csv\n"
+          "  flip_geodesics log bunny.off --source 0 --shortest --map map.csv --mesh tree.ply\n"
+          "  flip_geodesics log bunny.off --source 0 --kernel double --stats tree.csv");
+    m_group = "Curves";
+    add("--source", "VERTEX", m_options.source, any, "source of the tree")->required();
+    add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest");
+    add_arithmetic();
+    add_files_of_curves();
+    add_text("--map", "FILE", m_options.results.map, "line per vertex, `vertex,distance,angle,x,y`");
+  }
+
+  void add_commands_of_meshes()
+  {
+    begin("cut", "Cut a mesh along polylines as they are drawn, which may cross",
+          "  flip_geodesics cut bunny.off --draw pen.polylines.txt --cut pieces.off\n"
+          "  flip_geodesics cut bunny.off --draw pen.txt --insert lines.ply\n"
+          "  flip_geodesics cut bunny.off --draw pen.txt --mesh lines.glb --stats lines.csv");
+    m_group = "Curves";
+    add_draw()->required();
+    add_files_of_curves();
+
+    begin("repair", "Make a triangle mesh of any polygons: triangulate, orient, split, stitch, remove",
+          "  flip_geodesics repair polygons.obj --output mesh.off\n"
+          "  flip_geodesics repair scan.stl --weld 1e-9 --output scan.ply\n"
+          "  flip_geodesics repair - --format off --output - --output-format off");
+    add_output(m_options.results.repaired, ".off, .obj, .ply, .stl or .vtp");
+
+    begin("view", "Write a page for a browser that computes curves through points set on the mesh",
+          "  flip_geodesics view bunny.off --output bunny.html\n"
+          "  flip_geodesics view polygons.obj --repair --output polygons.html\n"
+          "  flip_geodesics view - --format stl --output scan.html");
+    add_output(m_options.results.live, ".html");
   }
 
   // Letters to insert, to drop or to exchange until one text is the other [Levenshtein 1966].
@@ -328,11 +542,29 @@ private:
     return argument.size() > 1 && argument[0] == '-' && argument.find_first_of("0123456789.") != 1;
   }
 
-  std::string nearest_option(const std::string& name) const
+  std::string names_of_commands() const
+  {
+    std::string names;
+    for(const CLI::App* command : m_app.get_subcommands({}))
+      names += (names.empty() ? "" : ", ") + command->get_name();
+    return names;
+  }
+
+  std::string describe_unknown(const std::string& unknown, const CLI::App& given, const std::string& help) const
+  {
+    const std::string name = unknown[1] == '-' ? unknown : '-' + unknown;
+    for(const CLI::App* command : m_app.get_subcommands({}))
+      if(command->get_option_no_throw(name) != nullptr)
+        return name + " is not an option of " + given.get_name() + ", but of " + command->get_name() + help;
+    const std::string meant = unknown.size() > 2 ? nearest_option(name, given) : ""; // one letter is near many
+    return unknown + " is not known" + (meant.empty() ? help : "; did you mean " + meant + "?");
+  }
+
+  static std::string nearest_option(const std::string& name, const CLI::App& command)
   {
     std::string nearest;
     std::size_t most = 1 + name.size() / 3; // as many as may be wrong, and one
-    for(const CLI::Option* option : m_app.get_options()) {
+    for(const CLI::Option* option : command.get_options()) {
       const std::string known = option->get_name();
       const bool is_begun = name.size() > 3 && known.rfind(name, 0) == 0;
       const std::size_t wrong = is_begun ? 0 : distance(name, known);
@@ -346,7 +578,9 @@ private:
 
   Options& m_options;
   CLI::App m_app;
+  CLI::App* m_command = nullptr; // that options are added to
   std::string m_group;
+  std::vector<Choice> m_choices;
 };
 
 } // namespace program

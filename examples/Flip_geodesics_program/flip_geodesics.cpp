@@ -51,13 +51,9 @@ constexpr int success = 0, incomplete = 1, bad_input = 2;
 CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
 {
   using CGAL::Flip_geodesics::Search_method;
-  if(name == "lookback")
-    return Search_method::LOOK_BACK;
-  if(name == "astar")
-    return Search_method::A_STAR;
-  if(name == "dijkstra")
-    return Search_method::DIJKSTRA;
-  throw Bad_input("--search " + printable(name) + ": not known; use lookback, astar or dijkstra");
+  return name == "lookback" ? Search_method::LOOK_BACK
+         : name == "astar"  ? Search_method::A_STAR
+                            : Search_method::DIJKSTRA;
 }
 
 std::vector<std::string> names_of_inputs(const Options& options)
@@ -116,175 +112,6 @@ std::ostream& summary_stream(const Options& options)
   return std::any_of(results.begin(), results.end(), is_standard_output) ? std::cerr : std::cout;
 }
 
-void check_mesh_results(const Mesh_result_options& options)
-{
-  if(options.refine && !(*options.refine >= 0 && *options.refine <= 30))
-    throw Bad_input("--refine takes the smallest angle, in degrees, between 0 and 30");
-  if((options.longest_edge || options.most_vertices) && !options.refine)
-    throw Bad_input("--longest-edge and --most-vertices belong to --refine; give an angle, 0 for any");
-  if(options.longest_edge && !(*options.longest_edge >= 1e-70))
-    throw Bad_input("--longest-edge must be at least 1e-70: no edge is shorter");
-  if(options.most_vertices && *options.most_vertices < 0)
-    throw Bad_input("--most-vertices must not be negative");
-}
-
-void check_other_ways(const Options& options)
-{
-  constexpr long long most_ways = 1000;
-  if(!options.obstacles.empty() && !options.ways)
-    throw Bad_input("--avoid belongs to --ways; give how many ways, 1 for the shortest");
-  if(!options.ways)
-    return;
-  if(*options.ways < 1 || *options.ways > most_ways)
-    throw Bad_input("--ways " + std::to_string(*options.ways) + ": give 1 to " + std::to_string(most_ways));
-  if(!options.has_pairs())
-    throw Bad_input("--ways belongs to --from with --to, --pairs and --random; give one of them");
-  if(options.mollify || options.kernel || options.stop_length || options.are_zero_edges_refused ||
-     options.meshes.is_triangulation_wanted())
-    throw Bad_input("--ways gives no curves of one triangulation: --mollify, --refuse-zero-edges, --kernel, "
-                    "--stop-length, --delaunay, --refine and --subdivision do not go with it");
-}
-
-void check_shortest_paths(const Options& options)
-{
-  constexpr long long most_landmarks = 1000;
-  if(options.is_shortest && options.sources.empty() && !options.has_pairs())
-    throw Bad_input("--shortest belongs to --from with --to, --pairs, --random and --source; give one of them");
-  if(options.is_shortest && options.ways)
-    throw Bad_input("--ways gives shortest paths; leave --shortest out");
-  if(options.is_shortest && options.stop_length)
-    throw Bad_input("--stop-length does not go with --shortest; leave one of them out");
-  if(options.landmarks && (!options.is_shortest || !options.has_pairs()))
-    throw Bad_input("--landmarks belongs to --shortest with --from and --to, --pairs or --random; give both");
-  if(options.landmarks && (*options.landmarks < 1 || *options.landmarks > most_landmarks))
-    throw Bad_input("--landmarks " + std::to_string(*options.landmarks) + ": give 1 to " +
-                    std::to_string(most_landmarks));
-}
-
-void check_field_options(const Options& options)
-{
-  if(options.tolerance && !options.is_field_wanted())
-    throw Bad_input("--tolerance belongs to --isolines, --spacing and --voronoi; give one of them");
-  if(options.tolerance && !(*options.tolerance > 0))
-    throw Bad_input("--tolerance must be greater than 0");
-  for(const double level : options.isolines)
-    if(!(level > 0))
-      throw Bad_input("--isolines takes distances greater than 0; " + decimal_text(level) + " is none");
-  if(options.spacing && !(*options.spacing > 0))
-    throw Bad_input("--spacing must be greater than 0");
-  if(options.spacing && !options.isolines.empty())
-    throw Bad_input("--spacing and --isolines do not go together; give one of them");
-  if(!options.is_field_wanted() && options.sources.size() > 1)
-    throw Bad_input("--source takes one vertex for a tree; several go with --isolines, --spacing and --voronoi");
-  if(options.is_field_wanted() && (options.is_shortest || !options.results.map.empty() || options.mollify ||
-                                   options.kernel || options.meshes.is_triangulation_wanted()))
-    throw Bad_input(
-        "--isolines, --spacing and --voronoi give no curves of a triangulation: --shortest, --map, --mollify, "
-        "--kernel, --delaunay, --refine and --subdivision do not go with them");
-}
-
-// The live page and the repaired mesh need no curves; what else is written does.
-bool are_no_curves_wanted(const Options& options)
-{
-  const Result_names& names = options.results;
-  return (!names.live.empty() || !names.repaired.empty()) && names.polylines.empty() && names.stats.empty() &&
-         names.viewer.empty() && names.page.empty() && names.map.empty() && !options.meshes.is_any_wanted();
-}
-
-// The options that are given of those that give curves.
-std::vector<std::string> options_of_curves(const Options& options)
-{
-  const std::pair<const char*, bool> all[] = {{options.from ? "--from" : "--to", options.from || options.to},
-                                              {"--random", options.random.has_value()},
-                                              {"--pairs", !options.pairs.empty()},
-                                              {"--edges", !options.edges.empty()},
-                                              {"--loop", !options.loop.empty()},
-                                              {"--network", !options.network.empty()},
-                                              {"--segmentation", !options.segmentation.empty()},
-                                              {"--seams", options.has_seams},
-                                              {"--source", !options.sources.empty()},
-                                              {"--points", !options.points.empty()},
-                                              {"--bezier", !options.bezier.empty()},
-                                              {"--draw", !options.draw.empty()},
-                                              {"--trace", !options.traces.empty()}};
-  std::vector<std::string> given;
-  for(const auto& [name, is_given] : all)
-    if(is_given)
-      given.push_back(name);
-  return given;
-}
-
-void check_options(const Options& options)
-{
-  const std::vector<std::string> jobs = options_of_curves(options);
-  if(options.sources.empty() && (!options.results.map.empty() || options.is_field_wanted()))
-    throw Bad_input("--map, --isolines, --spacing and --voronoi belong to --source; give a source");
-  if(jobs.size() > 1)
-    throw Bad_input(jobs[0] + " and " + jobs[1] + " do not go together; give the curves by one of them");
-  if(jobs.empty() && !are_no_curves_wanted(options))
-    throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
-                    "--points, --bezier, --draw, --segmentation, --seams, --source, --trace; or give --live or "
-                    "--repaired alone");
-  if(!options.is_repaired && !options.results.repaired.empty())
-    throw Bad_input("--repaired belongs to --repair; give both");
-  if(!options.is_repaired && options.weld)
-    throw Bad_input("--weld belongs to --repair; give both");
-  if(options.weld && !(*options.weld >= 0 && *options.weld < 1))
-    throw Bad_input(
-        "--weld: the tolerance is not at least 0 and below 1; give a part of the bounding box, such as 1e-9");
-  check_field_options(options);
-  check_other_ways(options);
-  check_shortest_paths(options);
-  if(!options.traces.empty() &&
-     (options.mollify || options.kernel || options.stop_length || options.meshes.is_triangulation_wanted()))
-    throw Bad_input("--trace gives no curves of a triangulation: --mollify, --kernel, --stop-length, "
-                    "--delaunay, --refine and --subdivision do not go with it");
-  if(!options.sources.empty() && options.stop_length)
-    throw Bad_input("--stop-length is of no use with --source; leave one of them out");
-  if(options.is_snapped && options.draw.empty())
-    throw Bad_input("--snap belongs to --draw; give polylines");
-  if(options.is_as_drawn && options.draw.empty())
-    throw Bad_input("--as-drawn belongs to --draw; give polylines");
-  if(options.is_as_drawn && (options.is_snapped || options.mollify || options.kernel || options.stop_length ||
-                             options.meshes.is_triangulation_wanted()))
-    throw Bad_input("--as-drawn gives no curves of a triangulation: --snap, --mollify, --kernel, --stop-length, "
-                    "--delaunay, --refine and --subdivision do not go with it");
-  if(options.has_free_junctions && options.segmentation.empty())
-    throw Bad_input("--free-junctions belongs to --segmentation; give a segmentation");
-  if(options.from.has_value() != options.to.has_value())
-    throw Bad_input("--from and --to belong together; give both");
-  constexpr long long most_at_random = 10000000;
-  if(options.random && (*options.random < 1 || *options.random > most_at_random))
-    throw Bad_input("--random " + std::to_string(*options.random) + ": give 1 to " + std::to_string(most_at_random));
-  if(options.seed < 0)
-    throw Bad_input("--seed " + std::to_string(options.seed) + ": give 0 or more");
-  if(options.kernel && options.kernel != "double" && options.kernel != "certified")
-    throw Bad_input("--kernel " + printable(*options.kernel) + ": not known; use certified or double");
-  if(options.mollify && !(*options.mollify > 0 && *options.mollify < 1))
-    throw Bad_input("--mollify must lie between 0 and 1");
-  if(options.rounds && (*options.rounds < 0 || *options.rounds > 16))
-    throw Bad_input("--rounds " + std::to_string(*options.rounds) + ": give 0 to 16");
-  if(options.rounds && options.bezier.empty())
-    throw Bad_input("--rounds belongs to --bezier; give control points");
-  if(!options.bezier.empty() && options.stop_length)
-    throw Bad_input("--stop-length does not go with --bezier; leave it out");
-  search_method(options.search);
-  if(options.stop_length && !(*options.stop_length >= 0 && *options.stop_length <= 1))
-    throw Bad_input("--stop-length must lie between 0 and 1");
-  if(options.most_memory && !(*options.most_memory > 0 && *options.most_memory <= 1e9))
-    throw Bad_input("--most-memory must be above 0 and at most 1e9, in megabytes");
-  if(options.threads < 1 || options.threads > 1024)
-    throw Bad_input("--threads must lie between 1 and 1024");
-  if(options.threads > 1 && !has_threads)
-    throw Bad_input("--threads " + std::to_string(options.threads) + ": this program was built without threads (TBB)");
-  check_mesh_results(options.meshes);
-  check_names_of_inputs(options);
-  check_names_of_results(options);
-  check_formats_of_results(options);
-  if(options.threads > 1 && !options.results.page.empty())
-    throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
-}
-
 // What the records of flips may take in each thread, in bytes.
 std::size_t most_memory(const Options& options)
 {
@@ -301,17 +128,19 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   progress.enter("reading curves");
   const std::vector<Network_request> requests = read_requests(options, input);
   if(requests.size() != 1 && options.meshes.is_any_wanted())
-    throw Bad_input("--delaunay, --refine, --subdivision, --insert and --cut take one curve, or a network of several");
+    throw Bad_input("--insert, --cut and the command refine take one curve, or a network of several");
   std::size_t number_of_curves = 0;
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();
-  const std::optional<Landmarks> landmarks = make_landmarks(options, mesh, metric, progress);
+  std::optional<Landmarks> landmarks;
+  if(options.landmarks)
+    landmarks = make_landmarks(static_cast<std::size_t>(*options.landmarks), options.threads, mesh, metric, progress);
   progress.expect_curves(number_of_curves);
   const Run_options run_options = {search_method(options.search),
                                    options.stop_length,
-                                   options.is_shortest,
+                                   options.is_shortest || options.command == "shortest",
                                    landmarks ? &landmarks->bounds : nullptr,
-                                   options.rounds.value_or(5),
+                                   options.rounds,
                                    options.is_snapped,
                                    options.are_zero_edges_refused,
                                    options.meshes,
@@ -377,8 +206,7 @@ int run_at_once(const Options& options, const Input_mesh& input, const std::stri
 
 int run_field(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
 {
-  Field_request request = {
-      {}, options.isolines, options.spacing.value_or(0), options.has_voronoi, options.tolerance.value_or(0)};
+  Field_request request = {{}, options.isolines, options.spacing, options.has_voronoi, options.tolerance};
   for(long long source : options.sources)
     request.sources.push_back(input.vertex(source, "--source"));
   std::string remarks;
@@ -410,7 +238,8 @@ Trace_request trace_request(const std::string& text, const Input_mesh& input)
 int run_other_ways(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
 {
   constexpr double megabyte = 1e6;
-  Ways_request request = {{}, static_cast<std::size_t>(*options.ways), read_obstacles(options, input), std::nullopt};
+  Ways_request request = {
+      {}, static_cast<std::size_t>(options.ways.value_or(1)), read_obstacles(options, input), std::nullopt};
   for(const Network_request& network : read_requests(options, input))
     request.pairs.push_back(network.curves.front());
   if(options.most_memory)
@@ -453,9 +282,12 @@ int run_without_curves(const Options& options, const Input_mesh& input, const st
   return outputs->has_failed() ? incomplete : success;
 }
 
+// Runs the command.
 int run(const Options& options)
 {
-  check_options(options);
+  check_names_of_inputs(options);
+  check_names_of_results(options);
+  check_formats_of_results(options);
   Progress progress;
   const Watcher watcher(progress, options.is_quiet);
   progress.enter("reading the mesh");
@@ -466,19 +298,20 @@ int run(const Options& options)
   title << name_of_input(options.mesh) << ": " << counted(mesh.number_of_vertices(), "vertex", "vertices") << ", "
         << counted(mesh.number_of_faces(), "triangle", "triangles") << ", read in "
         << readable_time(stopwatch.seconds()) << '\n';
+  if(options.command == "trace")
+    return run_traces(options, input, title.str(), progress);
+  if(options.command == "cut")
+    return run_drawn(options, input, title.str(), progress);
+  if(options.command == "distance")
+    return run_field(options, input, title.str(), progress);
+  if(options.command == "repair" || options.command == "view")
+    return run_without_curves(options, input, title.str());
+  if(options.ways || !options.obstacles.empty())
+    return run_other_ways(options, input, title.str(), progress);
   const Program_metric metric(mesh, options.mollify);
   if(options.mollify)
     title << metric.added_length() << " added to the length of every edge\n";
-  if(!options.traces.empty())
-    return run_traces(options, input, title.str(), progress);
-  if(options.is_as_drawn)
-    return run_drawn(options, input, title.str(), progress);
-  if(options.ways)
-    return run_other_ways(options, input, title.str(), progress);
-  if(options_of_curves(options).empty())
-    return run_without_curves(options, input, title.str());
-  return options.is_field_wanted() ? run_field(options, input, title.str(), progress)
-                                   : run(options, input, metric, title.str(), progress);
+  return run(options, input, metric, title.str(), progress);
 }
 
 // What is left of standard output goes out.

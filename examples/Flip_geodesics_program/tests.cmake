@@ -96,28 +96,33 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/quad_seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
                                           "vt 0 1\nvt 5 5\nf 1/1 2/2 3/3 4/4\nf 2/5 5/2 6/3 3/4\n")
 
-  flip_geodesics_add_program_test(pair 0 "1 curve: 1 LOCALLY_SHORTEST" torus.off --from 0 --to 150)
-  flip_geodesics_add_program_test(pairs 0 "2 LOCALLY_SHORTEST" torus.off --pairs pairs.txt --mesh pairs.vtp)
-  flip_geodesics_add_program_test(random 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --mesh random.ply)
-  flip_geodesics_add_program_test(dijkstra 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search dijkstra)
-  flip_geodesics_add_program_test(astar 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search astar)
+  flip_geodesics_add_program_test(pair 0 "1 curve: 1 LOCALLY_SHORTEST" path torus.off --from 0 --to 150)
+  flip_geodesics_add_program_test(pairs 0 "2 LOCALLY_SHORTEST" path torus.off --pairs pairs.txt --mesh pairs.vtp)
+  flip_geodesics_add_program_test(random 0 "30 LOCALLY_SHORTEST" path torus.off --random 30 --seed 7 --mesh random.ply)
+  flip_geodesics_add_program_test(dijkstra 0 "9 LOCALLY_SHORTEST" path torus.off --random 9 --search dijkstra)
+  flip_geodesics_add_program_test(astar 0 "9 LOCALLY_SHORTEST" path torus.off --random 9 --search astar)
   if(TARGET CGAL::TBB_support)
-    flip_geodesics_add_program_test(help_with_threads 0 "--threads NUMBER" --help)
-    flip_geodesics_add_program_test(threads 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --threads 2)
+    flip_geodesics_add_program_test(help_with_threads 0 "--threads NUMBER" path --help)
+    flip_geodesics_add_program_test(threads 0 "30 LOCALLY_SHORTEST" path torus.off --random 30 --seed 7 --threads 2)
+    flip_geodesics_add_program_test(no_threads 2 "--threads: '0' is out of range" path torus.off --random 2 --threads 0)
+    flip_geodesics_add_program_test(threads_too_many 2 "--threads: '99999999999' is beyond the range" path torus.off
+                                    --random 1 --threads 99999999999)
+    flip_geodesics_add_program_test(threads_and_page 2 "--threads and --page do not go together" path torus.off --random 2
+                                    --threads 2 --page threads.html)
     # More than there are, without a word on standard error.
-    flip_geodesics_add_program_test(many_threads 0 "30 LOCALLY_SHORTEST.*extract [^\n]*\n$" torus.off --random 30 --seed 7
-                                    --threads 1024)
+    flip_geodesics_add_program_test(many_threads 0 "30 LOCALLY_SHORTEST.*extract [^\n]*\n$" path torus.off --random 30
+                                    --seed 7 --threads 1024)
   endif()
   # The paths of edges pulled tight have other lengths.
-  flip_geodesics_add_program_test(shortest_pair 0 " 2.77034 .*1 WITHIN_ROUNDING" torus.off --from 0 --to 150 --shortest)
-  flip_geodesics_add_program_test(shortest_pairs 0 "2 WITHIN_ROUNDING.*certificates: 2 PROVEN" torus.off --pairs
-                                  pairs.txt --shortest --stats shortest_pairs.csv)
-  flip_geodesics_add_program_test(landmarks 0 "4 landmarks, made in.*30 WITHIN_ROUNDING" torus.off --random 30 --seed 7
-                                  --shortest --landmarks 4 --polylines landmarks.txt)
-  flip_geodesics_add_program_test(without_landmarks 0 "30 WITHIN_ROUNDING" torus.off --random 30 --seed 7 --shortest
+  flip_geodesics_add_program_test(shortest_pair 0 " 2.77034 .*1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150)
+  flip_geodesics_add_program_test(shortest_pairs 0 "2 WITHIN_ROUNDING.*certificates: 2 PROVEN" shortest torus.off
+                                  --pairs pairs.txt --stats shortest_pairs.csv)
+  flip_geodesics_add_program_test(landmarks 0 "4 landmarks, made in.*30 WITHIN_ROUNDING" shortest torus.off --random 30
+                                  --seed 7 --landmarks 4 --polylines landmarks.txt)
+  flip_geodesics_add_program_test(without_landmarks 0 "30 WITHIN_ROUNDING" shortest torus.off --random 30 --seed 7
                                   --polylines without_landmarks.txt)
   if(TARGET CGAL::TBB_support)
-    flip_geodesics_add_program_test(landmarks_by_threads 0 "30 WITHIN_ROUNDING" torus.off --random 30 --seed 7 --shortest
+    flip_geodesics_add_program_test(landmarks_by_threads 0 "30 WITHIN_ROUNDING" shortest torus.off --random 30 --seed 7
                                     --landmarks 4 --threads 2 --polylines landmarks_by_threads.txt)
   endif()
   foreach(other without_landmarks landmarks_by_threads)
@@ -127,84 +132,92 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
       set_tests_properties(program_${other}_same PROPERTIES DEPENDS "program_landmarks;program_${other}")
     endif()
   endforeach()
-  flip_geodesics_add_program_test(shortest_double 0 "2 WITHIN_TOLERANCE" torus.off --pairs pairs.txt --shortest --kernel double)
-  flip_geodesics_add_program_test(shortest_given_up 0 " 2.80946 .*1 UNDECIDED" torus.off --from 0 --to 150 --shortest
+  flip_geodesics_add_program_test(shortest_double 0 "2 WITHIN_TOLERANCE" shortest torus.off --pairs pairs.txt --kernel
+                                  double)
+  flip_geodesics_add_program_test(shortest_given_up 0 " 2.80946 .*1 UNDECIDED" shortest torus.off --from 0 --to 150
                                   --most-memory 0.0001)
-  flip_geodesics_add_program_test(shortest_inserted 0 "1 WITHIN_ROUNDING" torus.off --from 0 --to 150 --shortest --insert
+  flip_geodesics_add_program_test(shortest_inserted 0 "1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150 --insert
                                   shortest.off)
-  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 met edges of length zero" zero_length.off
-                                  --pairs zero_length.txt --shortest)
+  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 met edges of length zero" shortest
+                                  zero_length.off --pairs zero_length.txt)
   flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; leave them out, or give --mollify"
-                                  zero_length.off --pairs zero_length.txt --shortest --landmarks 2)
-  flip_geodesics_add_program_test(landmarks_mollified 0 "2 WITHIN_ROUNDING" zero_length.off --pairs zero_length.txt
-                                  --shortest --landmarks 2 --mollify 1e-3)
-  flip_geodesics_add_program_test(landmarks_alone 2 "--landmarks belongs to --shortest" torus.off --random 2 --landmarks 2)
-  flip_geodesics_add_program_test(landmarks_of_tree 2 "--landmarks belongs to --shortest" torus.off --source 0 --shortest
-                                  --landmarks 2)
-  flip_geodesics_add_program_test(no_landmarks 2 "--landmarks 0: give 1 to" torus.off --random 2 --shortest --landmarks 0)
-  flip_geodesics_add_program_test(shortest_loop 2 "--shortest belongs to --from" torus.off --loop loop.txt --shortest)
-  flip_geodesics_add_program_test(shortest_ways 2 "leave --shortest out" torus.off --random 2 --shortest --ways 2)
-  flip_geodesics_add_program_test(shortest_stopped 2 "does not go with --shortest" torus.off --random 2 --shortest
-                                  --stop-length 0.9)
-  flip_geodesics_add_program_test(no_threads 2 "--threads must lie" torus.off --random 2 --threads 0)
-  flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh path.obj
-                                  --tubes 0)
-  flip_geodesics_add_program_test(tubes 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh tubes.glb --tubes 0.02)
-  flip_geodesics_add_program_test(negative_tubes 2 "--tubes takes the radius" torus.off --edges path.txt --mesh t.glb
-                                  --tubes=-0.02)
-  flip_geodesics_add_program_test(tubes_of_nothing 2 "--tubes belongs to --mesh" torus.off --edges path.txt --tubes 1)
-  flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" torus.off --points points.txt --polylines points.out)
-  flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" torus.off --bezier crossing_bezier.txt)
-  flip_geodesics_add_program_test(crossing_page 0 "2 LOCALLY_SHORTEST" torus.off --bezier crossing_bezier.txt --page
-                                  crossing.html)
-  flip_geodesics_add_program_test(crossing_inserted 1 "line 1.*curves cross at one of.*the given points" torus.off --bezier crossing_line.txt
-                                  --insert crossing.off)
-  flip_geodesics_add_program_test(bezier 0 "2 LOCALLY_SHORTEST.*length  *[1-9][0-9.]* of [1-9]" torus.off --bezier bezier.txt
-                                  --kernel certified)
-  flip_geodesics_add_program_test(draw 0 "1 CONTRACTED 1 LOCALLY" torus.off --draw drawn.txt --mesh drawn.polylines.txt)
-  flip_geodesics_add_program_test(draw_snapped 0 "1 CONTRACTED 1 LOCALLY" torus.off --draw drawn.txt --snap)
-  flip_geodesics_add_program_test(draw_as_drawn 0 "2 curves: 2 DRAWN" torus.off --draw drawn.txt --as-drawn --cut
-                                  drawn_cut.off --insert drawn_insert.off)
-  flip_geodesics_add_program_test(as_drawn_snapped 2 "--as-drawn gives no curves of a triangulation" torus.off --draw
-                                  drawn.txt --as-drawn --snap)
-  flip_geodesics_add_program_test(as_drawn_of_nothing 2 "--as-drawn belongs to --draw" torus.off --from 0 --to 1
-                                  --as-drawn)
-  flip_geodesics_add_program_test(draw_in_space 0 "LOCALLY_SHORTEST" torus.off --draw pen.polylines.txt)
-  flip_geodesics_add_program_test(draw_short 2 "short.polylines.txt line 1: point 2 is cut off" torus.off --draw short.polylines.txt)
-  flip_geodesics_add_program_test(points_outside 2 "is outside" torus.off --points bad_points.txt)
-  flip_geodesics_add_program_test(points_in_no_face 2 "not those of an edge or face" torus.off --bezier no_face.txt)
-  flip_geodesics_add_program_test(reads_its_obj 0 LOCALLY_SHORTEST path.obj --from 0 --to 150)
+                                  shortest zero_length.off --pairs zero_length.txt --landmarks 2)
+  flip_geodesics_add_program_test(landmarks_mollified 0 "2 WITHIN_ROUNDING" shortest zero_length.off --pairs
+                                  zero_length.txt --landmarks 2 --mollify 1e-3)
+  flip_geodesics_add_program_test(landmarks_alone 2 "--landmarks is not an option of path, but of shortest" path
+                                  torus.off --random 2 --landmarks 2)
+  flip_geodesics_add_program_test(no_landmarks 2 "--landmarks: '0' is out of range. give at least 1 and at most 1000"
+                                  shortest torus.off --random 2 --landmarks 0)
+  flip_geodesics_add_program_test(shortest_loop 2 "--loop is not an option of shortest, but of loop" shortest torus.off
+                                  --loop loop.txt)
+  flip_geodesics_add_program_test(shortest_stopped 2 "--stop-length is not an option of shortest, but of path" shortest
+                                  torus.off --random 2 --stop-length 0.9)
+  flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" path torus.off --edges path.txt --mesh path.obj --tubes 0)
+  flip_geodesics_add_program_test(tubes 0 "2 LOCALLY_SHORTEST" path torus.off --edges path.txt --mesh tubes.glb --tubes
+                                  0.02)
+  flip_geodesics_add_program_test(negative_tubes 2 "--tubes: '-0.02' is out of range" path torus.off --edges path.txt
+                                  --mesh t.glb --tubes=-0.02)
+  flip_geodesics_add_program_test(tubes_of_nothing 2 "--tubes requires --mesh" path torus.off --edges path.txt --tubes
+                                  1)
+  flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" path torus.off --points points.txt --polylines
+                                  points.out)
+  flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt)
+  flip_geodesics_add_program_test(crossing_page 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt
+                                  --page crossing.html)
+  flip_geodesics_add_program_test(crossing_inserted 1 "line 1.*curves cross at one of.*the given points" spline
+                                  torus.off --bezier crossing_line.txt --insert crossing.off)
+  flip_geodesics_add_program_test(bezier 0 "2 LOCALLY_SHORTEST.*length  *[1-9][0-9.]* of [1-9]" spline torus.off
+                                  --bezier bezier.txt --kernel certified)
+  flip_geodesics_add_program_test(draw 0 "1 CONTRACTED 1 LOCALLY" path torus.off --draw drawn.txt --mesh
+                                  drawn.polylines.txt)
+  flip_geodesics_add_program_test(draw_snapped 0 "1 CONTRACTED 1 LOCALLY" path torus.off --draw drawn.txt --snap)
+  flip_geodesics_add_program_test(draw_as_drawn 0 "2 curves: 2 DRAWN" cut torus.off --draw drawn.txt --cut drawn_cut.off
+                                  --insert drawn_insert.off)
+  flip_geodesics_add_program_test(as_drawn_snapped 2 "--snap is not an option of cut, but of path" cut torus.off --draw
+                                  drawn.txt --snap)
+  flip_geodesics_add_program_test(as_drawn_of_nothing 2 "--from is not an option of cut, but of path" cut torus.off
+                                  --from 0 --to 1)
+  flip_geodesics_add_program_test(draw_in_space 0 "LOCALLY_SHORTEST" path torus.off --draw pen.polylines.txt)
+  flip_geodesics_add_program_test(draw_short 2 "short.polylines.txt line 1: point 2 is cut off" path torus.off --draw
+                                  short.polylines.txt)
+  flip_geodesics_add_program_test(points_outside 2 "is outside" path torus.off --points bad_points.txt)
+  flip_geodesics_add_program_test(points_in_no_face 2 "not those of an edge or face" spline torus.off --bezier
+                                  no_face.txt)
+  flip_geodesics_add_program_test(reads_its_obj 0 LOCALLY_SHORTEST path path.obj --from 0 --to 150)
   set_tests_properties(program_reads_its_obj PROPERTIES DEPENDS program_path)
-  flip_geodesics_add_program_test(not_repaired 2 "turned.off: the edge.*or give --repair" turned.off --from 0 --to 1)
-  flip_geodesics_add_program_test(repair 0 "LOCALLY_SHORTEST.*repair: 1 polygon of more than three corners"
-                                  pyramid.off --repair --repaired repaired.off --from 0 --to 2)
-  flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" repaired.off --from 0 --to 2)
-  set_tests_properties(program_repair_again PROPERTIES DEPENDS program_repair)
-  flip_geodesics_add_program_test(repair_merged 0 "0  *4 " pyramid.off --repair --from 0 --to 5)
-  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair, into 0 10; 0 is taken"
+  flip_geodesics_add_program_test(not_repaired 2 "turned.off: the edge.*or give --repair" path turned.off --from 0 --to
+                                  1)
+  flip_geodesics_add_program_test(repair 0 "LOCALLY_SHORTEST.*repair: 1 polygon of more than three corners" path
                                   pyramid.off --repair --from 0 --to 2)
-  flip_geodesics_add_program_test(repair_dropped 2 "vertex 7 has no faces after the repair" pyramid.off --repair --from 0
-                                  --to 7)
-  flip_geodesics_add_program_test(repair_edges 0 "1 LOCALLY_SHORTEST" pyramid.off --repair --edges pyramid_edges.txt)
-  flip_geodesics_add_program_test(repair_segmentation 0 "1 CONTRACTED" pyramid.off --repair --segmentation
+  flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" path repaired.off --from 0 --to 2)
+  set_tests_properties(program_repair_again PROPERTIES DEPENDS program_only_repaired)
+  flip_geodesics_add_program_test(repair_merged 0 "0  *4 " path pyramid.off --repair --from 0 --to 5)
+  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair, into 0 10; 0 is taken" path
+                                  pyramid.off --repair --from 0 --to 2)
+  flip_geodesics_add_program_test(repair_dropped 2 "vertex 7 has no faces after the repair" path pyramid.off --repair
+                                  --from 0 --to 7)
+  flip_geodesics_add_program_test(repair_edges 0 "1 LOCALLY_SHORTEST" path pyramid.off --repair --edges
+                                  pyramid_edges.txt)
+  flip_geodesics_add_program_test(repair_segmentation 0 "1 CONTRACTED" network pyramid.off --repair --segmentation
                                   pyramid.seg)
-  flip_geodesics_add_program_test(repair_seams 0 "1 LOCALLY_SHORTEST" quad_seam.obj --repair --seams)
-  flip_geodesics_add_program_test(near_borders 1 "nearly coincide" seam.off --repair --from 0 --to 5)
-  flip_geodesics_add_program_test(welded_borders 0 "1 LOCALLY_SHORTEST" seam.off --repair --weld 1e-12 --from 0 --to 5)
-  flip_geodesics_add_program_test(weld_alone 2 "--weld" seam.off --weld 1e-12 --from 0 --to 1)
-  flip_geodesics_add_program_test(bad_weld 2 "--weld" seam.off --repair --weld 2 --from 0 --to 1)
+  flip_geodesics_add_program_test(repair_seams 0 "1 LOCALLY_SHORTEST" network quad_seam.obj --repair --seams)
+  flip_geodesics_add_program_test(near_borders 1 "nearly coincide" path seam.off --repair --from 0 --to 5)
+  flip_geodesics_add_program_test(welded_borders 0 "1 LOCALLY_SHORTEST" path seam.off --repair --weld 1e-12 --from 0
+                                  --to 5)
+  flip_geodesics_add_program_test(weld_alone 2 "--weld requires --repair" path seam.off --weld 1e-12 --from 0 --to 1)
+  flip_geodesics_add_program_test(bad_weld 2 "--weld" path seam.off --repair --weld 2 --from 0 --to 1)
   flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle is left by the repair: 1 triangle"
-                                  collapsed.off --repair --from 0 --to 1)
-  flip_geodesics_add_program_test(only_repaired 0 "11 vertices, 7 triangles.*repair: 1 polygon" pyramid.off --repair
-                                  --repaired only_repaired.off)
-  flip_geodesics_add_program_test(repaired_alone 2 "--repaired belongs to --repair" torus.off --from 0 --to 1 --repaired
-                                  x.off)
-  flip_geodesics_add_program_test(bad_repaired 2 "x.xyz" torus.off --repair --from 0 --to 1 --repaired x.xyz)
-  flip_geodesics_add_program_test(loop 0 LOCALLY_SHORTEST torus.off --loop loop.txt)
-  flip_geodesics_add_program_test(trivial_loop 0 CONTRACTED torus.off --loop trivial_loop.txt --mesh none.vtp)
-  flip_geodesics_add_program_test(network 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt)
-  flip_geodesics_add_program_test(joined_network 0 "2 LOCALLY_SHORTEST" torus.off --network joined_network.txt)
-  flip_geodesics_add_program_test(stop_length 0 LENGTH_LIMIT torus.off --edges path.txt --stop-length 0.99)
+                                  path collapsed.off --repair --from 0 --to 1)
+  flip_geodesics_add_program_test(only_repaired 0 "11 vertices, 7 triangles.*repair: 1 polygon" repair pyramid.off
+                                  --output repaired.off)
+  flip_geodesics_add_program_test(repaired_alone 2 "--output is not an option of path, but of repair" path torus.off
+                                  --from 0 --to 1 --output x.off)
+  flip_geodesics_add_program_test(bad_repaired 2 "x.xyz" repair torus.off --output x.xyz)
+  flip_geodesics_add_program_test(loop 0 LOCALLY_SHORTEST loop torus.off --loop loop.txt)
+  flip_geodesics_add_program_test(trivial_loop 0 CONTRACTED loop torus.off --loop trivial_loop.txt --mesh none.vtp)
+  flip_geodesics_add_program_test(network 0 "4 LOCALLY_SHORTEST" network torus.off --network network.txt)
+  flip_geodesics_add_program_test(joined_network 0 "2 LOCALLY_SHORTEST" network torus.off --network joined_network.txt)
+  flip_geodesics_add_program_test(stop_length 0 LENGTH_LIMIT path torus.off --edges path.txt --stop-length 0.99)
   # A label for each of the 576 faces: three parts, of which two meet the third; and those of one part only.
   set(labels "")
   set(one_label "")
@@ -224,42 +237,48 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                         "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
   file(WRITE ${program_dir}/half_textured.obj
        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n")
-  flip_geodesics_add_program_test(segmentation 0 "LOCALLY_SHORTEST" torus.off --segmentation parts.seg)
-  flip_geodesics_add_program_test(segmentation_stop 0 "LENGTH_LIMIT" torus.off --segmentation parts.seg --stop-length
-                                  0.97)
-  flip_geodesics_add_program_test(segmentation_free 0 "curves: " torus.off --segmentation parts.seg --free-junctions)
-  flip_geodesics_add_program_test(one_part 2 "one_part.seg: all faces" torus.off --segmentation one_part.seg)
-  flip_geodesics_add_program_test(too_few_labels 2 "2 labels for 576" torus.off --segmentation short.seg)
-  flip_geodesics_add_program_test(label_no_number 2 "label 1, 'one'" torus.off --segmentation word.seg)
-  flip_geodesics_add_program_test(no_labels 2 "missing.seg" torus.off --segmentation missing.seg)
-  flip_geodesics_add_program_test(free_without_segmentation 2 "--segmentation" torus.off --from 0 --to 1
+  flip_geodesics_add_program_test(segmentation 0 "LOCALLY_SHORTEST" network torus.off --segmentation parts.seg)
+  flip_geodesics_add_program_test(segmentation_stop 0 "LENGTH_LIMIT" network torus.off --segmentation parts.seg
+                                  --stop-length 0.97)
+  flip_geodesics_add_program_test(segmentation_free 0 "curves: " network torus.off --segmentation parts.seg
                                   --free-junctions)
-  flip_geodesics_add_program_test(seams 0 "1 LOCALLY_SHORTEST" seam.obj --seams)
-  flip_geodesics_add_program_test(no_seams 2 "no seam" no_seam.obj --seams)
-  flip_geodesics_add_program_test(untextured_face 2 "line 9: face 1 has a corner" half_textured.obj --seams)
-  flip_geodesics_add_program_test(seams_of_off 2 "obj file" torus.off --seams)
-  flip_geodesics_add_program_test(tree 0 "287 LOCALLY_SHORTEST.*paths +287 from vertex 5, the longest to vertex"
+  flip_geodesics_add_program_test(one_part 2 "one_part.seg: all faces" network torus.off --segmentation one_part.seg)
+  flip_geodesics_add_program_test(too_few_labels 2 "2 labels for 576" network torus.off --segmentation short.seg)
+  flip_geodesics_add_program_test(label_no_number 2 "label 1, 'one'" network torus.off --segmentation word.seg)
+  flip_geodesics_add_program_test(no_labels 2 "missing.seg" network torus.off --segmentation missing.seg)
+  flip_geodesics_add_program_test(free_without_segmentation 2 "--free-junctions requires --segmentation" network
+                                  torus.off --free-junctions)
+  flip_geodesics_add_program_test(seams 0 "1 LOCALLY_SHORTEST" network seam.obj --seams)
+  flip_geodesics_add_program_test(no_seams 2 "no seam" network no_seam.obj --seams)
+  flip_geodesics_add_program_test(untextured_face 2 "line 9: face 1 has a corner" network half_textured.obj --seams)
+  flip_geodesics_add_program_test(seams_of_off 2 "obj file" network torus.off --seams)
+  flip_geodesics_add_program_test(tree 0 "287 LOCALLY_SHORTEST.*paths +287 from vertex 5, the longest to vertex" log
                                   torus.off --source 5 --map map.csv --mesh tree.ply)
-  flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST.*shortest 287 of them, confirmed" torus.off
+  flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST.*shortest 287 of them, confirmed" log torus.off
                                   --source 5 --shortest --kernel certified)
-  flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" torus.off --source 288)
-  flip_geodesics_add_program_test(isolines 0 "ISOLINE +at distance 0.3\n.*9 curves: 3 BOUNDARY 6 ISOLINE" torus.off --source 0,100,200 --isolines
-                                  0.3,0.6 --voronoi --mesh isolines.vtp --polylines isolines.txt --tolerance 0.01)
-  flip_geodesics_add_program_test(cut_along_isolines 0 "9 curves: 3 BOUNDARY 6 ISOLINE" torus.off --source 0,100,200
-                                  --isolines 0.3,0.6 --voronoi --tolerance 0.01 --cut isolines_cut.off --insert
-                                  isolines_insert.off)
-  flip_geodesics_add_program_test(cut_along_isolines_is_open 0 "the farthest vertex is 0.3 away" isolines_cut.off --source
-                                  0 --isolines 99)
+  flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" log torus.off --source 288)
+  flip_geodesics_add_program_test(isolines 0 "ISOLINE +at distance 0.3\n.*9 curves: 3 BOUNDARY 6 ISOLINE" distance
+                                  torus.off --source 0,100,200 --isolines 0.3,0.6 --voronoi --mesh isolines.vtp
+                                  --polylines isolines.txt --tolerance 0.01)
+  flip_geodesics_add_program_test(cut_along_isolines 0 "9 curves: 3 BOUNDARY 6 ISOLINE" distance torus.off --source
+                                  0,100,200 --isolines 0.3,0.6 --voronoi --tolerance 0.01 --cut isolines_cut.off
+                                  --insert isolines_insert.off)
+  flip_geodesics_add_program_test(cut_along_isolines_is_open 0 "the farthest vertex is 0.3 away" distance
+                                  isolines_cut.off --source 0 --isolines 99)
   set_tests_properties(program_cut_along_isolines_is_open PROPERTIES DEPENDS program_cut_along_isolines)
-  flip_geodesics_add_program_test(trace 0 "LENGTH +from vertex 0 at 0.5\n.*2 curves: 2 LENGTH" torus.off --trace 0,0.5,2 --trace 7,-1e-1,3 --polylines
-                                  traces.txt --stats traces.csv --mesh traces.vtp)
-  flip_geodesics_add_program_test(trace_without_length 2 "give a vertex, an angle and a length" torus.off --trace 0,1)
-  flip_geodesics_add_program_test(trace_no_number 2 "give a vertex, an angle and a length" torus.off --trace 0,a,1)
-  flip_geodesics_add_program_test(trace_too_much 2 "give a vertex, an angle and a length" torus.off --trace 0,1,2,3)
-  flip_geodesics_add_program_test(trace_negative 2 "must not be negative" torus.off --trace 0,1,-2)
-  flip_geodesics_add_program_test(trace_of_no_vertex 2 "--trace: vertex 288 does not exist" torus.off --trace 288,0,1)
-  flip_geodesics_add_program_test(trace_and_random 2 "--random and --trace do not go together" torus.off --trace 0,0,1
-                                  --random 3)
+  flip_geodesics_add_program_test(trace 0 "LENGTH +from vertex 0 at 0.5\n.*2 curves: 2 LENGTH" trace torus.off --trace
+                                  0,0.5,2 --trace 7,-1e-1,3 --polylines traces.txt --stats traces.csv --mesh traces.vtp)
+  flip_geodesics_add_program_test(trace_without_length 2 "give a vertex, an angle and a length" trace torus.off --trace
+                                  0,1)
+  flip_geodesics_add_program_test(trace_no_number 2 "give a vertex, an angle and a length" trace torus.off --trace
+                                  0,a,1)
+  flip_geodesics_add_program_test(trace_too_much 2 "give a vertex, an angle and a length" trace torus.off --trace
+                                  0,1,2,3)
+  flip_geodesics_add_program_test(trace_negative 2 "must not be negative" trace torus.off --trace 0,1,-2)
+  flip_geodesics_add_program_test(trace_of_no_vertex 2 "--trace: vertex 288 does not exist" trace torus.off --trace
+                                  288,0,1)
+  flip_geodesics_add_program_test(trace_and_random 2 "--random is not an option of trace, but of path" trace torus.off
+                                  --trace 0,0,1 --random 3)
   # Walls along meridians, which open the torus, and all of its faces.
   set(meridian "0 1 2 3 4 5 6 7 8 9 10 11 0\n")
   file(WRITE ${program_dir}/wall.txt "# a meridian\n${meridian}")
@@ -275,179 +294,200 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/face_word.txt "f 5 x\n")
   set(pair_beside_wall torus.off --from 13 --to 270)
   flip_geodesics_add_program_test(ways 0 "4 curves: 4 WITHIN_ROUNDING.*ways     4 from 13 to 150, confirmed. any other"
-                                  torus.off --from 13 --to 150 --ways 4 --mesh ways.vtp --stats ways.csv)
-  flip_geodesics_add_program_test(ways_of_pairs 0 "4 curves: 4 WITHIN_ROUNDING.*from 0 to 150.*from 3 to 77" torus.off
-                                  --pairs pairs.txt --ways 2 --page ways.html)
-  flip_geodesics_add_program_test(ways_at_random 0 "6 curves: 6 WITHIN_ROUNDING" torus.off --random 3 --seed 2 --ways 2)
-  flip_geodesics_add_program_test(no_other_ways 0 "1 curve: 1 WITHIN_ROUNDING.*there is no other" pyramid.off --repair
-                                  --from 0 --to 2 --ways 3)
-  flip_geodesics_add_program_test(ways_along_wall 0 "2 WITHIN_ROUNDING.*length   8.46715 of.*flips    52"
+                                  shortest torus.off --from 13 --to 150 --ways 4 --mesh ways.vtp --stats ways.csv)
+  flip_geodesics_add_program_test(ways_of_pairs 0 "4 curves: 4 WITHIN_ROUNDING.*from 0 to 150.*from 3 to 77" shortest
+                                  torus.off --pairs pairs.txt --ways 2 --page ways.html)
+  flip_geodesics_add_program_test(ways_at_random 0 "6 curves: 6 WITHIN_ROUNDING" shortest torus.off --random 3 --seed 2
+                                  --ways 2)
+  flip_geodesics_add_program_test(no_other_ways 0 "1 curve: 1 WITHIN_ROUNDING.*there is no other" shortest pyramid.off
+                                  --repair --from 0 --to 2 --ways 3)
+  flip_geodesics_add_program_test(ways_along_wall 0 "2 WITHIN_ROUNDING.*length   8.46715 of.*flips    52" shortest
                                   ${pair_beside_wall} --ways 2 --avoid wall.txt)
-  flip_geodesics_add_program_test(ways_past_hole 0 "5 WITHIN_ROUNDING" torus.off --from 13 --to 150 --ways 5 --avoid
-                                  hole.txt)
+  flip_geodesics_add_program_test(ways_past_hole 0 "5 WITHIN_ROUNDING" shortest torus.off --from 13 --to 150 --ways 5
+                                  --avoid hole.txt)
   flip_geodesics_add_program_test(ways_walled_off 1 "from, --to.*: no path of edges joins vertex 13 and vertex 270"
-                                  ${pair_beside_wall} --ways 2 --avoid two_walls.txt)
-  flip_geodesics_add_program_test(ways_from_wall 1 "vertex 3 lies on a wall of --avoid" torus.off --from 3 --to 150
-                                  --ways 2 --avoid wall.txt)
-  flip_geodesics_add_program_test(ways_inside_obstacle 1 "vertex 13 lies inside of an obstacle" ${pair_beside_wall}
-                                  --ways 2 --avoid all_faces.txt)
-  flip_geodesics_add_program_test(ways_given_up 1 "the search was given up at .* vertices of the covering" torus.off
-                                  --from 13 --to 150 --ways 30 --most-memory 0.1)
-  flip_geodesics_add_program_test(no_ways 2 "--ways 0: give 1 to" torus.off --from 0 --to 1 --ways 0)
-  flip_geodesics_add_program_test(ways_of_loops 2 "--ways belongs to --from" torus.off --loop loop.txt --ways 2)
-  flip_geodesics_add_program_test(ways_double 2 "--ways gives no curves of one" torus.off --random 2 --ways 2 --kernel
-                                  double)
-  flip_geodesics_add_program_test(avoid_alone 2 "--avoid belongs to --ways" torus.off --from 0 --to 1 --avoid wall.txt)
-  flip_geodesics_add_program_test(avoid_gap 2 "gap.txt line 2.*1 and 5" torus.off --random 1 --ways 2 --avoid gap.txt)
-  flip_geodesics_add_program_test(avoid_nothing 2 "no_curve.txt: there is no obstacle" torus.off --random 1 --ways 2
-                                  --avoid no_curve.txt)
-  flip_geodesics_add_program_test(avoid_no_faces 2 "no_faces.txt line 1: there is no face" torus.off --random 1 --ways 2
-                                  --avoid no_faces.txt)
+                                  shortest ${pair_beside_wall} --ways 2 --avoid two_walls.txt)
+  flip_geodesics_add_program_test(ways_from_wall 1 "vertex 3 lies on a wall of --avoid" shortest torus.off --from 3 --to
+                                  150 --ways 2 --avoid wall.txt)
+  flip_geodesics_add_program_test(ways_inside_obstacle 1 "vertex 13 lies inside of an obstacle" shortest
+                                  ${pair_beside_wall} --ways 2 --avoid all_faces.txt)
+  flip_geodesics_add_program_test(ways_given_up 1 "the search was given up at .* vertices of the covering" shortest
+                                  torus.off --from 13 --to 150 --ways 30 --most-memory 0.1)
+  flip_geodesics_add_program_test(no_ways 2 "--ways: '0' is out of range. give at least 1" shortest torus.off --from 0
+                                  --to 1 --ways 0)
+  flip_geodesics_add_program_test(ways_double 2 "--ways and --kernel do not go together" shortest torus.off --random 2
+                                  --ways 2 --kernel double)
+  flip_geodesics_add_program_test(avoid_alone 0 "1 curve: 1 WITHIN_ROUNDING" shortest torus.off --from 13 --to 150
+                                  --avoid hole.txt)
+  flip_geodesics_add_program_test(avoid_gap 2 "gap.txt line 2.*1 and 5" shortest torus.off --random 1 --ways 2 --avoid
+                                  gap.txt)
+  flip_geodesics_add_program_test(avoid_nothing 2 "no_curve.txt: there is no obstacle" shortest torus.off --random 1
+                                  --ways 2 --avoid no_curve.txt)
+  flip_geodesics_add_program_test(avoid_no_faces 2 "no_faces.txt line 1: there is no face" shortest torus.off --random 1
+                                  --ways 2 --avoid no_faces.txt)
   flip_geodesics_add_program_test(avoid_face_beyond 2 "face_beyond.txt line 1: face 576 does not exist. use 0 to 575"
-                                  torus.off --random 1 --ways 2 --avoid face_beyond.txt)
-  flip_geodesics_add_program_test(avoid_word 2 "face_word.txt line 1: 'x' is no whole number" torus.off --random 1
-                                  --ways 2 --avoid face_word.txt)
-  flip_geodesics_add_program_test(trace_certified 2 "--trace gives no curves of a triangulation" torus.off --trace 0,0,1
+                                  shortest torus.off --random 1 --ways 2 --avoid face_beyond.txt)
+  flip_geodesics_add_program_test(avoid_word 2 "face_word.txt line 1: 'x' is no whole number" shortest torus.off
+                                  --random 1 --ways 2 --avoid face_word.txt)
+  flip_geodesics_add_program_test(trace_certified 2 "--kernel is not an option of trace" trace torus.off --trace 0,0,1
                                   --kernel certified)
-  flip_geodesics_add_program_test(far_isoline 0 "0 curves.*no isoline at distance 99: the farthest vertex is [0-9.]+ away"
+  flip_geodesics_add_program_test(far_isoline 0
+                                  "0 curves.*no isoline at distance 99: the farthest vertex is [0-9.]+ away" distance
                                   torus.off --source 0 --isolines 99)
-  flip_geodesics_add_program_test(near_isoline 0 "1 curve: 1 ISOLINE" torus.off --source 0 --isolines 1e-9)
-  flip_geodesics_add_program_test(isoline_at_source 2 "--isolines takes distances greater than 0; 0 is none" torus.off
-                                  --source 0 --isolines 0.3,0)
-  flip_geodesics_add_program_test(spacing 0 "curves: [1-9][0-9]* ISOLINE" torus.off --source 0,100 --spacing 0.3 --mesh
-                                  spacing.vtp)
-  flip_geodesics_add_program_test(spacing_too_large 0 "0 curves.*no isoline at a multiple of --spacing" torus.off
-                                  --source 0 --spacing 99)
-  flip_geodesics_add_program_test(spacing_too_small 2 "--spacing 1e-09 makes more than 10000 isolines" torus.off
-                                  --source 0 --spacing 1e-9)
-  flip_geodesics_add_program_test(spacing_zero 2 "--spacing must be greater than 0" torus.off --source 0 --spacing 0)
-  flip_geodesics_add_program_test(voronoi_of_one_source 0 "0 curves.*no boundary: there is only one source" torus.off
-                                  --source 0 --voronoi)
-  flip_geodesics_add_program_test(spacing_and_isolines 2 "--spacing and --isolines do not go" torus.off --source 0
-                                  --spacing 1 --isolines 1)
-  flip_geodesics_add_program_test(isoline_no_number 2 "--isolines: 'nan' in '1,nan' is not a finite number" torus.off
+  flip_geodesics_add_program_test(near_isoline 0 "1 curve: 1 ISOLINE" distance torus.off --source 0 --isolines 1e-9)
+  flip_geodesics_add_program_test(isoline_at_source 2 "--isolines: '0' is out of range. give more than 0" distance
+                                  torus.off --source 0 --isolines 0.3,0)
+  flip_geodesics_add_program_test(spacing 0 "curves: [1-9][0-9]* ISOLINE" distance torus.off --source 0,100 --spacing
+                                  0.3 --mesh spacing.vtp)
+  flip_geodesics_add_program_test(spacing_too_large 0 "0 curves.*no isoline at a multiple of --spacing" distance
+                                  torus.off --source 0 --spacing 99)
+  flip_geodesics_add_program_test(spacing_too_small 2 "--spacing 1e-09 makes more than 10000 isolines" distance
+                                  torus.off --source 0 --spacing 1e-9)
+  flip_geodesics_add_program_test(spacing_zero 2 "--spacing: '0' is out of range. give more than 0" distance torus.off
+                                  --source 0 --spacing 0)
+  flip_geodesics_add_program_test(voronoi_of_one_source 0 "0 curves.*no boundary: there is only one source" distance
+                                  torus.off --source 0 --voronoi)
+  flip_geodesics_add_program_test(spacing_and_isolines 2 "--isolines and --spacing do not go together" distance
+                                  torus.off --source 0 --spacing 1 --isolines 1)
+  flip_geodesics_add_program_test(isoline_no_number 2 "--isolines: 'nan' is not a finite number" distance torus.off
                                   --source 0 --isolines 1,nan --mesh no_isolines.vtp)
-  flip_geodesics_add_program_test(negative_isoline 2 "--isolines takes distances greater than 0; -2" torus.off
-                                  --source 0 --isolines 1,-2)
-  flip_geodesics_add_program_test(left_out_isoline 2 "--isolines: '' in '0.1,,0.2' is no number" torus.off --source 0
+  flip_geodesics_add_program_test(negative_isoline 2 "--isolines: '-2' is out of range" distance torus.off --source 0
+                                  --isolines 1,-2)
+  flip_geodesics_add_program_test(left_out_isoline 2 "--isolines: '' is no number" distance torus.off --source 0
                                   --isolines 0.1,,0.2)
-  flip_geodesics_add_program_test(left_out_last_isoline 2 "--isolines: '' in '0.1,' is no number" torus.off --source 0
-                                  --isolines 0.1,)
-  flip_geodesics_add_program_test(left_out_source 2 "--source: '' in '0,,1' is no whole number" torus.off --source 0,,1
+  flip_geodesics_add_program_test(left_out_last_isoline 2 "--isolines: '0.1,' ends with a comma" distance torus.off
+                                  --source 0 --isolines 0.1,)
+  flip_geodesics_add_program_test(left_out_source 2 "--source: '' is no whole number" distance torus.off --source 0,,1
                                   --isolines 1)
-  flip_geodesics_add_program_test(source_too_large 2 "'99999999999999999999' in '0,99999999999999999999' is beyond"
-                                  torus.off --source 0,99999999999999999999 --isolines 1)
-  flip_geodesics_add_program_test(vertex_too_large 2 "--from: '99999999999999999999' is beyond the range" torus.off
+  flip_geodesics_add_program_test(source_too_large 2 "--source: '99999999999999999999' is beyond" distance torus.off
+                                  --source 0,99999999999999999999 --isolines 1)
+  flip_geodesics_add_program_test(vertex_too_large 2 "--from: '99999999999999999999' is beyond the range" path torus.off
                                   --from 99999999999999999999 --to 3)
-  flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is beyond the range" torus.off
+  flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is beyond the range" path torus.off
                                   --random 1 --seed 99999999999999999999)
-  flip_geodesics_add_program_test(threads_too_many 2 "--threads: '99999999999' is beyond the range" torus.off
-                                  --random 1 --threads 99999999999)
-  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' is beyond the range" torus.off --source 0
-                                  --spacing 1e999)
-  flip_geodesics_add_program_test(edges_too_short 2 "--longest-edge must be at least 1e-70" torus.off --from 0 --to 9
-                                  --refine 20 --longest-edge 1e-300 --subdivision refined.off)
+  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' is beyond the range" distance torus.off
+                                  --source 0 --spacing 1e999)
+  flip_geodesics_add_program_test(edges_too_short 2 "--longest-edge: '1e-300' is out of range. give at least 1e-70"
+                                  refine torus.off --from 0 --to 9 --refine 20 --longest-edge 1e-300 --subdivision
+                                  refined.off)
   # Decimal everywhere, as in files; finite; and the option is named.
-  flip_geodesics_add_program_test(leading_zero 0 "0  *10  *150  .*1 LOCALLY_SHORTEST" torus.off --from 010 --to 0150)
-  flip_geodesics_add_program_test(leading_zeros 0 "from vertex 10 .*from vertex 9 .*from vertex 10 .*3 curves"
+  flip_geodesics_add_program_test(leading_zero 0 "0  *10  *150  .*1 LOCALLY_SHORTEST" path torus.off --from 010 --to
+                                  0150)
+  flip_geodesics_add_program_test(leading_zeros 0 "from vertex 10 .*from vertex 9 .*from vertex 10 .*3 curves" trace
                                   torus.off --trace 010,00.5,01 --trace 9,0,1 --trace +10,1,1)
-  flip_geodesics_add_program_test(zeros_in_file 0 "0  *0  *150  .*1  *10  *77  .*2 LOCALLY_SHORTEST" torus.off --pairs
-                                  zeros.txt)
-  flip_geodesics_add_program_test(hexadecimal_file 2 "hexadecimal.txt line 1: '0x1' is no whole number" torus.off --pairs
-                                  hexadecimal.txt)
-  flip_geodesics_add_program_test(zeros_in_limits 0 "8 LOCALLY_SHORTEST" torus.off --random 08 --seed 09 --threads 01)
-  flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is no whole number; see" torus.off --from 0 --to 0x1)
-  flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is no whole number" torus.off --bezier
+  flip_geodesics_add_program_test(zeros_in_file 0 "0  *0  *150  .*1  *10  *77  .*2 LOCALLY_SHORTEST" path torus.off
+                                  --pairs zeros.txt)
+  flip_geodesics_add_program_test(hexadecimal_file 2 "hexadecimal.txt line 1: '0x1' is no whole number" path torus.off
+                                  --pairs hexadecimal.txt)
+  flip_geodesics_add_program_test(zeros_in_limits 0 "8 LOCALLY_SHORTEST" path torus.off --random 08 --seed 09)
+  flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is no whole number; see" path torus.off --from 0 --to 0x1)
+  flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is no whole number" spline torus.off --bezier
                                   bezier.txt --rounds 0x1)
-  flip_geodesics_add_program_test(hexadecimal_trace 2 "--trace 0x1,0,1: give a vertex" torus.off --trace 0x1,0,1)
-  flip_geodesics_add_program_test(blank_number 2 "--from: ' 1' is no whole number" torus.off "--from= 1" --to 0)
-  flip_geodesics_add_program_test(isoline_infinite 2 "--isolines: 'inf' in 'inf' is not a finite number" torus.off
+  flip_geodesics_add_program_test(hexadecimal_trace 2 "--trace 0x1,0,1: give a vertex" trace torus.off --trace 0x1,0,1)
+  flip_geodesics_add_program_test(blank_number 2 "--from: ' 1' is no whole number" path torus.off "--from= 1" --to 0)
+  flip_geodesics_add_program_test(isoline_infinite 2 "--isolines: 'inf' is not a finite number" distance torus.off
                                   --source 0 --isolines inf)
-  flip_geodesics_add_program_test(tolerance_infinite 2 "--tolerance: 'inf' is not a finite number" torus.off --source 0
-                                  --isolines 1 --tolerance inf)
-  flip_geodesics_add_program_test(spacing_infinite 2 "--spacing: 'inf' is not a finite number" torus.off --source 0
-                                  --spacing inf)
-  flip_geodesics_add_program_test(no_angle 2 "--refine: 'nan' is not a finite number" torus.off --from 0 --to 9 --refine
-                                  nan --subdivision refined.off)
-  flip_geodesics_add_program_test(isoline_next_to_the_source 0 "1 curve: 1 ISOLINE" torus.off --source 0 --isolines
-                                  1e-150)
-  flip_geodesics_add_program_test(isolines_of_nothing 2 "belong to --source" torus.off --isolines 1)
-  flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" torus.off --source 0,288 --isolines 1)
-  flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest" torus.off --source 0 --isolines 1 --shortest)
-  flip_geodesics_add_program_test(tree_of_two 2 "--source takes one vertex" torus.off --source 0,1)
-  flip_geodesics_add_program_test(bad_tolerance 2 "--tolerance" torus.off --source 0 --voronoi --tolerance 0)
-  flip_geodesics_add_program_test(tolerance_too_small 2 "--tolerance 1e-300 is less than a millionth" torus.off --source
-                                  0 --voronoi --tolerance 1e-300)
-  flip_geodesics_add_program_test(tolerance_of_nothing 2 "--tolerance" torus.off --source 0 --tolerance 0.1)
-  flip_geodesics_add_program_test(map_without_source 2 "--source" torus.off --from 0 --to 1 --map map.csv)
-  flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 missed" torus.off --from 0 --to 150 --delaunay --refine
-                                  25 --subdivision subdivision.off --insert inserted.ply)
-  flip_geodesics_add_program_test(cut 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt --cut cut.off)
+  flip_geodesics_add_program_test(tolerance_infinite 2 "--tolerance: 'inf' is not a finite number" distance torus.off
+                                  --source 0 --isolines 1 --tolerance inf)
+  flip_geodesics_add_program_test(spacing_infinite 2 "--spacing: 'inf' is not a finite number" distance torus.off
+                                  --source 0 --spacing inf)
+  flip_geodesics_add_program_test(no_angle 2 "--refine: 'nan' is not a finite number" refine torus.off --from 0 --to 9
+                                  --refine nan --subdivision refined.off)
+  flip_geodesics_add_program_test(isoline_next_to_the_source 0 "1 curve: 1 ISOLINE" distance torus.off --source 0
+                                  --isolines 1e-150)
+  flip_geodesics_add_program_test(isolines_of_nothing 2 "--source is required" distance torus.off --isolines 1)
+  flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" distance torus.off --source 0,288 --isolines 1)
+  flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest is not an option of distance, but of log" distance
+                                  torus.off --source 0 --isolines 1 --shortest)
+  flip_geodesics_add_program_test(tree_of_two 2 "--source: '0,1' is no whole number" log torus.off --source 0,1)
+  flip_geodesics_add_program_test(bad_tolerance 2 "--tolerance" distance torus.off --source 0 --voronoi --tolerance 0)
+  flip_geodesics_add_program_test(tolerance_too_small 2 "--tolerance 1e-300 is less than a millionth" distance torus.off
+                                  --source 0 --voronoi --tolerance 1e-300)
+  flip_geodesics_add_program_test(tolerance_of_nothing 2 "give one of --isolines, --spacing, --voronoi" distance
+                                  torus.off --source 0 --tolerance 0.1)
+  flip_geodesics_add_program_test(map_without_source 2 "--source is required" log torus.off --map map.csv)
+  flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 missed" refine torus.off --from 0 --to 150
+                                  --delaunay --refine 25 --subdivision subdivision.off --insert inserted.ply)
+  flip_geodesics_add_program_test(cut 0 "4 LOCALLY_SHORTEST" network torus.off --network network.txt --cut cut.off)
   # An edge with both ends inside opens at its middle: vertices 288 and 289 are new.
-  flip_geodesics_add_program_test(cut_one_edge 0 "1 LOCALLY_SHORTEST" torus.off --from 0 --to 1 --cut slit.off)
-  flip_geodesics_add_program_test(slit_of_one_edge 0 "289 LOCALLY_SHORTEST" slit.off --source 289)
+  flip_geodesics_add_program_test(cut_one_edge 0 "1 LOCALLY_SHORTEST" path torus.off --from 0 --to 1 --cut slit.off)
+  flip_geodesics_add_program_test(slit_of_one_edge 0 "289 LOCALLY_SHORTEST" log slit.off --source 289)
   set_tests_properties(program_slit_of_one_edge PROPERTIES DEPENDS program_cut_one_edge)
   file(WRITE ${program_dir}/thread.off
        "OFF\n6 8 0\n0 0 0\n1e-6 0 0\n0 1e-6 0\n0 0 1\n1e-6 0 1\n0 1e-6 1\n3 0 2 1\n3 3 4 5\n"
        "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n")
-  flip_geodesics_add_program_test(refine_thread 0 "bounds cannot be reached: [1-9][0-9]* faces" thread.off --from 0
-                                  --to 1 --refine 25 --most-vertices 5000)
-  flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* missed; ended" torus.off
-                                  --from 0 --to 150 --refine 0 --longest-edge 0.02 --most-vertices 30)
-  flip_geodesics_add_program_test(edges_of_nothing 2 "--refine" torus.off --from 0 --to 150 --longest-edge 0.1)
-  flip_geodesics_add_program_test(bad_longest_edge 2 "--longest-edge" torus.off --from 0 --to 150 --refine 9
+  flip_geodesics_add_program_test(refine_thread 0 "bounds cannot be reached: [1-9][0-9]* faces" refine thread.off --from
+                                  0 --to 1 --refine 25 --most-vertices 5000)
+  flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* missed; ended" refine torus.off --from
+                                  0 --to 150 --refine 0 --longest-edge 0.02 --most-vertices 30)
+  flip_geodesics_add_program_test(edges_of_nothing 2 "--longest-edge requires --refine" refine torus.off --from 0 --to
+                                  150 --longest-edge 0.1)
+  flip_geodesics_add_program_test(bad_longest_edge 2 "--longest-edge" refine torus.off --from 0 --to 150 --refine 9
                                   --longest-edge 0)
-  flip_geodesics_add_program_test(bad_refine 2 "--refine" torus.off --from 0 --to 150 --refine 50)
-  flip_geodesics_add_program_test(bad_cut 2 "cut.xyz" torus.off --from 0 --to 150 --cut cut.xyz)
-  flip_geodesics_add_program_test(unwritable_cut 2 "no_such_folder/x.off" torus.off --from 0 --to 150 --cut
+  flip_geodesics_add_program_test(bad_refine 2 "--refine" refine torus.off --from 0 --to 150 --refine 50)
+  flip_geodesics_add_program_test(bad_cut 2 "cut.xyz" path torus.off --from 0 --to 150 --cut cut.xyz)
+  flip_geodesics_add_program_test(unwritable_cut 2 "no_such_folder/x.off" path torus.off --from 0 --to 150 --cut
                                   no_such_folder/x.off)
-  flip_geodesics_add_program_test(vtp 0 LOCALLY_SHORTEST torus.off --from 0 --to 150 --cut cut.vtp --insert insert.stl)
+  flip_geodesics_add_program_test(vtp 0 LOCALLY_SHORTEST path torus.off --from 0 --to 150 --cut cut.vtp --insert
+                                  insert.stl)
   # A failure leaves what an earlier run has written, and nothing half-written.
   file(WRITE ${program_dir}/earlier.csv "kept\n")
-  flip_geodesics_add_program_test(failure_after_output 2 "no_such_folder/x.html" torus.off --from 0 --to 150 --stats
-                                  earlier.csv --page no_such_folder/x.html)
+  flip_geodesics_add_program_test(failure_after_output 2 "no_such_folder/x.html" path torus.off --from 0 --to 150
+                                  --stats earlier.csv --page no_such_folder/x.html)
   add_test(NAME program_earlier_results COMMAND ${CMAKE_COMMAND} -E compare_files earlier.csv kept.csv
            WORKING_DIRECTORY ${program_dir})
   file(WRITE ${program_dir}/kept.csv "kept\n")
   set_tests_properties(program_earlier_results PROPERTIES DEPENDS program_failure_after_output)
-  flip_geodesics_add_program_test(one_file_for_two 2 "twice.csv: two" torus.off --random 2 --stats twice.csv
+  flip_geodesics_add_program_test(one_file_for_two 2 "twice.csv: two" path torus.off --random 2 --stats twice.csv
                                   --polylines twice.csv)
-  flip_geodesics_add_program_test(cut_of_many 2 "one curve" torus.off --random 3 --cut cut.off)
-  flip_geodesics_add_program_test(quiet 0 "^$" torus.off --from 0 --to 150 --quiet)
-  flip_geodesics_add_program_test(help 0 "Curves from files:.*--network FILE.*Examples:.*--page" --help)
+  flip_geodesics_add_program_test(cut_of_many 2 "one curve" path torus.off --random 3 --cut cut.off)
+  flip_geodesics_add_program_test(quiet 0 "^$" path torus.off --from 0 --to 150 --quiet)
+  flip_geodesics_add_program_test(help 0 "path .*loop .*view .*Examples:.*flip_geodesics distance" --help)
+  foreach(command path loop network spline shortest trace distance log cut refine repair view)
+    set(example " +flip_geodesics ${command} [^\n]*\n")
+    flip_geodesics_add_program_test(help_of_${command} 0 "Usage: flip_geodesics ${command} .*Examples:\n${example}${example}${example}$"
+                                    ${command} --help)
+  endforeach()
+  flip_geodesics_add_program_test(no_command 2 "'torus.off' is not a command. give one before the mesh: path, " torus.off
+                                  --from 0 --to 5)
+  flip_geodesics_add_program_test(nothing 2 "give a command: path, ")
   flip_geodesics_add_program_test(version 0 "^flip_geodesics ${PROJECT_VERSION}" --version)
-  flip_geodesics_add_program_test(misspelt 2 "--radnom is not known; did you mean --random." torus.off --radnom 3)
-  flip_geodesics_add_program_test(one_dash 2 "-randm is not known; did you mean --random." torus.off -randm 3)
-  flip_geodesics_add_program_test(one_letter 2 "-o is not known; see --help" torus.off -o x.obj)
-  flip_geodesics_add_program_test(no_vertex 2 "--from: 'zero' is no whole number" torus.off --from zero --to 5)
-  flip_geodesics_add_program_test(begun 2 "--seg is not known; did you mean --segmentation." torus.off --seg=x)
-  flip_geodesics_add_program_test(unlike_any 2 "--xyzzyx is not known; see" torus.off --xyzzyx)
-  flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero; leave out --refuse-zero-edges" zero_length.off --pairs
-                                  zero_length.txt --refuse-zero-edges)
-  flip_geodesics_add_program_test(zero_length_field 2 "length zero; give --repair" zero_length.off --source 0 --isolines 1)
-  flip_geodesics_add_program_test(zero_length_trace 1 "length zero; give --repair" zero_length.off --trace 3,0,1)
-  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met edges of length zero"
+  flip_geodesics_add_program_test(misspelt 2 "--radnom is not known; did you mean --random." path torus.off --radnom 3)
+  flip_geodesics_add_program_test(one_dash 2 "-randm is not known; did you mean --random." path torus.off -randm 3)
+  flip_geodesics_add_program_test(one_letter 2 "-x is not known. see flip_geodesics path --help" path torus.off -x
+                                  x.obj)
+  flip_geodesics_add_program_test(no_vertex 2 "--from: 'zero' is no whole number" path torus.off --from zero --to 5)
+  flip_geodesics_add_program_test(begun 2 "--seg is not known. did you mean --segmentation." network torus.off --seg=x)
+  flip_geodesics_add_program_test(unlike_any 2 "--xyzzyx is not known; see" path torus.off --xyzzyx)
+  flip_geodesics_add_program_test(zero_length 1
+                                  "0 .zero_length.txt line 1.: .*length zero; leave out --refuse-zero-edges" path
+                                  zero_length.off --pairs zero_length.txt --refuse-zero-edges)
+  flip_geodesics_add_program_test(zero_length_field 2 "length zero; give --repair" distance zero_length.off --source 0
+                                  --isolines 1)
+  flip_geodesics_add_program_test(zero_length_trace 1 "length zero; give --repair" trace zero_length.off --trace 3,0,1)
+  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met edges of length zero" path
                                   zero_length.off --pairs zero_length.txt --kernel certified)
-  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 met" zero_length.off --source 0 --map
+  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 met" log zero_length.off --source 0 --map
                                   zero_length.csv)
-  flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170" tiny.off --from 0 --to 1)
-  flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" flat.off --draw flat.polylines.txt)
-  flip_geodesics_add_program_test(no_area 2 "no face of the mesh has an area" no_area.off --draw flat.polylines.txt)
+  flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170" path tiny.off --from 0 --to 1)
+  flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" path flat.off --draw flat.polylines.txt)
+  flip_geodesics_add_program_test(no_area 2 "no face of the mesh has an area" path no_area.off --draw
+                                  flat.polylines.txt)
   file(WRITE ${program_dir}/distant.off
        "OFF\n4 4 0\n0 0 0\n1e60 0 0\n0 1e60 0\n0 0 1e60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
-  flip_geodesics_add_program_test(beyond_floats 1 "distant.glb: vertex 0 is too far from the center" distant.off
+  flip_geodesics_add_program_test(beyond_floats 1 "distant.glb: vertex 0 is too far from the center" path distant.off
                                   --from 0 --to 2 --mesh distant.glb)
-  flip_geodesics_add_program_test(far_point 2 "far.polylines.txt line 1: point 1 has a coordinate beyond" torus.off --draw
-                                  far.polylines.txt)
+  flip_geodesics_add_program_test(far_point 2 "far.polylines.txt line 1: point 1 has a coordinate beyond" path torus.off
+                                  --draw far.polylines.txt)
 
   # The curve passes a vertex at a distance that rounding does not see: it crosses the edges of that vertex inside.
   file(WRITE ${program_dir}/below.off
        "OFF\n5 4 0\n-1 0 0\n1 0 0\n0 -1e-30 0\n0 1 0\n0 -1 0\n3 0 2 3\n3 2 1 3\n3 0 4 2\n3 4 1 2\n")
   file(WRITE ${program_dir}/there_and_back.txt "0 2 1\n1 2 0\n")
-  flip_geodesics_add_program_test(near_vertex 0 "2 LOCALLY_SHORTEST" below.off --edges there_and_back.txt --kernel
+  flip_geodesics_add_program_test(near_vertex 0 "2 LOCALLY_SHORTEST" path below.off --edges there_and_back.txt --kernel
                                   certified --polylines near_vertex.txt)
-  flip_geodesics_add_program_test(near_vertex_legs 0 "2 LOCALLY_SHORTEST" below.off --points ends.txt --kernel certified
-                                  --polylines near_vertex_legs.txt)
+  flip_geodesics_add_program_test(near_vertex_legs 0 "2 LOCALLY_SHORTEST" path below.off --points ends.txt --kernel
+                                  certified --polylines near_vertex_legs.txt)
   file(WRITE ${program_dir}/ends.txt "0 1\n1 0\n")
   set_target_properties(check_polylines PROPERTIES EXCLUDE_FROM_ALL OFF) # otherwise built on demand
   foreach(name near_vertex near_vertex_legs)
@@ -488,18 +528,18 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
       set_tests_properties(viewer_files_${name} PROPERTIES FIXTURES_REQUIRED program_input)
     endif()
   endfunction()
-  flip_geodesics_add_viewer_test(pairs --random 8)
-  flip_geodesics_add_viewer_test(network --network network.txt)
-  flip_geodesics_add_viewer_test(contracted --loop trivial_loop.txt)
-  flip_geodesics_add_viewer_test(tree --source 0)
-  flip_geodesics_add_viewer_test(ways --from 13 --to 150 --ways 3 --avoid hole.txt)
-  flip_geodesics_add_viewer_test(isolines --source 0,100 --isolines 0.3,0.5 --voronoi)
+  flip_geodesics_add_viewer_test(pairs path --random 8)
+  flip_geodesics_add_viewer_test(network network --network network.txt)
+  flip_geodesics_add_viewer_test(contracted loop --loop trivial_loop.txt)
+  flip_geodesics_add_viewer_test(tree log --source 0)
+  flip_geodesics_add_viewer_test(ways shortest --from 13 --to 150 --ways 3 --avoid hole.txt)
+  flip_geodesics_add_viewer_test(isolines distance --source 0,100 --isolines 0.3,0.5 --voronoi)
   if(Python3_Interpreter_FOUND AND FLIP_GEODESICS_CHROMIUM)
     add_test(
       NAME page_in_browser
       COMMAND
         ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_viewer_files.py --program
-        $<TARGET_FILE:flip_geodesics> --mesh torus.off --chromium ${FLIP_GEODESICS_CHROMIUM} -- --random 3
+        $<TARGET_FILE:flip_geodesics> --mesh torus.off --chromium ${FLIP_GEODESICS_CHROMIUM} -- path --random 3
       WORKING_DIRECTORY ${program_dir})
     set_tests_properties(page_in_browser PROPERTIES FIXTURES_REQUIRED program_input)
     add_test(
@@ -513,74 +553,82 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
 
   # Pages are built for a release, and may be older than their sources in between.
   set_tests_properties(page_is_built PROPERTIES SKIP_REGULAR_EXPRESSION "_page.html is older than")
-  flip_geodesics_add_program_test(live 0 "torus.off: 288 vertices" torus.off --live live.html)
-  flip_geodesics_add_program_test(live_and_stats 2 "give the curves by one of" torus.off --live live.html --stats x.csv)
-  flip_geodesics_add_program_test(unknown_option 2 "--wrong" torus.off --wrong)
-  flip_geodesics_add_program_test(no_curves 2 "--random.*or give --live" torus.off)
-  flip_geodesics_add_program_test(two_sets_of_curves 2 "--random and --pairs do not go together" torus.off --random 2
-                                  --pairs pairs.txt)
-  flip_geodesics_add_program_test(from_without_to 2 "both" torus.off --from 3)
-  flip_geodesics_add_program_test(certified 0 "5 LOCALLY_SHORTEST.*certificates: 5 PROVEN" torus.off --random 5)
-  flip_geodesics_add_program_test(double 0 "5 LOCALLY_SHORTEST\nlength" torus.off --random 5 --kernel double)
-  flip_geodesics_add_program_test(kernel_of_isolines 2 "--kernel, .*do not go with them" torus.off --source 0 --isolines 0.3
-                                  --kernel certified)
-  flip_geodesics_add_program_test(mollified 0 "LOCALLY_SHORTEST" torus.off --random 5 --mollify 1e-5)
-  flip_geodesics_add_program_test(bad_mollify 2 "--mollify" torus.off --random 5 --mollify 2)
-  flip_geodesics_add_program_test(unknown_kernel 2 "--kernel fast" torus.off --random 2 --kernel fast)
-  flip_geodesics_add_program_test(unknown_search 2 "--search best" torus.off --random 2 --search best)
-  flip_geodesics_add_program_test(bad_stop_length 2 "--stop-length" torus.off --random 2 --stop-length 2)
-  flip_geodesics_add_program_test(bad_most_memory 2 "--most-memory" torus.off --random 2 --most-memory 0)
-  flip_geodesics_add_program_test(most_memory 1 "curve 0 .*--most-memory" torus.off --edges path.txt
-                                  --kernel certified --most-memory 0.0001)
-  flip_geodesics_add_program_test(unwritable 2 "no_such_folder/x" torus.off --random 2 --stats no_such_folder/x)
-  flip_geodesics_add_program_test(unwritable_page 2 "no_such_folder/x.html: the folder [^\n]*no_such_folder does not exist"
-                                  torus.off --random 2 --page no_such_folder/x.html)
-  flip_geodesics_add_program_test(viewer_format 2 "x.xyz" torus.off --random 2 --mesh x.xyz)
-  flip_geodesics_add_program_test(out_of_range 2 "vertex 288" torus.off --from 0 --to 288)
-  flip_geodesics_add_program_test(out_of_range_in_file 2 "far.txt line 2: vertex 400" torus.off --pairs far.txt)
-  flip_geodesics_add_program_test(equal_ends 0 "CONTRACTED" torus.off --pairs equal.txt)
-  flip_geodesics_add_program_test(not_a_number 2 "word.txt line 1.*one" torus.off --pairs word.txt)
-  flip_geodesics_add_program_test(gap 2 "gap.txt line 2.*1 and 5" torus.off --edges gap.txt)
-  flip_geodesics_add_program_test(disconnected 1 "curve 0 .--from, --to.: .*vertex 0 and vertex 3" two_parts.off --from 0
-                                  --to 3)
+  flip_geodesics_add_program_test(live 0 "torus.off: 288 vertices" view torus.off --output live.html)
+  flip_geodesics_add_program_test(live_and_stats 2 "--stats is not an option of view, but of path" view torus.off
+                                  --output live.html --stats x.csv)
+  flip_geodesics_add_program_test(unknown_option 2 "--wrong" path torus.off --wrong)
+  flip_geodesics_add_program_test(no_curves 2 "give one of --from, --pairs, --random, --edges, --points, --draw" path
+                                  torus.off)
+  flip_geodesics_add_program_test(two_sets_of_curves 2 "--pairs and --random do not go together. give one of them" path
+                                  torus.off --random 2 --pairs pairs.txt)
+  flip_geodesics_add_program_test(from_without_to 2 "--from requires --to" path torus.off --from 3)
+  flip_geodesics_add_program_test(certified 0 "5 LOCALLY_SHORTEST.*certificates: 5 PROVEN" path torus.off --random 5)
+  flip_geodesics_add_program_test(double 0 "5 LOCALLY_SHORTEST\nlength" path torus.off --random 5 --kernel double)
+  flip_geodesics_add_program_test(kernel_of_isolines 2 "--kernel is not an option of distance" distance torus.off
+                                  --source 0 --isolines 0.3 --kernel certified)
+  flip_geodesics_add_program_test(mollified 0 "LOCALLY_SHORTEST" path torus.off --random 5 --mollify 1e-5)
+  flip_geodesics_add_program_test(bad_mollify 2 "--mollify: '2' is out of range. give more than 0 and less than 1" path
+                                  torus.off --random 5 --mollify 2)
+  flip_geodesics_add_program_test(unknown_kernel 2 "--kernel: fast not in" path torus.off --random 2 --kernel fast)
+  flip_geodesics_add_program_test(unknown_search 2 "--search: best not in" path torus.off --random 2 --search best)
+  flip_geodesics_add_program_test(bad_stop_length 2 "--stop-length" path torus.off --random 2 --stop-length 2)
+  flip_geodesics_add_program_test(bad_most_memory 2 "--most-memory" path torus.off --random 2 --most-memory 0)
+  flip_geodesics_add_program_test(most_memory 1 "curve 0 .*--most-memory" path torus.off --edges path.txt --kernel
+                                  certified --most-memory 0.0001)
+  flip_geodesics_add_program_test(unwritable 2 "no_such_folder/x" path torus.off --random 2 --stats no_such_folder/x)
+  flip_geodesics_add_program_test(unwritable_page 2
+                                  "no_such_folder/x.html: the folder [^\n]*no_such_folder does not exist" path torus.off
+                                  --random 2 --page no_such_folder/x.html)
+  flip_geodesics_add_program_test(viewer_format 2 "x.xyz" path torus.off --random 2 --mesh x.xyz)
+  flip_geodesics_add_program_test(out_of_range 2 "vertex 288" path torus.off --from 0 --to 288)
+  flip_geodesics_add_program_test(out_of_range_in_file 2 "far.txt line 2: vertex 400" path torus.off --pairs far.txt)
+  flip_geodesics_add_program_test(equal_ends 0 "CONTRACTED" path torus.off --pairs equal.txt)
+  flip_geodesics_add_program_test(not_a_number 2 "word.txt line 1.*one" path torus.off --pairs word.txt)
+  flip_geodesics_add_program_test(gap 2 "gap.txt line 2.*1 and 5" path torus.off --edges gap.txt)
+  flip_geodesics_add_program_test(disconnected 1 "curve 0 .--from, --to.: .*vertex 0 and vertex 3" path two_parts.off
+                                  --from 0 --to 3)
   flip_geodesics_add_program_test(disconnected_alone 1
                                   "curve 1 .some_joined.txt line 2.: [^\n]*vertex 0 and vertex 3\n[^\n]*curve 3 .some_joined.txt line 4.: "
-                                  two_parts.off --pairs some_joined.txt)
-  flip_geodesics_add_program_test(disconnected_points 1 "curve 0 .two_points.txt line 1.: no path" two_parts.off --points
-                                  two_points.txt)
-  flip_geodesics_add_program_test(no_file 2 "missing.off" missing.off --random 2)
-  flip_geodesics_add_program_test(unknown_format 2 "pairs.txt: the format is not known.*--format" pairs.txt --random 2)
-  flip_geodesics_add_program_test(format_of_no_name 2 "--format xyz: not known; use one of obj off" torus.off --format xyz
+                                  path two_parts.off --pairs some_joined.txt)
+  flip_geodesics_add_program_test(disconnected_points 1 "curve 0 .two_points.txt line 1.: no path" path two_parts.off
+                                  --points two_points.txt)
+  flip_geodesics_add_program_test(no_file 2 "missing.off" path missing.off --random 2)
+  flip_geodesics_add_program_test(unknown_format 2 "pairs.txt: the format is not known.*--format" path pairs.txt
                                   --random 2)
-  flip_geodesics_add_program_test(two_values 2 "'0' is not expected" torus.off 0 100)
-  flip_geodesics_add_program_test(empty_file 2 "empty.off" empty.off --random 2)
-  flip_geodesics_add_program_test(quad 2 "quad.off: face 0 has 4" quad.off --random 2)
-  flip_geodesics_add_program_test(misoriented 2 "turned.off.*0 and 2.*orient" turned.off --random 2)
-  flip_geodesics_add_program_test(nonmanifold_edge 2 "book.off.*0 and 1 has 3 faces" book.off --random 2)
-  flip_geodesics_add_program_test(nonmanifold_vertex 2 "bow.off: vertex 0" bow.off --random 2)
-  flip_geodesics_add_program_test(repeated_vertex 2 "repeated.off: face 0" repeated.off --random 2)
-  flip_geodesics_add_program_test(face_out_of_range 2 "range.obj line 4: face 0 has a vertex" range.obj --random 2)
-  flip_geodesics_add_program_test(not_a_coordinate 2 "nan.obj line 2: vertex 1 has 'nan'" nan.obj --random 2)
-  flip_geodesics_add_program_test(truncated 2 "truncated.off line 4: vertex 2 is missing" truncated.off --random 2)
-  flip_geodesics_add_program_test(huge_header 2 "huge.off line 2: .*number of vertices" huge.off --random 2)
-  flip_geodesics_add_program_test(early_property 2 "early_property.ply line 3: .*property before any element"
+  flip_geodesics_add_program_test(format_of_no_name 2 "--format xyz: not known; use one of obj off" path torus.off
+                                  --format xyz --random 2)
+  flip_geodesics_add_program_test(two_values 2 "'0' is not expected" path torus.off 0 100)
+  flip_geodesics_add_program_test(empty_file 2 "empty.off" path empty.off --random 2)
+  flip_geodesics_add_program_test(quad 2 "quad.off: face 0 has 4" path quad.off --random 2)
+  flip_geodesics_add_program_test(misoriented 2 "turned.off.*0 and 2.*orient" path turned.off --random 2)
+  flip_geodesics_add_program_test(nonmanifold_edge 2 "book.off.*0 and 1 has 3 faces" path book.off --random 2)
+  flip_geodesics_add_program_test(nonmanifold_vertex 2 "bow.off: vertex 0" path bow.off --random 2)
+  flip_geodesics_add_program_test(repeated_vertex 2 "repeated.off: face 0" path repeated.off --random 2)
+  flip_geodesics_add_program_test(face_out_of_range 2 "range.obj line 4: face 0 has a vertex" path range.obj --random 2)
+  flip_geodesics_add_program_test(not_a_coordinate 2 "nan.obj line 2: vertex 1 has 'nan'" path nan.obj --random 2)
+  flip_geodesics_add_program_test(truncated 2 "truncated.off line 4: vertex 2 is missing" path truncated.off --random 2)
+  flip_geodesics_add_program_test(huge_header 2 "huge.off line 2: .*number of vertices" path huge.off --random 2)
+  flip_geodesics_add_program_test(early_property 2 "early_property.ply line 3: .*property before any element" path
                                   early_property.ply --random 2)
-  flip_geodesics_add_program_test(escape 2 "escape.txt line 2: '[?]c7' is no whole number" torus.off --pairs escape.txt)
-  flip_geodesics_add_program_test(folder 2 ": is a folder; name a file in it" . --random 2)
-  flip_geodesics_add_program_test(folder_of_pairs 2 ": is a folder; name a file in it" torus.off --pairs .)
-  flip_geodesics_add_program_test(escape_in_name 2 "no[?]c.off: cannot be opened" "no${escape}c.off" --random 2)
-  flip_geodesics_add_program_test(escape_in_option 2 "--kernel [?]c: not known" torus.off --random 2 --kernel
+  flip_geodesics_add_program_test(escape 2 "escape.txt line 2: '[?]c7' is no whole number" path torus.off --pairs
+                                  escape.txt)
+  flip_geodesics_add_program_test(folder 2 ": is a folder; name a file in it" path . --random 2)
+  flip_geodesics_add_program_test(folder_of_pairs 2 ": is a folder; name a file in it" path torus.off --pairs .)
+  flip_geodesics_add_program_test(escape_in_name 2 "no[?]c.off: cannot be opened" path "no${escape}c.off" --random 2)
+  flip_geodesics_add_program_test(escape_in_option 2 "--kernel: [?]c not in" path torus.off --random 2 --kernel
                                   "${escape}c")
-  flip_geodesics_add_program_test(marked 0 "2 LOCALLY_SHORTEST" torus.off --pairs marked.txt)
-  flip_geodesics_add_program_test(beyond 2 "beyond the range" torus.off --pairs beyond.txt)
-  flip_geodesics_add_program_test(none_at_random 2 "--random 0" torus.off --random 0)
-  flip_geodesics_add_program_test(too_many_at_random 2 "--random 99" torus.off --random 99999999999)
-  flip_geodesics_add_program_test(bad_seed 2 "--seed -1" torus.off --random 2 --seed -1)
-  flip_geodesics_add_program_test(rounds_of_nothing 2 "--bezier" torus.off --random 2 --rounds 3)
-  flip_geodesics_add_program_test(less_than_none 2 "--random -3" torus.off --random -3)
-  flip_geodesics_add_program_test(no_curve 2 "no_curve.txt" torus.off --network no_curve.txt)
-  flip_geodesics_add_program_test(loose_fixed_vertex 2 "vertex 9" torus.off --network loose_network.txt)
-  flip_geodesics_add_program_test(crossing_itself 2 "crossing.txt line 2.*cross.*vertex 4" torus.off --edges
+  flip_geodesics_add_program_test(marked 0 "2 LOCALLY_SHORTEST" path torus.off --pairs marked.txt)
+  flip_geodesics_add_program_test(beyond 2 "beyond the range" path torus.off --pairs beyond.txt)
+  flip_geodesics_add_program_test(none_at_random 2 "--random: '0' is out of range" path torus.off --random 0)
+  flip_geodesics_add_program_test(too_many_at_random 2 "--random: '99999999999' is out of range" path torus.off --random
+                                  99999999999)
+  flip_geodesics_add_program_test(bad_seed 2 "--seed: '-1' is out of range" path torus.off --random 2 --seed -1)
+  flip_geodesics_add_program_test(rounds_of_nothing 2 "--rounds is not an option of path, but of spline" path torus.off
+                                  --random 2 --rounds 3)
+  flip_geodesics_add_program_test(less_than_none 2 "--random: '-3' is out of range" path torus.off --random -3)
+  flip_geodesics_add_program_test(no_curve 2 "no_curve.txt" network torus.off --network no_curve.txt)
+  flip_geodesics_add_program_test(loose_fixed_vertex 2 "vertex 9" network torus.off --network loose_network.txt)
+  flip_geodesics_add_program_test(crossing_itself 2 "crossing.txt line 2.*cross.*vertex 4" path torus.off --edges
                                   crossing.txt)
-  flip_geodesics_add_program_test(crossing_network 2 "cross.*vertex 4" torus.off --network crossing_network.txt)
+  flip_geodesics_add_program_test(crossing_network 2 "cross.*vertex 4" network torus.off --network crossing_network.txt)
 endif()

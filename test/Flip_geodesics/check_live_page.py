@@ -156,8 +156,8 @@ def run_in_browser(browser, page, script, folder):
 
 def native_length(options, folder, option, line):
     (folder / 'points.txt').write_text(line + '\n')
-    subprocess.run([options.program, options.mesh, '--quiet', option, folder / 'points.txt', '--kernel', 'certified',
-                    '--stats', folder / 'stats.csv'], check=True)
+    subprocess.run([options.program, 'spline' if option == '--bezier' else 'path', options.mesh, '--quiet', option,
+                    folder / 'points.txt', '--stats', folder / 'stats.csv'], check=True)
     with open(folder / 'stats.csv', encoding='ascii') as file:
         return float(next(csv.DictReader(file))['length'])
 
@@ -168,7 +168,7 @@ def check_saved(options, folder, saved, line):
     (folder / 'points.txt').write_text(saved['points'])
     for format, read in {'obj': read_obj, 'ply': read_ply, 'glb': read_glb}.items():
         own, found = folder / f'curves.{format}', folder / f'saved.{format}'
-        subprocess.run([options.program, options.mesh, '--quiet', '--points', folder / 'points.txt', '--mesh', own],
+        subprocess.run([options.program, 'path', options.mesh, '--quiet', '--points', folder / 'points.txt', '--mesh', own],
                        check=True)
         found.write_bytes(saved[format].encode('latin-1'))
         points, faces, curves = read(own)
@@ -190,9 +190,9 @@ def check_opened(seen):
 
 def check_isolines(options, folder, seen):
     """The command that the page shows gives as many isolines."""
-    _, mesh, *arguments = seen['command'].split()
+    _, command, mesh, *arguments = seen['command'].split()
     check(mesh == options.mesh.name and arguments[0] == '--source', f'the command of isolines: {seen["command"]}')
-    subprocess.run([options.program, options.mesh, '--quiet', *arguments, '--stats', folder / 'isolines.csv'], check=True)
+    subprocess.run([options.program, command, options.mesh, '--quiet', *arguments, '--stats', folder / 'isolines.csv'], check=True)
     with open(folder / 'isolines.csv', encoding='ascii') as file:
         count = sum(1 for _ in csv.DictReader(file))
     check(count == int(seen['curves']) >= 2, f'{seen["curves"]} isolines on the page, {count} by {seen["command"]}')
@@ -206,7 +206,7 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         folder = Path(folder)
-        subprocess.run([options.program, options.mesh, '--quiet', '--live', folder / 'live.html'], check=True)
+        subprocess.run([options.program, 'view', options.mesh, '--quiet', '--output', folder / 'live.html'], check=True)
         script = SCRIPT.replace('PIECES', json.dumps(PIECES)).replace('PLACES', json.dumps([[0.3, 0.5], [0.7, 0.5], [0.66, 0.62], [0.5, 0.3]]))
         seen = run_in_browser(options.chromium, folder / 'live.html', script, folder)
         check('failure' not in seen, f'the page fails: {seen}')

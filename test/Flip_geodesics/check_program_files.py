@@ -77,7 +77,7 @@ class Folder:
 
 def case_inputs(folder):
     """No result replaces what is read, whatever it is called."""
-    pair = ['torus.off', '--from', '0', '--to', '150']
+    pair = ['path', 'torus.off', '--from', '0', '--to', '150']
     os.symlink('torus.off', folder.path / 'soft.off')
     os.link(folder.path / 'torus.off', folder.path / 'hard.off')
     os.symlink(folder.path, folder.path.parent / (folder.path.name + '-link'))
@@ -85,18 +85,21 @@ def case_inputs(folder):
     try:
         for name in ['torus.off', './torus.off', str(folder.path / 'torus.off'), 'soft.off', 'hard.off',
                      str(linked / 'torus.off')]:
-            for option in ['--insert', '--cut', '--subdivision', '--stats', '--polylines', '--page']:
+            for option in ['--insert', '--cut', '--stats', '--polylines', '--page']:
                 if name != 'torus.off' and option not in ('--insert', '--stats'):
                     continue
                 folder.refuse('read', *pair, option, name)
+        folder.refuse('read', 'refine', *pair[1:], '--subdivision', 'torus.off')
     finally:
         linked.unlink()
-    for option, content in [('--pairs', PAIRS), ('--points', '0 150\n'), ('--edges', '0 1 2\n'),
-                            ('--loop', '0 12 13\n'), ('--network', '3 4 5\n'), ('--bezier', '0 15 40 65\n'),
-                            ('--draw', '0 15 40\n'), ('--segmentation', ''.join(f'{i // 200}\n' for i in range(576)))]:
+    labels = ''.join(f'{i // 200}\n' for i in range(576))
+    for command, option, content in [
+            ('path', '--pairs', PAIRS), ('path', '--points', '0 150\n'), ('path', '--edges', '0 1 2\n'),
+            ('loop', '--loop', '0 12 13\n'), ('network', '--network', '3 4 5\n'), ('spline', '--bezier', '0 15 40 65\n'),
+            ('path', '--draw', '0 15 40\n'), ('cut', '--draw', '0 15 40\n'), ('network', '--segmentation', labels)]:
         (folder.path / 'curves.txt').write_text(content)
-        folder.refuse('read', 'torus.off', option, 'curves.txt', '--polylines', './curves.txt')
-        folder.run(0, 'torus.off', option, 'curves.txt', '--polylines', 'result.txt', '--quiet')
+        folder.refuse('read', command, 'torus.off', option, 'curves.txt', '--polylines', './curves.txt')
+        folder.run(0, command, 'torus.off', option, 'curves.txt', '--polylines', 'result.txt', '--quiet')
     folder.run(0, *pair, '--insert', 'elsewhere.off')
     folder.run(0, *pair, '--insert', 'torus.off', '--force')
     check(folder.text('torus.off') == folder.text('elsewhere.off'), 'with --force the mesh is not the result')
@@ -105,7 +108,7 @@ def case_inputs(folder):
 
 def case_results(folder):
     """Two results do not share a file, two runs do not mix theirs, and what is there stays as it is."""
-    both = ['torus.off', '--random', '3']
+    both = ['path', 'torus.off', '--random', '3']
     folder.refuse('two results', *both, '--stats', './same.txt', '--polylines', 'same.txt')
     (folder.path / 'below').mkdir()
     os.symlink('../nowhere.txt', folder.path / 'below/dangling.txt')
@@ -124,10 +127,10 @@ def case_results(folder):
 
     expected = []
     for seed in '12':
-        folder.run(0, 'torus.off', '--random', '400', '--seed', seed, '--polylines', seed, '--quiet')
+        folder.run(0, 'path', 'torus.off', '--random', '400', '--seed', seed, '--polylines', seed, '--quiet')
         expected.append(folder.text(seed))
     for _ in range(3):
-        runs = [folder.start('torus.off', '--random', '400', '--seed', seed, '--polylines', 'both.txt', '--quiet')
+        runs = [folder.start('path', 'torus.off', '--random', '400', '--seed', seed, '--polylines', 'both.txt', '--quiet')
                 for seed in '12']
         check([run.wait() for run in runs] == [0, 0], 'two runs at once do not succeed')
         check(folder.text('both.txt') in expected, 'two runs have mixed their lines')
@@ -151,10 +154,12 @@ def case_page(folder):
     (folder.path / 'points.txt').write_text('0 150\n0,1,0.25 100\n')
     (folder.path / 'corner.txt').write_text('0,1,0.25 13,14,26,0.3,0.3 100\n')
     (folder.path / 'bezier.txt').write_text('0,12,13,0.3,0.3 15 40,41,0.5 65\n')
-    for curves, has_steps in ((['--random', '8'], True), (['--random', '8', '--shortest'], True), (['--points', 'points.txt'], True),
-                              (['--points', 'corner.txt'], False), (['--bezier', 'bezier.txt'], False)):
-        alone, _ = folder.run(0, 'torus.off', *curves, '--stats', 'alone.csv', '--polylines', 'alone.txt')
-        shown, _ = folder.run(0, 'torus.off', *curves, '--stats', 'shown.csv', '--polylines', 'shown.txt', '--page',
+    for curves, has_steps in ((['path', '--random', '8'], True), (['shortest', '--random', '8'], True),
+                              (['path', '--points', 'points.txt'], True), (['path', '--points', 'corner.txt'], False),
+                              (['spline', '--bezier', 'bezier.txt'], False)):
+        curves.insert(1, 'torus.off')
+        alone, _ = folder.run(0, *curves, '--stats', 'alone.csv', '--polylines', 'alone.txt')
+        shown, _ = folder.run(0, *curves, '--stats', 'shown.csv', '--polylines', 'shown.txt', '--page',
                               'page.html')
         rows = without_times(folder.text('shown.csv'))
         check(rows and rows == without_times(folder.text('alone.csv')), f'{curves}: the page changes the statistics')
@@ -170,19 +175,19 @@ def case_page(folder):
 
 def case_places(folder):
     """What is no plain file is written as it is."""
-    folder.run(0, 'torus.off', '--random', '3', '--quiet', '--stats', 'stats.csv')
+    folder.run(0, 'path', 'torus.off', '--random', '3', '--quiet', '--stats', 'stats.csv')
     lines = folder.text('stats.csv').count('\n')
-    output, _ = folder.run(0, 'torus.off', '--random', '3', '--quiet', '--stats', '/dev/stdout')
+    output, _ = folder.run(0, 'path', 'torus.off', '--random', '3', '--quiet', '--stats', '/dev/stdout')
     check(output.count('\n') == lines, 'standard output has not the lines of the file')
-    folder.run(0, 'torus.off', '--random', '3', '--quiet', '--stats', '/dev/null', '--polylines', 'a.txt')
+    folder.run(0, 'path', 'torus.off', '--random', '3', '--quiet', '--stats', '/dev/null', '--polylines', 'a.txt')
     os.mkfifo(folder.path / 'pipe')
-    run = folder.start('torus.off', '--random', '3', '--quiet', '--stats', 'pipe')
+    run = folder.start('path', 'torus.off', '--random', '3', '--quiet', '--stats', 'pipe')
     check(folder.text('pipe').count('\n') == lines and run.wait() == 0, 'the pipe has not the lines of the file')
     check((folder.path / 'pipe').is_fifo(), 'the pipe has become a file')
     (folder.path / 'folder').mkdir()
-    _, errors = folder.run(2, 'torus.off', '--random', '3', '--stats', 'folder')
+    _, errors = folder.run(2, 'path', 'torus.off', '--random', '3', '--stats', 'folder')
     check('folder: is a folder' in errors, errors)
-    folder.run(0, 'torus.off', '--pairs', '/dev/stdin', '--polylines', '/dev/stdout', '--quiet',
+    folder.run(0, 'path', 'torus.off', '--pairs', '/dev/stdin', '--polylines', '/dev/stdout', '--quiet',
                stdin=open(folder.path / 'pairs.txt', encoding='ascii'))
 
 
@@ -192,50 +197,50 @@ def case_standard_streams(folder):
         return open(folder.path / 'torus.off', encoding='ascii')
 
     pairs = ['--pairs', 'pairs.txt']
-    folder.run(0, 'torus.off', *pairs, '--polylines', 'expected.txt', '--quiet')
+    folder.run(0, 'path', 'torus.off', *pairs, '--polylines', 'expected.txt', '--quiet')
     expected = folder.text('expected.txt')
     for name in ('-', '/dev/stdout', '/dev/fd/1'):
-        output, errors = folder.run(0, '-', '--format', 'OFF', *pairs, '--polylines', name, stdin=torus())
+        output, errors = folder.run(0, 'path', '-', '--format', 'OFF', *pairs, '--polylines', name, stdin=torus())
         check(output == expected, f'{name} has not the polylines, or more than them:\n{output}')
         check('standard input: 288 vertices' in errors and 'LOCALLY_SHORTEST' in errors, f'no table:\n{errors}')
-    output, _ = folder.run(0, 'torus.off', '--pairs', '-', '--polylines', '-', '--quiet',
+    output, _ = folder.run(0, 'path', 'torus.off', '--pairs', '-', '--polylines', '-', '--quiet',
                            stdin=open(folder.path / 'pairs.txt', encoding='ascii'))
     check(output == expected, 'pairs are not read from standard input')
-    output, _ = folder.run(0, '-', '--format', 'off', *pairs, '--mesh', '-', '--output-format', 'ply', stdin=torus())
+    output, _ = folder.run(0, 'path', '-', '--format', 'off', *pairs, '--mesh', '-', '--output-format', 'ply', stdin=torus())
     check(output.startswith('ply\n'), 'standard output is not a PLY file')
     textured = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 5 5\nf 1/1 2/2 3/3\nf 1/1 3/5 4/4\n'
     (folder.path / 'textured').write_text(textured)
-    folder.run(0, '-', '--format', 'obj', '--seams', stdin=open(folder.path / 'textured', encoding='ascii'))
+    folder.run(0, 'network', '-', '--format', 'obj', '--seams', stdin=open(folder.path / 'textured', encoding='ascii'))
 
     for mode, before in (('a', 'earlier\n'), ('w', '')):
         for name in ('-', '/dev/stdout', '/dev/fd/1'):
             (folder.path / 'log.txt').write_text('earlier\n')
             with open(folder.path / 'log.txt', mode, encoding='ascii') as log:
-                folder.run(0, 'torus.off', *pairs, '--polylines', name, stdout=log)
+                folder.run(0, 'path', 'torus.off', *pairs, '--polylines', name, stdout=log)
             check(folder.text('log.txt') == before + expected, f'{name}, {mode}: {folder.text("log.txt")}')
     (folder.path / 'log.txt').write_text('earlier\n')
     with open(folder.path / 'log.txt', 'a', encoding='ascii') as log:
-        folder.run(0, 'torus.off', *pairs, '--polylines', f'/dev/fd/{log.fileno()}', pass_fds=[log.fileno()])
+        folder.run(0, 'path', 'torus.off', *pairs, '--polylines', f'/dev/fd/{log.fileno()}', pass_fds=[log.fileno()])
     check(folder.text('log.txt') == 'earlier\n' + expected, f'another open file: {folder.text("log.txt")}')
 
-    folder.refuse('standard input can be read once', '-', '--format', 'off', '--pairs', '-')
-    folder.refuse('two results', 'torus.off', *pairs, '--polylines', '-', '--stats', '/dev/stdout')
-    folder.refuse('give --format with one of', '-', *pairs, stdin=torus())
-    folder.refuse('--output-format tells the format of --mesh', 'torus.off', *pairs, '--mesh', '-')
-    folder.refuse('--output-format is the format', 'torus.off', *pairs, '--mesh', 'a.obj', '--output-format', 'obj')
+    folder.refuse('standard input can be read once', 'path', '-', '--format', 'off', '--pairs', '-')
+    folder.refuse('two results', 'path', 'torus.off', *pairs, '--polylines', '-', '--stats', '/dev/stdout')
+    folder.refuse('give --format with one of', 'path', '-', *pairs, stdin=torus())
+    folder.refuse('--output-format tells the format of --mesh', 'path', 'torus.off', *pairs, '--mesh', '-')
+    folder.refuse('--output-format is the format', 'path', 'torus.off', *pairs, '--mesh', 'a.obj', '--output-format', 'obj')
 
 
 def case_kinds_of_results(folder):
     """A page or lines of text do not replace a mesh whose name has got behind their option."""
     for name in ('a.obj', 'a.off', 'a.glb', 'A.PLY'):
         (folder.path / name).write_text('earlier\n')
-        for option in ('--page', '--live'):
-            folder.refuse(f'{option} writes a page', 'torus.off', '--random', '2', option, name)
+        folder.refuse('--page writes a page', 'path', 'torus.off', '--random', '2', '--page', name)
+        folder.refuse('--output writes a page', 'view', 'torus.off', '--output', name)
         for option in ('--stats', '--polylines'):
-            folder.refuse(f'{option} writes lines', 'torus.off', '--random', '2', option, name)
-        folder.refuse('--map writes lines', 'torus.off', '--source', '0', '--map', name)
-    folder.refuse('--stats writes lines', 'torus.off', '--random', '2', '--stats', 'a.html')
-    folder.refuse('--page writes a page', 'torus.off', '--random', '2', '--page', 'page')
+            folder.refuse(f'{option} writes lines', 'path', 'torus.off', '--random', '2', option, name)
+        folder.refuse('--map writes lines', 'log', 'torus.off', '--source', '0', '--map', name)
+    folder.refuse('--stats writes lines', 'path', 'torus.off', '--random', '2', '--stats', 'a.html')
+    folder.refuse('--page writes a page', 'path', 'torus.off', '--random', '2', '--page', 'page')
 
 
 def case_interruption(folder):
@@ -246,7 +251,7 @@ def case_interruption(folder):
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         (folder.path / 'curves.txt').write_text('earlier\n')
         before = folder.names()
-        run = folder.start('torus.off', *ENDLESS, '--quiet', '--polylines', 'curves.txt', '--stats', 'stats.csv',
+        run = folder.start('path', 'torus.off', *ENDLESS, '--quiet', '--polylines', 'curves.txt', '--stats', 'stats.csv',
                            preexec_fn=by_default)
         while len(folder.names()) < len(before) + 2 and run.poll() is None:
             pass
@@ -265,28 +270,30 @@ def case_failed_curves(folder):
     names = {'polylines': 'curves.txt', 'mesh': 'scene.obj', 'page': 'page.html', 'subdivision': 'common.off',
              'insert': 'inserted.off', 'cut': 'cut.off'}
     files = [word for option, name in names.items() for word in ('--' + option, name)]
-    tree = ['--source', '0', '--polylines', 'curves.txt', '--map', 'map.csv']
+    path = ['path', 'degenerate.off', '--from', '0', '--to', '4']
+    all_results = ['refine', *path[1:], *files]
+    tree = ['log', 'degenerate.off', '--source', '0', '--polylines', 'curves.txt', '--map', 'map.csv']
     before = folder.names()
-    for curves in (['--from', '0', '--to', '4', *files], tree):
-        _, errors = folder.run(1, 'degenerate.off', '--refuse-zero-edges', *curves)
+    for curves in (all_results, tree):
+        _, errors = folder.run(1, *curves, '--refuse-zero-edges')
         check('curve 0 ' in errors, errors)
         check(folder.names() == before, f'{" ".join(curves)}: there are files without a result')
     for name in [*names.values(), 'map.csv', 'scene.polylines.txt']:
         (folder.path / name).write_text('earlier\n')
-    for curves in (['--from', '0', '--to', '4', *files], tree,
-                   ['--from', '0', '--to', '4', '--mesh', 'scene.polylines.txt', '--stats', 'stats.csv']):
-        folder.run(1, 'degenerate.off', '--refuse-zero-edges', *curves)
+    for curves in (all_results, tree, [*path, '--mesh', 'scene.polylines.txt', '--stats', 'stats.csv']):
+        folder.run(1, *curves, '--refuse-zero-edges')
         for name in [*names.values(), 'map.csv', 'scene.polylines.txt']:
             check(folder.text(name) == 'earlier\n', f'{" ".join(curves)}: {name} has been replaced')
     check('ERROR' in folder.text('stats.csv'), 'no line for a curve that failed')
-    folder.run(1, 'degenerate.off', '--refuse-zero-edges', '--pairs', 'one_fails.txt', '--polylines', 'curves.txt')
+    folder.run(1, 'path', 'degenerate.off', '--refuse-zero-edges', '--pairs', 'one_fails.txt', '--polylines', 'curves.txt')
     check(folder.text('curves.txt').startswith('1 0 0 '), 'a curve is missing')
     # A pair that has no path, or none of a positive length, is an error of its own.
     (folder.path / 'parts.off').write_text('OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n5 0 0\n6 0 0\n6 1 0\n3 0 1 2\n3 3 4 5\n')
     (folder.path / 'some.txt').write_text('0 1\n0 3\n4 4\n3 5\n')
-    for options in ([], ['--shortest'], ['--kernel', 'double'], ['--page', 'page.html'], ['--ways', '1']):
-        _, errors = folder.run(1, 'parts.off', '--pairs', 'some.txt', '--stats', 'some.csv', '--polylines', 'some.out',
-                               '--quiet', *options)
+    for command, *options in (['path'], ['shortest'], ['path', '--kernel', 'double'], ['path', '--page', 'page.html'],
+                              ['shortest', '--ways', '1']):
+        _, errors = folder.run(1, command, 'parts.off', '--pairs', 'some.txt', '--stats', 'some.csv', '--polylines',
+                               'some.out', '--quiet', *options)
         rows = list(csv.DictReader(folder.text('some.csv').splitlines()))
         check([row['source'] + row['target'] for row in rows] == ['01', '03', '44', '35'], folder.text('some.csv'))
         check(abs(float(rows[0]['length']) - 1) + abs(float(rows[3]['length']) - 2 ** 0.5) < 1e-12, folder.text('some.csv'))
@@ -294,7 +301,7 @@ def case_failed_curves(folder):
         failed = [row['curve'] for row in rows if row['status'] == 'ERROR']
         check(re.findall(r'^flip_geodesics: curve (\d) \(some.txt line \d\): [^\n]+$', errors, re.M) == failed, errors)
         check(len(errors.splitlines()) == len(failed), errors)
-    folder.run(0, 'torus.off', '--source', '0', '--isolines', '99', '--polylines', 'curves.txt')
+    folder.run(0, 'distance', 'torus.off', '--source', '0', '--isolines', '99', '--polylines', 'curves.txt')
     check(folder.text('curves.txt') == '', 'there are other curves than those of the run, which are none')
 
 
@@ -305,20 +312,20 @@ def case_full_disk(folder):
 
     (folder.path / 'curves.txt').write_text('earlier\n')
     before = folder.names() + ['stats.csv']
-    _, errors = folder.run(1, 'torus.off', '--random', '20', '--quiet', '--polylines', 'curves.txt', '--stats',
+    _, errors = folder.run(1, 'path', 'torus.off', '--random', '20', '--quiet', '--polylines', 'curves.txt', '--stats',
                            'stats.csv', '--page', '/dev/full', preexec_fn=small_files)
     for name in ['curves.txt', '/dev/full']:
         check(errors.count(f'flip_geodesics: {name}: could not be written to its end') == 1, errors)
     check(folder.text('stats.csv').count('\n') == 21, 'the other result is not whole')
     check(folder.text('curves.txt') == 'earlier\n' and folder.names() == sorted(before), 'the files are others')
 
-    run = folder.start('torus.off', *ENDLESS, '--quiet', '--polylines', 'curves.txt', preexec_fn=small_files)
+    run = folder.start('path', 'torus.off', *ENDLESS, '--quiet', '--polylines', 'curves.txt', preexec_fn=small_files)
     check('could not be written' in run.stderr.readline(), 'it is not told when it happens')
     check(run.poll() is None and folder.names() == sorted(before), 'the file is not given up')
     run.terminate()
     run.communicate()
 
-    for arguments in (['--help'], ['torus.off', '--random', '20']):
+    for arguments in (['--help'], ['path', 'torus.off', '--random', '20']):
         for stream in ('/dev/full', None):
             how = {'stdout': open(stream, 'w', encoding='ascii')} if stream else {'preexec_fn': lambda: os.close(1)}
             _, errors = folder.run(1, *arguments, **how)
@@ -329,7 +336,7 @@ def case_closed_streams(folder):
     """A result does not become standard error, which a curve that fails writes to."""
     (folder.path / 'flat.off').write_text('OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n9 9 0\n9 9 0\n3 0 1 2\n3 0 2 3\n3 3 2 4\n')
     (folder.path / 'flat.txt').write_text('0 4\n0 1\n')
-    arguments = ['flat.off', '--pairs', 'flat.txt', '--refuse-zero-edges', '--quiet', '--stats']
+    arguments = ['path', 'flat.off', '--pairs', 'flat.txt', '--refuse-zero-edges', '--quiet', '--stats']
     folder.run(1, *arguments, 'expected.csv')
     folder.run(1, *arguments, 'closed.csv', stderr=None, preexec_fn=lambda: os.close(2))
     expected, closed = [[{key: value for key, value in row.items() if not key.endswith('_s')}
@@ -341,9 +348,9 @@ def case_closed_streams(folder):
 def case_progress(folder):
     """Told before the first curve is done, with figures that grow; nothing if it is to be quiet."""
     folder.make_torus('fine.off', 700, 400)
-    quiet = folder.start('torus.off', *ENDLESS, '--quiet')
-    tree = folder.start('fine.off', '--source', '0', '--shortest')
-    random = folder.start('torus.off', *ENDLESS)
+    quiet = folder.start('path', 'torus.off', *ENDLESS, '--quiet')
+    tree = folder.start('log', 'fine.off', '--source', '0', '--shortest')
+    random = folder.start('path', 'torus.off', *ENDLESS)
     pattern = (r'flip_geodesics: [a-z ]+(?:, [\d ]+ steps|, \d+ of 1 curves)?(?:, ([\d ]+) of 500 000 curves)?'
                r'(?:, ([\d ]+) flips)?, (\d+) s\n')
     lines, figures = [], []

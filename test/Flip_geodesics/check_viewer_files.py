@@ -3,7 +3,7 @@
 """Reads back what flip_geodesics writes for viewers, without any code of the program, and compares it with the mesh,
 the points of --polylines and the lengths of --stats.
 
-    check_viewer_files.py --program flip_geodesics --mesh FILE.off [--chromium BROWSER] -- ARGUMENTS OF THE PROGRAM
+    check_viewer_files.py --program flip_geodesics --mesh FILE.off [--chromium BROWSER] -- COMMAND OPTIONS
 """
 
 import argparse
@@ -279,12 +279,13 @@ def main():
     parser.add_argument('--chromium')
     parser.add_argument('arguments', nargs='+')
     options = parser.parse_args()
+    command, *arguments = options.arguments
     mesh = read_off(options.mesh)
     readers = {'obj': read_obj, 'ply': read_ply, 'vtp': read_vtp, 'glb': read_glb}
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         for kind in [*readers, 'polylines.txt']:
-            subprocess.run([options.program, options.mesh, *options.arguments, '--quiet',
+            subprocess.run([options.program, command, options.mesh, *arguments, '--quiet',
                             '--polylines', folder / 'points', '--stats', folder / 'stats.csv',
                             '--page', folder / 'page.html', '--mesh', folder / f'viewer.{kind}',
                             *(['--tubes', '0'] if kind in readers else [])], check=True)
@@ -300,7 +301,7 @@ def main():
             compare(kind, *read(folder / f'viewer.{kind}'), mesh, expected, tolerance)
         for kind in ('obj', 'ply'):
             path = folder / f'tubes.{kind}'
-            subprocess.run([options.program, options.mesh, *options.arguments, '--quiet', '--mesh', path,
+            subprocess.run([options.program, command, options.mesh, *arguments, '--quiet', '--mesh', path,
                             '--page', folder / 'page.html'], check=True)  # without it, paths are straightened otherwise
             check_tubes(*readers[kind](path), mesh, expected)
         check(read_polylines_txt(folder / 'viewer.polylines.txt') == list(expected.values()),
@@ -312,7 +313,7 @@ def main():
             check((curve['status'], curve['length']) == (row['status'], float(row['length'])),
                   f'the page says something else of curve {curve["number"]} than the statistics')
         steps = [replay(page, i, statistics) for i, run in enumerate(page.runs) if run.edges]
-        check(sum(steps) > 0 or {'--source', '--ways'} & set(options.arguments), 'the page has no steps')
+        check(sum(steps) > 0 or {'--source', '--ways'} & set(arguments), 'the page has no steps')
         if options.chromium:
             run_in_browser(options.chromium, folder / 'page.html', page)
         print(f'{len(expected)} curves and {sum(steps)} steps read back from {len(readers) + 2} formats'

@@ -19,7 +19,7 @@ program::Input_mesh program::read_input_mesh(const Options& options)
   if(!options.format.empty() && mesh_formats().count(lower_case(options.format)) == 0)
     throw Bad_input("--format " + printable(options.format) + ": not known; use one of" + names_of_mesh_formats());
   const Input_text input = read_text(options.mesh, lower_case(options.format));
-  Input_mesh mesh = options.is_repaired ? repair_mesh(input, options.weld.value_or(0)) : read_mesh(input);
+  Input_mesh mesh = options.is_repaired || options.command == "repair" ? repair_mesh(input, options.weld) : read_mesh(input);
   if(options.has_seams)
     mesh.keep_text(input);
   return mesh;
@@ -33,8 +33,8 @@ std::vector<program::Network_request> program::read_requests(const Options& opti
     return {read_segmentation(mesh, read_text(options.segmentation), options.has_free_junctions)};
   if(options.has_seams)
     return {read_seams(mesh, mesh.text())};
-  if(!options.sources.empty())
-    return {tree_request(mesh, options.sources.front())};
+  if(options.source)
+    return {tree_request(mesh, *options.source)};
   const std::vector<Curve_request> curves =
       options.random
           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), static_cast<std::uint64_t>(options.seed))

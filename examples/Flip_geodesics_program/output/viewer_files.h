@@ -13,7 +13,6 @@
 #include <CGAL/Flip_geodesics/IO/PLY.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <ostream>
@@ -36,9 +35,7 @@ public:
     , m_file(name)
     , m_tubes(tubes)
   {
-    if(tubes && !(*tubes >= 0 && std::isfinite(*tubes)))
-      throw Bad_input("--tubes takes the radius of curves, greater than 0, or 0 for lines");
-    if(tubes && (name.empty() || m_format == "polylines"))
+    if(tubes && m_format == "polylines")
       throw Bad_input("--tubes belongs to --mesh with a file .obj, .ply, .vtp or .glb; give one");
   }
 

@@ -5,7 +5,7 @@
 
 #include "input/curve_requests.h"
 #include "program_mesh.h"
-#include "program_options.h"
+#include "run/mesh_result_options.h"
 #include "run/program_metric.h"
 #include "run/progress.h"
 #include "scene.h"

@@ -5,8 +5,8 @@
 
 #include "input/curve_requests.h"
 #include "program_mesh.h"
-#include "program_options.h"
 #include "run/curve_engine.h"
+#include "run/mesh_result_options.h"
 #include "run/progress.h"
 
 #include <vector>

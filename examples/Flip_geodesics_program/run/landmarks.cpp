@@ -37,19 +37,16 @@ FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size
 
 } // namespace
 
-std::optional<Landmarks> make_landmarks(const Options& options, const Mesh& mesh, const Program_metric& metric,
-                                        Progress& progress)
+Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, const Program_metric& metric,
+                         Progress& progress)
 {
-  if(!options.landmarks)
-    return std::nullopt;
   progress.enter("making landmarks");
   const Stopwatch stopwatch;
   try {
     const Triangulation triangulation(mesh, metric);
-    FG::Geodesic_landmarks bounds =
-        make_bounds(triangulation, static_cast<std::size_t>(*options.landmarks), usable_threads(options.threads));
-    const std::string number = counted(bounds.number_of_landmarks(), "landmark", "landmarks");
-    return Landmarks{std::move(bounds), number + ", made in " + readable_time(stopwatch.seconds()) + '\n'};
+    FG::Geodesic_landmarks bounds = make_bounds(triangulation, number, usable_threads(threads));
+    const std::string made = counted(bounds.number_of_landmarks(), "landmark", "landmarks");
+    return Landmarks{std::move(bounds), made + ", made in " + readable_time(stopwatch.seconds()) + '\n'};
   } catch(const FG::Degenerate_face_error& error) {
     throw Bad_input("--landmarks: " + with_advice(error, "leave them out, or give --mollify"));
   }

@@ -4,13 +4,12 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_LANDMARKS_H
 
 #include "program_mesh.h"
-#include "program_options.h"
 #include "run/program_metric.h"
 #include "run/progress.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 
-#include <optional>
+#include <cstddef>
 #include <string>
 
 namespace program {
@@ -23,8 +22,8 @@ struct Landmarks
 };
 
 /// Makes those that are wanted, by as many threads as curves are computed by. \throws Bad_input
-std::optional<Landmarks> make_landmarks(const Options& options, const Mesh& mesh, const Program_metric& metric,
-                                        Progress& progress);
+Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, const Program_metric& metric,
+                         Progress& progress);
 
 } // namespace program
 

@@ -21,21 +21,21 @@ export const tools = {
     least: 2,
     kind: 'points',
     line: (points) => through(points),
-    command: (mesh) => `${mesh} --points points.txt`,
+    command: (mesh) => `path ${mesh} --points points.txt`,
   },
   loop: {
     hint: 'Click three points or more around a handle or a neck; the loop through them is pulled tight.',
     least: 3,
     kind: 'draw',
     line: (points) => `o ${through(points)}`,
-    command: (mesh) => `${mesh} --draw points.txt`,
+    command: (mesh) => `path ${mesh} --draw points.txt`,
   },
   spline: {
     hint: 'Click two control points or more of a Bezier curve.',
     least: 2,
     kind: 'bezier',
     line: (points) => through(points),
-    command: (mesh) => `${mesh} --bezier points.txt`,
+    command: (mesh) => `spline ${mesh} --bezier points.txt`,
   },
   distances: {
     hint: 'Click a source or several; the curves are at equal distances from the nearest.',
@@ -43,6 +43,6 @@ export const tools = {
     kind: 'distances',
     isAtVertices: true,
     line: (points, { spacing, hasTree }) => `${points.map((p) => p.text).join(',')}|${spacing}|${hasTree ? 1 : 0}`,
-    command: (mesh, points, { spacing }) => `${mesh} --source ${points.map((p) => p.text).join(',')} --spacing ${spacing}`,
+    command: (mesh, points, { spacing }) => `distance ${mesh} --source ${points.map((p) => p.text).join(',')} --spacing ${spacing}`,
   },
 };
