@@ -21,7 +21,7 @@
 namespace FG = CGAL::Flip_geodesics;
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Polyhedron_3<Kernel>;
-using Default_traits = FG::Intrinsic_triangulation_traits<Kernel>;
+using Default_traits = FG::Intrinsic_triangulation_traits<Kernel, double>;
 
 // A model of IntrinsicTriangulationTraits: all arithmetic of the engine goes through such a class.
 struct Counting_traits : Default_traits

@@ -13,8 +13,8 @@ namespace Flip_geodesics_test {
 /// With decisions in double: for what is not about arithmetic. It compiles faster than the default.
 template <class Mesh>
 using Double_triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<
-    Mesh,
-    CGAL::Flip_geodesics::Intrinsic_triangulation_traits<typename CGAL::Kernel_traits<typename Mesh::Point>::Kernel>>;
+    Mesh, CGAL::Flip_geodesics::Intrinsic_triangulation_traits<
+              typename CGAL::Kernel_traits<typename Mesh::Point>::Kernel, double>>;
 
 } // namespace Flip_geodesics_test
 

@@ -102,7 +102,7 @@ class Curves_on
   using Mesh = typename Type::Mesh;
   using Point_map = decltype(Type::points(std::declval<const Mesh&>()));
   using Metric = FG::Embedded_metric<Mesh, Point_map>;
-  using Traits = FG::Intrinsic_triangulation_traits<typename Metric::Kernel>;
+  using Traits = FG::Intrinsic_triangulation_traits<typename Metric::Kernel, double>;
   using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits, Metric>;
   using Network = FG::Edge_path_network<Triangulation>;
 

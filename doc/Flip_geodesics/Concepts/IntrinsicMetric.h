@@ -29,7 +29,8 @@ public:
   /// `CGAL::Flip_geodesics::Numbered_mesh` of the mesh's type, that of `Intrinsic_triangulation::input()`.
   typedef unspecified_type Mesh;
 
-  /// A \cgal kernel. The measurement of finished curves lays faces out by `Intrinsic_triangulation_traits<Kernel>`.
+  /// A \cgal kernel. The measurement of finished curves lays faces out by
+  /// `Intrinsic_triangulation_traits<Kernel, double>`.
   typedef unspecified_type Kernel;
 
   /// The length of the edge of a halfedge, rounded; positive, and the same for both halfedges of the edge.

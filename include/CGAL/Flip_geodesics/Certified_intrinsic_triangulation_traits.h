@@ -44,7 +44,7 @@ namespace Flip_geodesics {
 template <class K>
 class Certified_intrinsic_triangulation_traits
 {
-  using Plain = Intrinsic_triangulation_traits<K>;
+  using Plain = Intrinsic_triangulation_traits<K, double>;
 
   static double norm_bound(double x, double y) { return std::abs(x) + std::abs(y); }
 

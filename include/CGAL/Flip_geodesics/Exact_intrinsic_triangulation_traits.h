@@ -39,7 +39,7 @@ namespace Flip_geodesics {
  * | number type | predicates | square roots |
  * |---|---|---|
  * | exact with roots, such as `Exact_predicates_exact_constructions_kernel_with_sqrt::FT` | exact | any mesh |
- * | rational, such as `Gmpq`, `boost::multiprecision::cpp_rational` | exact | meshes with one radicand |
+ * | rational, such as `Gmpq`, `boost::multiprecision::cpp_rational`, `Epeck::FT` | exact | meshes with one radicand |
  * | `Sqrt_extension<NT, ROOT>` | exact | meshes with one radicand |
  * | `Interval_nt<>` | exact, or `Uncertain_conversion_exception` | any mesh |
  * | rounded, such as `boost::multiprecision::cpp_bin_float_100`, `double` | up to `angle_tolerance()` | any mesh |
@@ -70,7 +70,7 @@ class Exact_intrinsic_triangulation_traits
   using Operations = internal::Number_operations<NT>;
   using Area_unit = internal::Area_unit<NT>;
 
-  static constexpr bool is_exact = internal::is_exact_number<NT>();
+  static constexpr bool is_exact = internal::has_division<NT>() && internal::is_exact_number<NT>();
   static constexpr bool is_interval = Operations::kind == internal::Number_kind::INTERVAL;
   static constexpr bool is_rounded = Operations::kind == internal::Number_kind::FLOATING;
   static constexpr bool has_radicand =
@@ -291,14 +291,15 @@ public:
       return Operations::sign(turn.y);
     }
 
-    // The other number types have exponents enough.
+    // The other number types have exponents enough. A quarter of those of floats leaves room for a product.
     static void rescale(Turn& turn)
     {
       if constexpr(is_interval || std::is_floating_point<NT>::value) {
+        const double greatest = std::is_same<NT, float>::value
+                                    ? std::ldexp(1.0, std::numeric_limits<float>::max_exponent / 4)
+                                    : internal::greatest_unscaled;
         const double norm = std::abs(Operations::to_double(turn.x)) + std::abs(Operations::to_double(turn.y));
-        if((norm > internal::greatest_unscaled || norm < internal::least_unscaled) && norm > 0 &&
-           norm < std::numeric_limits<double>::infinity())
-        {
+        if((norm > greatest || norm < 1 / greatest) && norm > 0 && norm < std::numeric_limits<double>::infinity()) {
           const NT factor(std::ldexp(1.0, -std::ilogb(norm)));
           turn.x *= factor;
           turn.y *= factor;

@@ -367,14 +367,14 @@ using Default_metric =
 #ifdef DOXYGEN_RUNNING
 /// \ingroup PkgFlipGeodesicsTraits
 /// The traits for a metric unless others are given: `Certified_intrinsic_triangulation_traits` of the metric's kernel,
-/// or, for a metric of one's own without `exact_face()`, `Intrinsic_triangulation_traits`.
+/// or, for a metric of one's own without `exact_face()`, `Intrinsic_triangulation_traits` in double.
 template <class Metric>
 using Default_traits = unspecified_type;
 #else
 template <class Metric>
 using Default_traits = std::conditional_t<internal::Has_exact_faces<Metric>::value,
                                           Certified_intrinsic_triangulation_traits<typename Metric::Kernel>,
-                                          Intrinsic_triangulation_traits<typename Metric::Kernel>>;
+                                          Intrinsic_triangulation_traits<typename Metric::Kernel, double>>;
 #endif
 
 /// \ingroup PkgFlipGeodesicsCurves

@@ -18,15 +18,73 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 namespace CGAL {
 namespace Flip_geodesics {
 
+template <class NT, class K>
+class Exact_intrinsic_triangulation_traits;
+
+template <class K, class NT = typename K::FT>
+class Intrinsic_triangulation_traits;
+
+namespace internal {
+
+/* Has a class been defined, and not only declared? */
+template <class T, class = void>
+constexpr bool is_defined = false;
+template <class T>
+constexpr bool is_defined<T, std::void_t<decltype(sizeof(T))>> = true;
+
+/* Ends the compilation if the header is missing. */
+template <class Traits>
+constexpr bool is_header_included()
+{
+  static_assert(is_defined<Traits>, "to compute in a number type other than double, include first "
+                                    "CGAL/Flip_geodesics/Exact_intrinsic_triangulation_traits.h");
+  return is_defined<Traits>;
+}
+
+/* Without the header, traits in double let no other message follow. */
+template <class K, class NT, class Traits = Exact_intrinsic_triangulation_traits<NT, K>>
+using Traits_in_number_type =
+    std::conditional_t<is_header_included<Traits>(), Traits, Intrinsic_triangulation_traits<K, double>>;
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * The fast model of `IntrinsicTriangulationTraits`: each halfedge stores its vector, two doubles, in a frame of its own
- * face. A flip costs one complex division and no root.
+ * The model of `IntrinsicTriangulationTraits` that computes in the number type of the kernel: angles, squared lengths
+ * and flips are numbers of type `NT`, and predicates are as exact as that type is. Another kernel is another number
+ * type:
+ *
+ *     const FG::Intrinsic_triangulation_traits<K> traits;
+ *     FG::geodesic_path(mesh, source, target, output, CGAL::parameters::geom_traits(traits));
+ *
+ * For `double`, see `Intrinsic_triangulation_traits<K, double>`. For all other number types this class has the members
+ * and constructors of `Exact_intrinsic_triangulation_traits<NT, K>`, whose header has to be included as well.
+ *
+ * \tparam K a kernel with `Point_3` and `FT`
+ * \tparam NT a number type as for `Exact_intrinsic_triangulation_traits`
+ *
+ * \cgalModels{IntrinsicTriangulationTraits}
+ */
+template <class K, class NT>
+class Intrinsic_triangulation_traits : public internal::Traits_in_number_type<K, NT>
+{
+  using Base = internal::Traits_in_number_type<K, NT>;
+
+public:
+  using Base::Base;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsTraits
+ *
+ * The fast model of `IntrinsicTriangulationTraits`, in double: each halfedge stores its vector, two doubles, in a frame
+ * of its own face. A flip costs one complex division and no root.
  *
  * Decisions are taken up to `angle_tolerance()`: a wedge whose angle misses \f$\pi\f$ by less counts as straight, in
  * the wedge test and in the flip test alike. `shorten()` measures the finished curves afresh from the input.
@@ -38,7 +96,7 @@ namespace Flip_geodesics {
  * \cgalModels{IntrinsicTriangulationTraits}
  */
 template <class K>
-class Intrinsic_triangulation_traits
+class Intrinsic_triangulation_traits<K, double>
 {
 public:
   using FT = double; ///< squared lengths are rounded to it

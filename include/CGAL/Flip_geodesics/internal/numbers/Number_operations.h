@@ -22,6 +22,10 @@
 #include <type_traits>
 
 namespace CGAL {
+
+template <typename ET>
+class Lazy_exact_nt;
+
 namespace Flip_geodesics {
 namespace internal {
 
@@ -49,9 +53,12 @@ struct Number_operations
   static NT sqrt(const NT& x) { return CGAL::sqrt(x); }
   static bool is_square(const NT& x, NT& root)
   {
-    static_assert(!std::is_same<typename Structure::Is_square, Null_functor>::value,
-                  "the number type must have square roots, or recognize squares");
-    return typename Structure::Is_square()(x, root);
+    constexpr bool recognizes_squares = !std::is_same<typename Structure::Is_square, Null_functor>::value;
+    static_assert(recognizes_squares, "the number type must have square roots, or recognize squares");
+    if constexpr(recognizes_squares)
+      return typename Structure::Is_square()(x, root);
+    else
+      return false;
   }
 };
 
@@ -111,6 +118,48 @@ struct Number_operations<boost::multiprecision::number<Backend, Expressions>>
     return root_above * root_above == above && root_below * root_below == below;
   }
 };
+
+/* Lazy numbers do what the numbers can that evaluate them; their own conversion to double returns five digits. */
+template <class ET>
+struct Number_operations<Lazy_exact_nt<ET>>
+{
+  using NT = Lazy_exact_nt<ET>;
+  using Exact = Number_operations<ET>;
+  static constexpr Number_kind kind = Exact::kind;
+
+  static double to_double(const NT& x) { return Exact::to_double(x.exact()); }
+  static Sign sign(const NT& x) { return CGAL::sign(x); }
+  static NT sqrt(const NT& x) { return CGAL::sqrt(x); }
+  static bool is_square(const NT& x, NT& root)
+  {
+    ET exact_root;
+    const bool result = Exact::is_square(x.exact(), exact_root);
+    root = NT(exact_root);
+    return result;
+  }
+};
+
+/* Has a number type division? */
+template <class NT>
+constexpr bool is_field()
+{
+  namespace mp = boost::multiprecision;
+  if constexpr(mp::is_number<NT>::value)
+    return mp::number_category<NT>::value == mp::number_kind_rational ||
+           mp::number_category<NT>::value == mp::number_kind_floating_point;
+  else
+    return std::is_convertible<typename Algebraic_structure_traits<NT>::Algebraic_category, Field_tag>::value;
+}
+
+/* Ends the compilation if a number type has no division. */
+template <class NT>
+constexpr bool has_division()
+{
+  static_assert(is_field<NT>(),
+                "the number type is not a field: take a kernel over one with division, such as double or "
+                "Gmpq, or Intrinsic_triangulation_traits<K, double>");
+  return true;
+}
 
 template <class NT>
 constexpr bool is_exact_number()

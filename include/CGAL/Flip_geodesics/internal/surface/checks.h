@@ -111,7 +111,7 @@ auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_inde
 template <class Triangulation>
 auto known_input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h)
 {
-  using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+  using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel, double>;
   return triangulation.metric().face_geometry(triangulation.input(), h, Double_traits());
 }
 
