@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A second model of IntrinsicTriangulation, plain and slow, goes through all that asks for the concept, and gives the
-// same flips as Intrinsic_triangulation.
+// Second models of IntrinsicTriangulation and EdgePathGraph, plain and slow, go through all that asks for the concepts, and
+// give the same flips as Intrinsic_triangulation and Edge_path_network.
 
 #define BOOST_TEST_MODULE plain_triangulation
 
 #include "Curve_setting.h"
+#include "Plain_network.h"
 #include "Plain_triangulation.h"
 #include "number_type_checks.h"
 #include "random_curves.h"
@@ -19,6 +20,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -183,4 +185,48 @@ BOOST_AUTO_TEST_CASE(several_networks_hold_edges)
   BOOST_TEST(!plain.is_flippable(0_h));
   BOOST_TEST(other.is_occupied(0_h));
   BOOST_TEST(!one.is_occupied(0_h));
+}
+
+// Random walks that share edges and cross none; the second network is in the second triangulation.
+BOOST_AUTO_TEST_CASE(a_plain_network_makes_the_same_flips)
+{
+  std::size_t flips = 0, loops = 0;
+  const std::vector<std::pair<Mesh_soup, bool>> inputs = {
+      {tieless_plane(6, 1), false}, {grid_with_hole(6, 6, 2, 4, 2, 4), true}, {cube(3), true}};
+  for(const auto& [soup, has_ties] : inputs) {
+    const Surface mesh = to_mesh<Surface>(soup);
+    World<Fast> fast(mesh);
+    Plain triangulation(mesh);
+    Random_numbers random(3);
+    for(int i = 0; i < 150; ++i) {
+      for(int c = 0; c <= i % 3; ++c) {
+        const bool is_closed = i % 2 == 1;
+        const Halfedge_sequence walk = random_walk(fast.triangulation, 12, is_closed, random);
+        if(!walk.empty())
+          fast.network.add_curve(walk, is_closed);
+      }
+      if(fast.network.is_valid()) {
+        Plain_network<Plain> plain(triangulation, fast.network);
+        Flip_list list;
+        const FG::Shortening_report report = FG::shorten(plain, CGAL::parameters::visitor(std::ref(list)));
+        const FG::Shortening_report expected =
+            FG::shorten(fast.network, CGAL::parameters::visitor(std::ref(fast.flips)));
+        if(!has_ties)
+          BOOST_TEST((list.flips == fast.flips.flips));
+        for(std::size_t c = 0; c < expected.curves.size(); ++c) {
+          BOOST_TEST((report.curves[c].status == expected.curves[c].status));
+          if(!has_ties)
+            BOOST_TEST(report.curves[c].length == expected.curves[c].length);
+          loops += plain.is_closed(FG::Curve_index(static_cast<int>(c))) ? 1 : 0;
+        }
+        flips += list.flips.size();
+        triangulation.rollback(0);
+      }
+      fast.flips.flips.clear();
+      fast.network.clear();
+      fast.triangulation.rollback();
+    }
+  }
+  BOOST_TEST(flips > 500u);
+  BOOST_TEST(loops > 10u);
 }
