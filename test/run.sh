@@ -10,6 +10,7 @@
 #                              g++, optimized with clang++, and under sanitizers with checked iterators; OpenMesh and
 #                              MPI installed as well: hours
 #   bash test/run.sh --no-install   installs nothing; prints the command that installs what is missing
+#   bash test/run.sh --cgal DIR     with the CGAL that was unpacked in DIR, 5.5 or newer, instead of the installed one
 #
 # A run that was interrupted continues where it stopped. Environment: BUILD_DIR (default: build/run-tests in the
 # repository) takes everything that is written, JOBS is the number of parallel jobs (default: one per processor).
@@ -30,12 +31,25 @@ full_packages=(libopenmesh-dev libboost-mpi-dev openmpi-bin)
 
 full=0
 install_options=()
-for option in "$@"; do
-  case "$option" in
+cgal_options=()
+usage() { echo "usage: bash test/run.sh [--full] [--no-install] [--cgal DIR]" >&2; exit 2; }
+while [ $# -gt 0 ]; do
+  case "$1" in
     --full) full=1 ;;
     --no-install) install_options=(--no-install) ;;
-    *) echo "usage: bash test/run.sh [--full] [--no-install]" >&2; exit 2 ;;
+    --cgal)
+      [ $# -gt 1 ] || usage
+      shift
+      config=$(find "$1" -name CGALConfig.cmake 2> /dev/null | sort | head -n 1 || true)
+      if [ -z "$config" ]; then
+        echo "$1 has no CGALConfig.cmake: give the folder of an unpacked CGAL" >&2
+        exit 2
+      fi
+      cgal_options=(-D "CGAL_DIR=$(cd "$(dirname "$config")" && pwd)")
+      ;;
+    *) usage ;;
   esac
+  shift
 done
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -62,7 +76,8 @@ run_stage() {
     keep_going=(0)
   fi
   say "$preset: configure and build"
-  if ! (cd "$root" && cmake --preset "$preset" -B "$dir" "${generator[@]}" "${launcher[@]}" "$@") \
+  if ! (cd "$root" && cmake --preset "$preset" -B "$dir" "${generator[@]}" "${launcher[@]}" \
+      ${cgal_options[@]+"${cgal_options[@]}"} "$@") \
     > "$dir.log" 2>&1; then
     cat "$dir.log"
     problems+=("$preset: configuring failed")
