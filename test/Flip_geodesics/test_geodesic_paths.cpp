@@ -31,6 +31,7 @@
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -465,6 +466,11 @@ BOOST_AUTO_TEST_CASE(paths_between_points_are_those_of_single_calls)
     }
     return errors;
   };
+  using End = std::variant<Vertex, Location, Kernel::Point_3>;
+  std::vector<std::pair<End, End>> of_several_types;
+  for(std::size_t i = 0; i < pairs.size(); ++i)
+    of_several_types.emplace_back(i % 2 == 0 ? End(pairs[i].first) : End(mixed[i].second), mixed[i].first);
+  BOOST_TEST(check(of_several_types, CGAL::parameters::greatest_point_distance(7)) > 0u);
   BOOST_TEST(check(pairs, CGAL::parameters::greatest_point_distance(0)) == 0u);
   BOOST_TEST(check(mixed, CGAL::parameters::greatest_point_distance(7)) > 0u);
 }

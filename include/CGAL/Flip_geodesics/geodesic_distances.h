@@ -349,16 +349,6 @@ Computed_values<Polar_coordinates> field_coordinates(Geodesic_distance_field<Tri
   return result;
 }
 
-template <class T>
-struct Is_variant : std::false_type
-{
-};
-
-template <class... Alternatives>
-struct Is_variant<std::variant<Alternatives...>> : std::true_type
-{
-};
-
 /* Converts a vertex, another surface point, a range of surface points, or a variant of these to a source. */
 template <class Triangulation, class TriangleMesh, class Source>
 Distance_source distance_source(const Triangulation& triangulation, const TriangleMesh& mesh, const Source& source)
@@ -757,16 +747,6 @@ private:
   Distance_field_extent m_extent;
 };
 
-/* Converts a vertex, another surface point, or a variant of these to a location on the mesh. */
-template <class Triangulation, class TriangleMesh, class Point>
-Surface_location matrix_point(const Triangulation& triangulation, const TriangleMesh& mesh, const Point& point)
-{
-  if constexpr(Is_variant<Point>::value)
-    return std::visit([&](const auto& p) { return located_place(triangulation, mesh, p); }, point);
-  else
-    return located_place(triangulation, mesh, point);
-}
-
 } // namespace internal
 
 /*!
@@ -836,7 +816,7 @@ Distances_report geodesic_distance_matrix(const TriangleMesh& mesh, const PointR
   const auto locate = [&](const Triangulation& triangulation) {
     std::vector<internal::Distance_source> result;
     for(const auto& point : points)
-      result.push_back({false, {}, {internal::matrix_point(triangulation, mesh, point)}});
+      result.push_back({false, {}, {internal::located_place(triangulation, mesh, point)}});
     return result;
   };
   std::vector<internal::Distance_source> given;

@@ -167,9 +167,31 @@ private:
 
 /* The pairs of a batch as they are computed: ends that are both vertices, or convert to vertices, become vertices. */
 template <class TriangleMesh, class Pair>
-using Pair_of_ends = std::conditional_t<is_mesh_vertex<TriangleMesh, decltype(std::declval<const Pair&>().first)> &&
-                                            is_mesh_vertex<TriangleMesh, decltype(std::declval<const Pair&>().second)>,
-                                        std::pair<Vertex_in<TriangleMesh>, Vertex_in<TriangleMesh>>, Pair>;
+struct Pair_of_ends
+{
+  using type = void;
+};
+
+template <class TriangleMesh, class Source, class Target>
+struct Pair_of_ends<TriangleMesh, std::pair<Source, Target>>
+{
+  using Vertex = Vertex_in<TriangleMesh>;
+  using type = std::conditional_t<is_mesh_vertex<TriangleMesh, Source> && is_mesh_vertex<TriangleMesh, Target>,
+                                  std::pair<Vertex, Vertex>, std::pair<std::decay_t<Source>, std::decay_t<Target>>>;
+};
+
+/* Those of a range; `void` if it is not one of pairs. */
+template <class TriangleMesh, class Range, bool IS_RANGE = is_range<Range>>
+struct Pairs_in
+{
+  using type = void;
+};
+template <class TriangleMesh, class Range>
+struct Pairs_in<TriangleMesh, Range, true> : Pair_of_ends<TriangleMesh, Range_value<Range>>
+{
+};
+template <class TriangleMesh, class Range>
+using Pair_of_ends_in = typename Pairs_in<TriangleMesh, Range>::type;
 
 template <class Workspace, class Pairs, class MakeWorkspace>
 void compute_paths(Sequential_tag, const Pairs& pairs, std::vector<typename Workspace::Result>& results,
@@ -212,7 +234,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *
  * \param mesh a triangle mesh
  * \param pairs a range of `std::pair`s of a source and a target: vertices, or points of any types that
- *        `geodesic_path()` accepts, where all sources have the same type and all targets have the same type
+ *        `geodesic_path()` accepts. If the types differ from pair to pair, the ends are `std::variant`s of these types
  * \param out an output iterator that receives a `Geodesic_path_result` per pair, in the order of the pairs, of the form
  *        that `geodesic_path()` writes: points of the mesh, `Face_location`s or `Curve_point`s
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
@@ -251,7 +273,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  * \return the past-the-end output iterator
  *
  * Complexity: that of the searches and of `shorten()`. Meshes other than `Surface_mesh` are indexed once per thread, in
- * \f$O(n \log n)\f$.
+ * \f$O(n \log n)\f$. Locating a point in space takes linear time.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
           class... NamedParameters>
@@ -271,11 +293,18 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
   using Options = internal::Joined<NamedParameters...>;
   using Form = internal::Form_by_name<TriangleMesh, Options, OutputIterator, Geodesic_path_result>;
   using Workspace = internal::Path_workspace<Form, TriangleMesh, Options>;
-  const std::vector<internal::Pair_of_ends<TriangleMesh, internal::Range_value<PairRange>>> ends(std::begin(pairs),
-                                                                                                 std::end(pairs));
-  std::vector<typename Workspace::Result> results(ends.size());
-  internal::compute_paths<Workspace>(Tag(), ends, results, [&] { return std::make_unique<Workspace>(mesh, options); });
-  return std::move(results.begin(), results.end(), out);
+  using Pair = internal::Pair_of_ends_in<TriangleMesh, PairRange>;
+  static_assert(!std::is_void<Pair>::value,
+                "no range of std::pairs of ends where it belongs; the order is mesh, pairs, output, named parameters");
+  if constexpr(std::is_void<Pair>::value) {
+    return out; // so that no other message follows
+  } else {
+    const std::vector<Pair> ends(std::begin(pairs), std::end(pairs));
+    std::vector<typename Workspace::Result> results(ends.size());
+    internal::compute_paths<Workspace>(Tag(), ends, results,
+                                       [&] { return std::make_unique<Workspace>(mesh, options); });
+    return std::move(results.begin(), results.end(), out);
+  }
 }
 
 } // namespace Flip_geodesics

@@ -23,6 +23,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -294,13 +295,30 @@ constexpr bool is_place<
     std::void_t<decltype(surface_location(std::declval<const Triangulation&>(), std::declval<const TriangleMesh&>(),
                                           std::declval<const Place&>()))>> = true;
 
-/* Converts a surface point of any kind to a location. */
+template <class T>
+struct Is_variant : std::false_type
+{
+};
+
+template <class... Alternatives>
+struct Is_variant<std::variant<Alternatives...>> : std::true_type
+{
+};
+
+/* Converts a surface point of any kind, or a variant of several kinds, to a location. */
 template <class Triangulation, class TriangleMesh, class Place>
 Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
-  static_assert(is_place<Triangulation, TriangleMesh, Place>,
-                "this is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
-  return surface_location(triangulation, mesh, place);
+  if constexpr(Is_variant<Place>::value) {
+    return std::visit([&](const auto& p) { return located_place(triangulation, mesh, p); }, place);
+  } else {
+    static_assert(is_place<Triangulation, TriangleMesh, Place>,
+                  "this is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
+    if constexpr(is_place<Triangulation, TriangleMesh, Place>)
+      return surface_location(triangulation, mesh, place);
+    else
+      return {}; // so that no other message follows
+  }
 }
 
 template <class Triangulation, class TriangleMesh, class PlaceRange>

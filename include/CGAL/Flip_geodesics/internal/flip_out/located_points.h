@@ -20,6 +20,7 @@
 #include <functional>
 #include <string>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 // Points of the surface as users give them, and curves between such points as users get them.
@@ -69,10 +70,14 @@ public:
   template <class Place>
   void add(const Place& place)
   {
-    m_points.locations.push_back(located_place(m_triangulation, m_mesh, place));
-    m_points.distances.push_back(0);
-    if constexpr(std::is_convertible<const Place&, const Point&>::value)
-      note_distance(place);
+    if constexpr(Is_variant<Place>::value) {
+      std::visit([this](const auto& p) { add(p); }, place);
+    } else {
+      m_points.locations.push_back(located_place(m_triangulation, m_mesh, place));
+      m_points.distances.push_back(0);
+      if constexpr(std::is_convertible<const Place&, const Point&>::value)
+        note_distance(place);
+    }
   }
 
   const Located_points& points() const { return m_points; }
