@@ -140,6 +140,10 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::insert_curves(changed, isolines, CGAL::parameters::edge_is_constrained_map(marks));
 #elif MISTAKE == 38
   FG::insert_curves(changed, isolines, CGAL::parameters::stop_predicate(stop));
+#elif MISTAKE == 39
+  FG::shortest_path(mesh, of_mesh[0], 1.5, out);
+#elif MISTAKE == 40
+  FG::geodesic_paths(mesh, of_mesh, std::back_inserter(paths));
 #else
   FG::insert_curves(changed, isolines,
                     CGAL::parameters::edge_is_constrained_map(boost::make_assoc_property_map(marks)));
@@ -154,6 +158,7 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::geodesic_distances(mesh, of_mesh[0], boost::make_assoc_property_map(distances),
                          CGAL::parameters::metric(FG::Edge_length_metric(mesh, lengths)));
   FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::search_limit(FG::Window_limit(1)));
+  FG::shortest_path(mesh, of_mesh[0], points[0], out, CGAL::parameters::greatest_point_distance(1));
   FG::geodesic_spline(mesh, of_mesh, FG::Spline_kind::BEZIER, out);
   FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::landmarks(FG::geodesic_landmarks(mesh, 3)));
   FG::geodesic_landmarks(mesh, of_mesh, CGAL::parameters::default_values());
