@@ -169,7 +169,8 @@ private:
 template <class TriangleMesh, class Pair>
 struct Pair_of_ends
 {
-  using type = void;
+  using Vertices = std::pair<Vertex_in<TriangleMesh>, Vertex_in<TriangleMesh>>;
+  using type = std::conditional_t<std::is_constructible<Vertices, Pair>::value, Vertices, void>;
 };
 
 template <class TriangleMesh, class Source, class Target>
