@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/network/network_parts.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/concept_checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
@@ -81,6 +82,7 @@ public:
     : m_triangulation(&triangulation)
     , m_segments(triangulation)
   {
+    static_assert(internal::is_intrinsic_triangulation<Triangulation>());
   }
 
   /// Moves a network, whose curves and segments keep their numbers.

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/concept_checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
@@ -56,6 +57,7 @@ public:
     : m_network(network)
     , m_state(network)
   {
+    static_assert(internal::is_edge_path_graph<Network>());
   }
 
   /*!
