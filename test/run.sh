@@ -8,7 +8,9 @@
 #                              sanitizers; the program of README.md with g++: some eighteen minutes with two processors
 #   bash test/run.sh --full    in addition every test with all of its cases, each header alone and every example with
 #                              g++, optimized with clang++, and under sanitizers with checked iterators; OpenMesh and
-#                              MPI installed as well: hours
+#                              MPI installed as well: hours. Compares results bit by bit between compilers and processors:
+#                              g++, clang++, libc++, 32 bits, aarch64 under qemu, mingw under wine; skips what is not
+#                              installed
 #   bash test/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #   bash test/run.sh --cgal DIR     with the CGAL that was unpacked in DIR, 5.5 or newer, instead of the installed one
 #
@@ -32,6 +34,7 @@ full_packages=(libopenmesh-dev libboost-mpi-dev openmpi-bin)
 full=0
 install_options=()
 cgal_options=()
+cgal_include_dir=/usr/include
 usage() { echo "usage: bash test/run.sh [--full] [--no-install] [--cgal DIR]" >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -41,11 +44,13 @@ while [ $# -gt 0 ]; do
       [ $# -gt 1 ] || usage
       shift
       config=$(find "$1" -name CGALConfig.cmake 2> /dev/null | sort | head -n 1 || true)
-      if [ -z "$config" ]; then
-        echo "$1 has no CGALConfig.cmake: give the folder of an unpacked CGAL" >&2
+      version=$(find "$1" -path '*/include/CGAL/version.h' 2> /dev/null | head -n 1 || true)
+      if [ -z "$config" ] || [ -z "$version" ]; then
+        echo "$1 has no CGALConfig.cmake or no include/CGAL/version.h: give the folder of an unpacked CGAL" >&2
         exit 2
       fi
       cgal_options=(-D "CGAL_DIR=$(cd "$(dirname "$config")" && pwd)")
+      cgal_include_dir=$(cd "$(dirname "$version")/.." && pwd)
       ;;
     *) usage ;;
   esac
@@ -154,6 +159,10 @@ if [ $full -eq 1 ]; then
   run_stage asan-ubsan "${sanitizers[@]}"
   run_stage thread-sanitizer 2 -D FLIP_GEODESICS_TESTS=test_threads "${no_examples[@]}" # with the test complete
   run_stage checked $((number_of_tests - 1)) "${tests[@]}" "${all_examples[@]}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
+  say "platforms: build, run and compare"
+  CGAL_INCLUDE_DIR=$cgal_include_dir LAUNCHER=${launcher:+ccache} \
+    bash "$root/test/Flip_geodesics/variants/compare_platforms.sh" "$build_dir/platforms" ||
+    problems+=("platforms: results differ from the native ones")
 else
   run_stage gcc $((number_of_smoke_tests + ${#examples_with_gcc[@]})) "${smoke_with_gcc[@]}"
   run_stage asan-ubsan "${sanitizers[@]}"

@@ -30,7 +30,7 @@ class FlipGeodesics(ConanFile):
 
     def package_info(self):
         self.cpp_info.bindirs = self.cpp_info.libdirs = []
-        self.cpp_info.cxxflags = ["-frounding-math"]
+        self.cpp_info.cxxflags = ["-frounding-math", "-ffp-contract=off"]
         self.cpp_info.set_property("cmake_file_name", "Flip_geodesics")
         self.cpp_info.set_property("cmake_target_name", "CGAL::Flip_geodesics")
         self.cpp_info.requires = ["cgal::cgal"]
