@@ -187,6 +187,12 @@ public:
   /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
+  /// The vector between the points of two vertices. Only over `Embedded_metric`.
+  std::array<double, 3> vector(const Mesh& mesh, Vertex_index v, Vertex_index w) const
+  {
+    return Base::vector(mesh, v, w);
+  }
+
   /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const

@@ -145,34 +145,54 @@ public:
     return length;
   }
 
-  /// The coordinates of a point: doubles, or rational numbers as sums of two doubles.
-  using Place = std::conditional_t<is_rational, internal::Precise_place, std::array<double, 3>>;
+  /// The coordinates of a point: doubles, or those near rational numbers with a bound of the error.
+  using Place = std::conditional_t<is_rational, internal::Approximate_place, std::array<double, 3>>;
 
   /// The length of halfedge `h` whatever it is, for a search that only passes by. Zero only if the points are equal.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
-    return weight(mesh, h, place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
-  }
-
-  /// The same, where the places of the two ends are at hand.
-  double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
-  {
-    const double length = std::sqrt(squared_norm(vector(mesh, h, tail, head)));
+    const double length = std::sqrt(squared_norm(vector(mesh, h)));
     if constexpr(is_rational)
       if(length == 0 && !is_zero(mesh, h))
         return (std::numeric_limits<double>::min)();
     return length;
   }
 
+  /// The same, where the places of the two ends are at hand. If these are near rational numbers, it errs by some units
+  /// in the last place of the coordinates, or by \f$2^{-40}\f$ of the length if that is less.
+  double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
+  {
+    if constexpr(is_rational) {
+      double error = 0;
+      const double length = std::sqrt(squared_norm(internal::approximate_vector(tail, head, error)));
+      return error == 0 || error <= internal::search_length_error * length ? length : weight(mesh, h);
+    } else {
+      return static_cast<void>(mesh), static_cast<void>(h), std::sqrt(squared_norm(difference(tail, head)));
+    }
+  }
+
   /// Where vertex `v` is.
   Place place(const Mesh& mesh, Vertex_index v) const
   {
     if constexpr(is_rational) {
-      return m_places(v, mesh.number_of_vertices(), [&] { return internal::precise_place(point(mesh, v)); });
+      if constexpr(internal::Is_lazy_point<Point_3>::value)
+        return internal::approximate_place(point(mesh, v));
+      else
+        return internal::approximate_place(precise_place(mesh, v));
     } else {
       decltype(auto) p = point(mesh, v);
       return {internal::imported_number(p.x()), internal::imported_number(p.y()), internal::imported_number(p.z())};
     }
+  }
+
+  /// The vector from one vertex to another; each coordinate is rounded once.
+  std::array<double, 3> vector(const Mesh& mesh, Vertex_index v, Vertex_index w) const
+  {
+    if constexpr(is_rational)
+      return internal::rounded_vector(precise_place(mesh, v), precise_place(mesh, w),
+                                      [&](const auto& use) { return use(point(mesh, v), point(mesh, w)); });
+    else
+      return difference(place(mesh, v), place(mesh, w));
   }
 
   /// A lower bound of the distance on the surface: the distance through space.
@@ -274,20 +294,14 @@ private:
       length(mesh, h);
   }
 
-  // A halfedge in space; each coordinate is rounded once.
   std::array<double, 3> vector(const Mesh& mesh, Input_halfedge_index h) const
   {
-    return vector(mesh, h, place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
+    return vector(mesh, mesh.tail(h), mesh.tail(internal::twin_index(h)));
   }
 
-  std::array<double, 3> vector(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
+  internal::Precise_place precise_place(const Mesh& mesh, Vertex_index v) const
   {
-    if constexpr(is_rational)
-      return internal::rounded_vector(tail, head, [&](const auto& use) {
-        return use(point(mesh, mesh.tail(h)), point(mesh, mesh.tail(internal::twin_index(h))));
-      });
-    else
-      return static_cast<void>(mesh), static_cast<void>(h), difference(tail, head);
+    return m_places(v, mesh.number_of_vertices(), [&] { return internal::precise_place(point(mesh, v)); });
   }
 
   static std::array<double, 3> difference(const std::array<double, 3>& p, const std::array<double, 3>& q)

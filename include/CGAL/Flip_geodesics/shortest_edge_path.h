@@ -350,7 +350,7 @@ private:
       const Input_halfedge_index incoming = label.incoming();
       const Place place = m_paths.m_triangulation->metric().place(m_paths.m_triangulation->input(), v);
       if constexpr(LooksBack)
-        return {v, label.distance, incoming, place, m_paths.ancestors_of(incoming)};
+        return {v, label.distance, incoming, place, m_paths.ancestors_of(incoming, place)};
       else
         return {v, label.distance, incoming, place, {}};
     }
@@ -419,7 +419,8 @@ private:
     return m_triangulation->input().next(internal::twin_index(h));
   }
 
-  Ancestors ancestors_of(Input_halfedge_index incoming) const
+  // \param at is the place of the vertex that the halfedge leads to
+  Ancestors ancestors_of(Input_halfedge_index incoming, Place at) const
   {
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
@@ -428,9 +429,11 @@ private:
     double length = 0;
     for(std::size_t i = 0; i < most_ancestors && incoming != null_index; ++i) {
       const Vertex_index a = input.tail(incoming);
-      length += metric.weight(input, incoming);
+      const Place place = metric.place(input, a);
+      length += metric.weight(input, incoming, place, at);
       const Search_label& label = m_search[a];
-      result[i] = {metric.place(input, a), label.distance, length};
+      result[i] = {place, label.distance, length};
+      at = place;
       incoming = label.incoming();
     }
     return result;

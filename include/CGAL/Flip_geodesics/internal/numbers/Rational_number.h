@@ -159,6 +159,15 @@ inline Double_double precise_quotient(const Integer& n, const Integer& d)
   return {std::ldexp(sign * result.high, -shift), std::ldexp(sign * result.low, -shift)};
 }
 
+/* A number, and a bound of its error, which is zero only if the number is exact. */
+struct Approximate_number
+{
+  double value, error;
+};
+
+/* The coordinates of a point, as searches use them. */
+using Approximate_place = std::array<Approximate_number, 3>;
+
 /* A number in double-double numbers. */
 template <class NT>
 Double_double precise_number(const NT& x)

@@ -26,6 +26,10 @@ constexpr double rounding_errors(double n) { return n * unit_roundoff; }
 /* A relative error that is negligible beside one rounding error: with it, a rounded number errs by a millionth more. */
 inline constexpr double negligible_rounding = 0x1p-20 * unit_roundoff;
 
+/* The relative error of a length in a search, up to which coordinates with a bound of their error need not be refined:
+ * that of 2^-40 of a path's length that no more than decides where curves start. */
+inline constexpr double search_length_error = 0x1p-40;
+
 /* The largest double below 1. */
 inline constexpr double largest_below_one = 1 - unit_roundoff;
 

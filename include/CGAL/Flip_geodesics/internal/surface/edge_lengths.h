@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <array>
@@ -58,7 +58,7 @@ bool satisfy_triangle_inequality(const Number& a, const Number& b, const Number&
 /* Has a metric the places of vertices in space, from which it lays out faces? */
 template <class Metric>
 inline constexpr bool has_places_in_space = std::is_same<typename Metric::Place, std::array<double, 3>>::value ||
-                                            std::is_same<typename Metric::Place, std::array<Double_double, 3>>::value;
+                                            std::is_same<typename Metric::Place, Approximate_place>::value;
 
 /* Does a metric decide by itself whether it makes the vectors of a face? */
 template <class Metric, class Input_mesh, class = void>

@@ -20,6 +20,7 @@
 #include <mutex>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 // Reads the coordinates of points: as doubles, or exactly if the kernel's number type has rational values.
 
@@ -60,16 +61,57 @@ Rational_place rational_place(const Point& p)
 using Precise_place = std::array<Double_double, 3>;
 
 template <class Point>
+bool has_double_approximation(const Point& p)
+{
+  const auto& a = p.approx();
+  return a.x().is_point() && a.y().is_point() && a.z().is_point();
+}
+
+template <class Point>
 Precise_place precise_place(const Point& p)
 {
   if constexpr(Is_lazy_point<Point>::value) {
     const auto& a = p.approx();
-    if(a.x().is_point() && a.y().is_point() && a.z().is_point())
+    if(has_double_approximation(p))
       return {{{a.x().inf(), 0}, {a.y().inf(), 0}, {a.z().inf(), 0}}};
     return precise_place(p.exact());
   } else {
     return {precise_number(p.x()), precise_number(p.y()), precise_number(p.z())};
   }
+}
+
+/* Returns the approximate coordinates of a precise point. */
+inline Approximate_place approximate_place(const Precise_place& p)
+{
+  const auto number = [](const Double_double& x) { return Approximate_number{x.high, 2 * std::abs(x.low)}; };
+  return {number(p[0]), number(p[1]), number(p[2])};
+}
+
+/* Returns the approximate coordinates of a point over lazy numbers, from its intervals. The point is evaluated first,
+ * since its intervals depend on whether it was evaluated. */
+template <class Point>
+Approximate_place approximate_place(const Point& p)
+{
+  if(!has_double_approximation(p))
+    p.exact();
+  const auto& a = p.approx();
+  const auto number = [](const auto& x) {
+    return x.is_point() ? Approximate_number{x.inf(), 0}
+                        : Approximate_number{0.5 * x.inf() + 0.5 * x.sup(), x.sup() - x.inf()};
+  };
+  return {number(a.x()), number(a.y()), number(a.z())};
+}
+
+/* Returns the vector from p to q, and sets `error` to a bound of the error of each coordinate. */
+inline std::array<double, 3> approximate_vector(const Approximate_place& p, const Approximate_place& q, double& error)
+{
+  std::array<double, 3> result;
+  error = 0;
+  for(std::size_t i = 0; i < 3; ++i) {
+    result[i] = q[i].value - p[i].value;
+    error = (std::max)(error, p[i].error + q[i].error);
+  }
+  return result;
 }
 
 /* Returns a bound of the error of the difference of two coordinates of precise points. */
@@ -109,15 +151,6 @@ std::array<double, 3> rounded_vector(const Precise_place& p, const Precise_place
       result[i] = points([i](const auto& from, const auto& to) { return rounded_difference(from, to, i); });
   }
   return result;
-}
-
-/* Returns the vector between two vertices, each coordinate rounded once, by the metric's positions and points of
- * them. */
-template <class Metric, class Mesh>
-std::array<double, 3> rounded_vector(const Metric& metric, const Mesh& mesh, Vertex_index v, Vertex_index w)
-{
-  return rounded_vector(metric.place(mesh, v), metric.place(mesh, w),
-                        [&](const auto& use) { return use(metric.point(mesh, v), metric.point(mesh, w)); });
 }
 
 /* The sides of a triangle in space as vectors, each coordinate rounded once. */
@@ -163,18 +196,19 @@ std::array<Double_double, 3> precise_vector(const Point& p, const Point& q)
   }
 }
 
-/* Returns a vector that bounds the distance of precise points from below: no difference is overestimated. */
-inline std::array<double, 3> least_vector(const Precise_place& p, const Precise_place& q)
+/* Returns a vector that bounds the distance of approximate points from below: no difference is overestimated. */
+inline std::array<double, 3> least_vector(const Approximate_place& p, const Approximate_place& q)
 {
   std::array<double, 3> result;
   for(std::size_t i = 0; i < 3; ++i)
-    result[i] = (std::max)(std::abs((q[i] - p[i]).high) - difference_error(p[i], q[i]), 0.0);
+    result[i] = (std::max)(std::abs(q[i].value - p[i].value) - (p[i].error + q[i].error), 0.0);
   return result;
 }
 
 /*
  * The precise positions of vertices, computed on first use, since evaluating an exact number takes far longer than
- * reading a double. A copy starts empty. Several threads may query at once.
+ * reading a double. They are kept in blocks, since a query needs few of them. A copy starts empty. Several threads may
+ * query at once.
  */
 class Precise_places
 {
@@ -184,16 +218,20 @@ class Precise_places
     char is_known;
   };
 
-  struct Entries
+  static constexpr std::size_t block_size = 64;
+  using Block = std::array<Entry, block_size>;
+
+  struct Blocks
   {
-    Lazy_array<Entry> array;
-    Index size = 0; // zero until there is an array
+    Lazy_array<Block*> array;
+    std::vector<std::unique_ptr<Block>> owned;
+    Index size = 0; // of vertices; zero until there is an array
     Short_lock lock;
   };
 
 public:
   Precise_places()
-    : m_entries(std::make_unique<Entries>())
+    : m_blocks(std::make_unique<Blocks>())
   {
   }
   Precise_places(const Precise_places&)
@@ -208,11 +246,15 @@ public:
   template <class Compute>
   Precise_place operator()(Vertex_index v, Index size, const Compute& compute) const
   {
-    if(load_acquire(m_entries->size) == 0)
+    if(load_acquire(m_blocks->size) == 0)
       allocate(size);
-    if(v.idx() >= load_relaxed(m_entries->size))
+    if(v.idx() >= load_relaxed(m_blocks->size))
       return compute();
-    Entry& entry = m_entries->array[static_cast<std::size_t>(v.idx())];
+    const auto i = static_cast<std::size_t>(v.idx());
+    Block*& block = m_blocks->array[i / block_size];
+    if(load_acquire(block) == nullptr)
+      add_block(block);
+    Entry& entry = (*load_relaxed(block))[i % block_size];
     if(load_acquire(entry.is_known) == 0)
       keep(entry, compute());
     return entry.place;
@@ -221,24 +263,33 @@ public:
 private:
   void allocate(Index size) const
   {
-    const std::lock_guard<Short_lock> guard(m_entries->lock);
-    if(m_entries->size != 0)
+    const std::lock_guard<Short_lock> guard(m_blocks->lock);
+    if(m_blocks->size != 0)
       return;
-    m_entries->array = Lazy_array<Entry>(static_cast<std::size_t>(size));
-    store_release(m_entries->size, size);
+    m_blocks->array = Lazy_array<Block*>((static_cast<std::size_t>(size) + block_size - 1) / block_size);
+    store_release(m_blocks->size, size);
+  }
+
+  void add_block(Block*& block) const
+  {
+    const std::lock_guard<Short_lock> guard(m_blocks->lock);
+    if(block != nullptr)
+      return;
+    m_blocks->owned.push_back(std::make_unique<Block>());
+    store_release(block, m_blocks->owned.back().get());
   }
 
   // Another thread may have been faster, with the same result.
   void keep(Entry& entry, const Precise_place& place) const
   {
-    const std::lock_guard<Short_lock> guard(m_entries->lock);
+    const std::lock_guard<Short_lock> guard(m_blocks->lock);
     if(entry.is_known != 0)
       return;
     entry.place = place;
     store_release(entry.is_known, char(1));
   }
 
-  std::unique_ptr<Entries> m_entries;
+  std::unique_ptr<Blocks> m_blocks;
 };
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -292,6 +293,11 @@ public:
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const
   {
     return m_metric.point(below(mesh), mesh.surface().below(v));
+  }
+
+  std::array<double, 3> vector(const Mesh& mesh, Vertex_index v, Vertex_index w) const
+  {
+    return m_metric.vector(below(mesh), mesh.surface().below(v), mesh.surface().below(w));
   }
 
   double length(const Mesh& mesh, Input_halfedge_index h) const

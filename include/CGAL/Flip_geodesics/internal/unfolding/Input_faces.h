@@ -143,7 +143,7 @@ private:
     } else {
       const auto& metric = m_triangulation.metric();
       const auto& input = m_triangulation.input();
-      return corner(rounded_vector(metric, input, p, q), rounded_vector(metric, input, p, r));
+      return corner(metric.vector(input, p, q), metric.vector(input, p, r));
     }
   }
 
