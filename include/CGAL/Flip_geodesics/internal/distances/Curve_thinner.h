@@ -248,11 +248,9 @@ Index entering_half(const Surface& surface, Index side, const IsInside& is_insid
 template <class Polyline, class Surface>
 void write_samples(const Surface& surface, const Followed_curve& curve, Polyline& polyline)
 {
-  using Point = typename decltype(polyline.points)::value_type;
   polyline.is_closed = curve.is_closed;
   for(const Sample& sample : curve.samples) {
-    const auto p = surface.place(sample);
-    polyline.points.push_back(Point(p[0], p[1], p[2]));
+    polyline.points.push_back(surface.point(sample));
     polyline.locations.push_back(surface.location(sample));
   }
 }

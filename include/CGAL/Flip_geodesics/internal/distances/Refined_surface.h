@@ -9,12 +9,14 @@
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -79,6 +81,7 @@ public:
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   using Location = std::pair<Face, Weights_in_face>;
   using Place = std::array<double, 3>;
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
 
   struct Piece
   {
@@ -97,7 +100,9 @@ public:
   /* The interruption must outlive this object. All functions that evaluate the field can throw Interrupted. */
   Refined_surface(const TriangleMesh& mesh, const VertexPointMap& points, const Field& field,
                   Interruption& interruption)
-    : m_field(field)
+    : m_mesh(mesh)
+    , m_points(points)
+    , m_field(field)
     , m_interruption(interruption)
   {
     const Numbered_mesh<TriangleMesh> numbered(mesh);
@@ -181,6 +186,30 @@ public:
   }
 
   Location location(const Sample& sample) const { return {m_faces[sample.face].descriptor, sample.weights}; }
+
+  /* In space: rounded if the coordinates are, and otherwise constructed from the exact corners with weights whose sum is
+   * one, so that it lies on the mesh. */
+  Point point(const Sample& sample) const
+  {
+    using Number = Coordinate<Point>;
+    if constexpr(std::is_arithmetic<Number>::value) {
+      const Place p = place(sample);
+      return Point(p[0], p[1], p[2]);
+    } else {
+      const Weights_in_face& w = sample.weights;
+      const auto h = graph_halfedge(m_faces[sample.face].descriptor, m_mesh);
+      const std::array<Point, 3> p = {get(m_points, source(h, m_mesh)), get(m_points, target(h, m_mesh)),
+                                      get(m_points, target(next(h, m_mesh), m_mesh))};
+      const auto i = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const Number u(w[j]), v(w[k]);
+      const auto mean = [&](const Number& a, const Number& b, const Number& c) {
+        return Number(a + u * (b - a) + v * (c - a));
+      };
+      return Point(mean(p[i].x(), p[j].x(), p[k].x()), mean(p[i].y(), p[j].y(), p[k].y()),
+                   mean(p[i].z(), p[j].z(), p[k].z()));
+    }
+  }
 
   Place place(const Sample& sample) const
   {
@@ -361,6 +390,8 @@ private:
     return norm({{s * u[0] + t * v[0], s * u[1] + t * v[1], s * u[2] + t * v[2]}});
   }
 
+  const TriangleMesh& m_mesh;
+  VertexPointMap m_points;
   const Field& m_field;
   Interruption& m_interruption;
   std::vector<Corners> m_faces;
