@@ -10,9 +10,7 @@
  * The argument `mesh` of its members is the mesh as `Intrinsic_triangulation::input()` gives it, numbered by
  * consecutive integers.
  *
- * The members `exact_face()` and `sine_in_plane()` are needed only for traits of which `Has_drift` is `CGAL::Tag_false`, which may leave decisions
- * to the triangulation, and for `certify()`. Their types are not documented: a metric of one's own gets them by
- * deriving from one of the models, as `CGAL::Flip_geodesics::Mollified_metric` does.
+ * Curves of a metric are certified if it has the optional member `squared_length()`, or is one of the models below.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}
@@ -46,7 +44,8 @@ public:
   /// coordinates of a point: from these, `add_straightened_path()` lays faces out to find its path.
   typedef unspecified_type Place;
 
-  /// `weight(mesh, h)`, bit for bit, where the places of the halfedge's two ends are at hand: what a search asks most.
+  /// `weight(mesh, h)`, but for rounding errors, where the places of the halfedge's two ends are at hand: searches for
+  /// edge paths call it most often.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const;
 
   /// The place of vertex `v`.
@@ -65,22 +64,20 @@ public:
   /// The point of vertex `v`, where there is a type of points.
   Point_3 point(const Mesh& mesh, Vertex_index v) const;
 
-  /// The geometry of the face on the left of `h`, from `h` on, made by one of the functors of `traits`.
+  /// Optional. The exact squared length of the edge of a halfedge, the same for both halfedges of the edge. Its type is an
+  /// exact number type with rational values: `Gmpq`, `mpq_class`, `Exact_rational`, `cpp_rational`, `Lazy_exact_nt` of
+  /// one of these, or an integer of any size. `length()` is its root, rounded. With this member, faces are laid out and
+  /// all decisions taken from exact squared lengths, `Certified_intrinsic_triangulation_traits` is the default, and
+  /// certificates refer to the exact metric. Three of them make a face if they satisfy the triangle inequality, of which
+  /// equality is allowed.
+  unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
+
+  /// The geometry of the face on the left of `h`, from `h` on, made by one of the functors of `traits`. Not called for a
+  /// metric that has `squared_length()`, which need not have this member.
   /// \throws Degenerate_face_error, Invalid_coordinate_error if the face has no usable shape
   /// \pre `h` is not on the border
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const;
-
-  /// The same face in exact integers: squared lengths, dot products and the square of the area, up to one factor.
-  /// \pre `h` is not on the border
-  unspecified_type exact_face(const Mesh& mesh, Input_halfedge_index h) const;
-
-  /// The exact sign of the sine of the wedge from the direction of word `a` clockwise over `steps` input corners to
-  /// that of word `b`. This is for faces that lie unfolded in one plane of space, or bend along parallel edges only.
-  /// `flat_edges` keeps from call to call which edges lie between faces in one plane.
-  /// \return do they? If not, `sine` says nothing; a metric without points answers `false`
-  bool sine_in_plane(const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,
-                     unspecified_type& flat_edges, Sign& sine) const;
 
   /// Optional. Returns whether numbers that define the metric, such as coordinates or lengths, are rounded to double by
   /// it. Then no curve is certified and no distance confirmed, since decisions refer to the rounded numbers. A metric

@@ -68,8 +68,9 @@ public:
 
   /// `Face_geometry operator()(double a, double b, double c) const`: the face whose halfedges have these lengths, in
   /// the order of the face. Called once per input face that is touched, by `Edge_length_metric`. \pre the lengths are
-  /// positive and satisfy the triangle inequality; equality is allowed. The models of this package take rational lengths
-  /// in another form as well; other models get the doubles that these round to
+  /// positive and satisfy the triangle inequality; equality is allowed. The functors of the models
+  /// of this package are also called with exact squared lengths, and `Construct_face_3` with rounded sides, in types of
+  /// the package; these overloads are no part of the concept, and other models get doubles and points
   typedef unspecified_type Construct_face_from_lengths;
 
   /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: the face whose

@@ -136,8 +136,8 @@ public:
       return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), internal::face_layout_error);
     }
 
-    /// The same from rational lengths.
-    Face_geometry operator()(const internal::Rational_lengths& lengths) const
+    /// The same from exact squared lengths.
+    Face_geometry operator()(const internal::Squared_lengths& lengths) const
     {
       return with_error(typename Plain::Construct_face_from_lengths()(lengths), internal::face_layout_error);
     }

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Number_operations.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/exact_geometries.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -174,12 +175,13 @@ public:
     /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const { return face(NT(a), NT(b), NT(c)); }
 
-    /// The same from rational lengths.
-    Face_geometry operator()(const internal::Rational_lengths& lengths) const
+    /// The same from exact squared lengths.
+    Face_geometry operator()(const internal::Squared_lengths& lengths) const
     {
       const NT unit = internal::converted<NT>(lengths.denominator);
-      const auto length = [&](std::size_t i) { return NT(internal::converted<NT>(lengths.numerators[i]) / unit); };
-      return face(length(0), length(1), length(2));
+      const auto square = [&](std::size_t i) { return NT(internal::converted<NT>(lengths.numerators[i]) / unit); };
+      const NT area = NT(internal::converted<NT>(lengths.quadrupled_area_squared()) / NT(unit * unit));
+      return Geometry::face_from_squares(square(0), square(1), square(2), m_unit->root(area));
     }
 
   private:
@@ -494,7 +496,7 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
   for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
     if(input.is_border(h))
       continue;
-    const internal::Integer square = metric.exact_face(input, h).doubled_area_squared;
+    const internal::Integer square = internal::exact_face(metric, input, h).doubled_area_squared;
     if(square == 0)
       continue;
     if(radicand == 0)

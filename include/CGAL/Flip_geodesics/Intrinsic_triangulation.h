@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/Zero_edge_contractor.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
@@ -367,12 +368,12 @@ using Default_metric =
 #ifdef DOXYGEN_RUNNING
 /// \ingroup PkgFlipGeodesicsTraits
 /// The traits for a metric unless others are given: `Certified_intrinsic_triangulation_traits` of the metric's kernel,
-/// or, for a metric of one's own without `exact_face()`, `Intrinsic_triangulation_traits` in double.
+/// or, for a user-defined metric without `squared_length()`, `Intrinsic_triangulation_traits` in double.
 template <class Metric>
 using Default_traits = unspecified_type;
 #else
 template <class Metric>
-using Default_traits = std::conditional_t<internal::Has_exact_faces<Metric>::value,
+using Default_traits = std::conditional_t<internal::has_exact_faces<Metric>,
                                           Certified_intrinsic_triangulation_traits<typename Metric::Kernel>,
                                           Intrinsic_triangulation_traits<typename Metric::Kernel, double>>;
 #endif

@@ -195,8 +195,8 @@ public:
       return turned_to_first(face, a);
     }
 
-    /// The same from rational lengths, of which each coordinate is computed exactly before it is rounded.
-    Face_geometry operator()(const internal::Rational_lengths& lengths) const
+    /// The same from exact squared lengths, of which each coordinate is computed exactly before it is rounded.
+    Face_geometry operator()(const internal::Squared_lengths& lengths) const
     {
       const double base = lengths.length(0).high, height = lengths.doubled_area().high / base;
       return {{{base, 0}, {lengths.dot(0).high / base, height}, {lengths.dot(2).high / base, -height}}};

@@ -105,7 +105,7 @@ struct Geodesics_result
  *     \cgalParamDescription{the arithmetic of the predicates}
  *     \cgalParamType{a model of `IntrinsicTriangulationTraits`, or the kernel of the points to select the default}
  *     \cgalParamDefault{`Certified_intrinsic_triangulation_traits` of the kernel of the metric, or
- *       `Intrinsic_triangulation_traits` if the metric is a user-defined one without `exact_face()`}
+ *       `Intrinsic_triangulation_traits` if the metric is a user-defined one without `squared_length()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{stop_predicate}
  *     \cgalParamDescription{a predicate that ends the process early, which the report then indicates}

@@ -424,33 +424,13 @@ public:
   /// Returns zero.
   double distance_lower_bound(Place, Place) const { return 0; }
 
-  /*!
-   * The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
-   * \throws Degenerate_face_error if the lengths violate the triangle inequality; equality is allowed
-   */
-  template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  /// The squared length of halfedge `h`, exactly. Only if the type of lengths is exact and rational.
+  template <class Number = Length, std::enable_if_t<internal::is_rational_number<Number>, int> = 0>
+  auto squared_length(const Mesh& mesh, Input_halfedge_index h) const
   {
-    using Construct = typename Traits::Construct_face_from_lengths;
-    if constexpr(is_rational && std::is_invocable<const Construct&, const internal::Rational_lengths&>::value) {
-      const internal::Rational_lengths lengths = rational_lengths(mesh, h);
-      const auto& [a, b, c] = lengths.numerators;
-      this->face_lengths(mesh, h); // throws if they cannot be used
-      internal::check_triangle_inequality(mesh, h, a, b, c);
-      return traits.construct_face_from_lengths_object()(lengths);
-    } else {
-      return internal::Metric_of_lengths<Edge_length_metric>::face_geometry(mesh, h, traits);
-    }
-  }
-
-  /// The same face in exact numbers; lengths are taken as they are, or as the doubles they round to, see
-  /// `is_rounded()`.
-  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    if constexpr(is_rational)
-      return internal::exact_face_from_lengths(rational_lengths(mesh, h).numerators);
-    else
-      return internal::exact_face_from_lengths(this->face_lengths(mesh, h));
+    using Square = std::conditional_t<std::is_integral<Number>::value, internal::Integer, Number>; // may overflow
+    const Square length(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
+    return Square(length * length);
   }
 
   /// Returns whether a length is rounded: it is not a double, and its type does not give the exact value as a fraction.
@@ -469,16 +449,6 @@ public:
   }
 
 private:
-  internal::Rational_lengths rational_lengths(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    const auto side = [&](Input_halfedge_index s) {
-      return internal::to_rational(get(m_lengths, edge(mesh.halfedge(s), *m_mesh)));
-    };
-    const Input_halfedge_index hn = mesh.next(h);
-    const internal::Rational_place lengths = internal::rational_place(side(h), side(hn), side(mesh.next(hn)));
-    return {lengths.numerators, lengths.denominator};
-  }
-
   const TriangleMesh* m_mesh;
   EdgeLengthMap m_lengths;
   internal::Known_rounding m_is_rounded;

@@ -195,10 +195,10 @@ inline Exact_face exact_face_from_points(const std::array<Integer, 9>& c)
   return face;
 }
 
-/* Twice the lengths, so that half sums stay whole: |hp|^2 = |h + hn|^2 and |hn|^2 = |h + hp|^2. */
-inline Exact_face exact_face_from_lengths(const std::array<Integer, 3>& l)
+/* Twice the squares, so that half sums stay whole: |hp|^2 = |h + hn|^2 and |hn|^2 = |h + hp|^2. */
+inline Exact_face exact_face_from_squares(const std::array<Integer, 3>& squares)
 {
-  const Integer a = 2 * l[0] * l[0], b = 2 * l[1] * l[1], c = 2 * l[2] * l[2];
+  const Integer a = 2 * squares[0], b = 2 * squares[1], c = 2 * squares[2];
   Exact_face face = {a, (c - a - b) / 2, (b - a - c) / 2, 0};
   face.doubled_area_squared = a * b - face.dot_next * face.dot_next;
   return face;
@@ -206,7 +206,8 @@ inline Exact_face exact_face_from_lengths(const std::array<Integer, 3>& l)
 
 inline Exact_face exact_face_from_lengths(const std::array<double, 3>& lengths)
 {
-  return exact_face_from_lengths(to_integers(lengths));
+  const auto [a, b, c] = to_integers(lengths);
+  return exact_face_from_squares({a * a, b * b, c * c});
 }
 
 /*

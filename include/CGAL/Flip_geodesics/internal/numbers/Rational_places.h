@@ -35,29 +35,35 @@ inline Rational_place rational_place(const Rational& x, const Rational& y, const
 }
 
 /*
- * The lengths of the sides of a face as rational numbers on a common denominator, and what follows from them in
+ * The squared lengths of the sides of a face as rational numbers on a common denominator, and what follows from them in
  * double-double numbers: the lengths, the dot product of each side with the next one, and twice the area. Each is exact
  * but for the rounding of a quotient, and of a root.
  */
-struct Rational_lengths
+struct Squared_lengths
 {
   std::array<Integer, 3> numerators;
   Integer denominator;
 
-  Double_double length(std::size_t i) const { return precise_quotient(numerators[i], denominator); }
+  Double_double length(std::size_t i) const { return internal::sqrt(precise_quotient(numerators[i], denominator)); }
 
-  Double_double dot(std::size_t i) const
+  Double_double dot(std::size_t i) const { return precise_quotient(doubled_dot(i), 2 * denominator); }
+
+  Double_double doubled_area() const
   {
-    const Integer &a = numerators[i], &b = numerators[(i + 1) % 3], &c = numerators[(i + 2) % 3];
-    return precise_quotient(c * c - a * a - b * b, 2 * denominator * denominator);
+    return internal::sqrt(precise_quotient(quadrupled_area_squared(), 4 * denominator * denominator));
   }
 
-  Double_double doubled_area() const // [Heron]
+  /* The square of four times the area, in units of the square of the denominator. [Heron] */
+  Integer quadrupled_area_squared() const
   {
-    const auto& [a, b, c] = numerators;
-    const Integer square = (a + b + c) * (a + b - c) * (b + c - a) * (c + a - b), unit = 2 * denominator * denominator;
-    return internal::sqrt(precise_quotient(square, unit * unit));
+    const Integer dot = doubled_dot(0);
+    return 4 * numerators[0] * numerators[1] - dot * dot;
   }
+
+  bool satisfy_triangle_inequality() const { return quadrupled_area_squared() >= 0; }
+
+private:
+  Integer doubled_dot(std::size_t i) const { return numerators[(i + 2) % 3] - numerators[i] - numerators[(i + 1) % 3]; }
 };
 
 /* The coordinates of points, one after the other, in a unit that makes them integers. */

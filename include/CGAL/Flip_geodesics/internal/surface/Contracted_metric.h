@@ -5,26 +5,11 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
-
-#include <type_traits>
-#include <utility>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/* Detects metrics that provide faces in exact numbers. */
-template <class Metric, class = void>
-struct Has_exact_faces : std::false_type
-{
-};
-
-template <class Metric>
-struct Has_exact_faces<Metric, std::void_t<decltype(std::declval<const Metric&>().exact_face(
-                                   std::declval<const typename Metric::Mesh&>(), Input_halfedge_index()))>>
-  : std::true_type
-{
-};
 
 /* Returns whether the face is degenerate and the vertex opposite to its first side lies between the ends of that
  * side. */
@@ -51,10 +36,19 @@ struct Contracted_metric
 
   double length(Input_halfedge_index h) const { return metric.weight(input, h); }
 
+  /* Points need no exact comparison: two sides that join the same two places have the same rounded length. */
+  bool are_equally_long(Input_halfedge_index g, Input_halfedge_index h) const
+  {
+    if constexpr(Has_squared_lengths<Metric>::value)
+      return metric.squared_length(input, g) == metric.squared_length(input, h);
+    else
+      return !(length(g) < length(h) || length(h) < length(g));
+  }
+
   bool is_folded([[maybe_unused]] Input_halfedge_index h, [[maybe_unused]] Input_halfedge_index t) const
   {
-    if constexpr(Has_exact_faces<Metric>::value)
-      return are_apexes_in_one_place(metric.exact_face(input, h), metric.exact_face(input, t));
+    if constexpr(has_exact_faces<Metric>)
+      return are_apexes_in_one_place(exact_face(metric, input, h), exact_face(metric, input, t));
     else
       return false;
   }

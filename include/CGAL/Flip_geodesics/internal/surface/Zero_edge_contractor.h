@@ -52,8 +52,9 @@ template <class Input_mesh>
 class Zero_edge_contractor
 {
 public:
-  /* `metric.length(h)` must return the length of an edge, NaN if it has none; `metric.is_folded(h, t)`, whether the
-   * vertices opposite to h and t, two directions of one segment, coincide on it. */
+  /* `metric.length(h)` must return the length of an edge, NaN if it has none; `metric.are_equally_long(g, h)`, whether
+   * two edges have exactly the same length; `metric.is_folded(h, t)`, whether the vertices opposite to h and t, two
+   * directions of one segment, coincide on it. */
   template <class Metric>
   Zero_edge_contractor(const Input_mesh& input, const Metric& metric)
     : m_input(input)
@@ -72,7 +73,7 @@ public:
       merge(input.tail(h), input.tail(twin_index(h)));
     }
     if(m_is_needed)
-      check_needles(length);
+      check_needles(metric);
     unfold(metric);
   }
 
@@ -140,8 +141,8 @@ private:
   }
 
   // The two long sides of a needle become one, so that their lengths must agree.
-  template <class Length>
-  void check_needles(const Length& length) const
+  template <class Metric>
+  void check_needles(const Metric& metric) const
   {
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges())) {
       if(m_is_zero[h] == 0 || is_border(h))
@@ -150,7 +151,7 @@ private:
       if(g == h)
         continue;
       const Input_halfedge_index k = next_side(g);
-      if(k == g || (next_side(k) == g && (length(g) < length(k) || length(k) < length(g))))
+      if(k == g || (next_side(k) == g && !metric.are_equally_long(g, k)))
         throw Degenerate_face_error(
             "a face has an edge of length zero between vertices " + std::to_string(m_input.tail(h).idx()) + " and " +
                 std::to_string(m_input.tail(twin_index(h)).idx()) + ", and two of different lengths",

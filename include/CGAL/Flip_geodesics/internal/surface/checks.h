@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 
 #include <boost/config.hpp>
 
@@ -104,7 +105,7 @@ template <class Triangulation, class Traits>
 auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h, const Traits& traits)
 {
   check_triangle(triangulation.input(), h);
-  return triangulation.metric().face_geometry(triangulation.input(), h, traits);
+  return face_geometry(triangulation.metric(), triangulation.input(), h, traits);
 }
 
 /* Returns the vectors in doubles, with h on the positive real axis, of a face known to be a triangle. */
@@ -112,7 +113,7 @@ template <class Triangulation>
 auto known_input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h)
 {
   using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel, double>;
-  return triangulation.metric().face_geometry(triangulation.input(), h, Double_traits());
+  return face_geometry(triangulation.metric(), triangulation.input(), h, Double_traits());
 }
 
 /* Returns the vectors in doubles of any face, which must be a triangle. */

@@ -47,10 +47,7 @@ inline bool is_longer_than_sum(double a, double b, double c)
       edge + " has the length " + number.str() + ", which is not a number between 1e-70 and 1e70", elements);
 }
 
-inline bool is_longer_than_sum(const Integer& a, const Integer& b, const Integer& c) { return a > b + c; }
-
-template <class Number>
-bool satisfy_triangle_inequality(const Number& a, const Number& b, const Number& c)
+inline bool satisfy_triangle_inequality(double a, double b, double c)
 {
   return !is_longer_than_sum(a, b, c) && !is_longer_than_sum(b, c, a) && !is_longer_than_sum(c, a, b);
 }
@@ -87,17 +84,21 @@ bool is_usable_face(const Metric& metric, const Input_mesh& mesh, Input_halfedge
   }
 }
 
-/* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */
-template <class Input_mesh, class Number>
-void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, const Number& a, const Number& b,
-                               const Number& c)
+template <class Input_mesh>
+[[noreturn]] void throw_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h)
 {
-  if(satisfy_triangle_inequality(a, b, c))
-    return;
   const Index u = mesh.tail(h).idx(), v = mesh.tail(mesh.next(h)).idx(), w = mesh.tail(mesh.previous(h)).idx();
   throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(u) + ", " +
                                   std::to_string(v) + ", " + std::to_string(w) + " violate the triangle inequality",
                               {static_cast<std::size_t>(u), static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
+}
+
+/* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */
+template <class Input_mesh>
+void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, double a, double b, double c)
+{
+  if(!satisfy_triangle_inequality(a, b, c))
+    throw_triangle_inequality(mesh, h);
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
@@ -319,7 +320,7 @@ public:
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    return m_metric.face_geometry(below(mesh), mesh.surface().below(h), traits);
+    return internal::face_geometry(m_metric, below(mesh), mesh.surface().below(h), traits);
   }
 
   bool is_rounded(const Mesh& mesh) const { return is_rounded_metric(m_metric, below(mesh)); }
@@ -330,7 +331,7 @@ public:
 
   Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
-    return m_metric.exact_face(below(mesh), mesh.surface().below(h));
+    return internal::exact_face(m_metric, below(mesh), mesh.surface().below(h));
   }
 
   /* The results for flat edges are stored for the edges below. */
@@ -340,7 +341,7 @@ public:
     if(m_flat_edges->size() == 0)
       *m_flat_edges = Flat_edges(static_cast<std::size_t>(below(mesh).number_of_halfedges() / 2));
     sine = ZERO;
-    return m_metric.sine_in_plane(below(mesh), below(mesh, a), below(mesh, b), steps, *m_flat_edges, sine);
+    return internal::sine_in_plane(m_metric, below(mesh), below(mesh, a), below(mesh, b), steps, *m_flat_edges, sine);
   }
 
 private:

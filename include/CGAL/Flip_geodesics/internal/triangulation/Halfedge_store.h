@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <CGAL/assertions.h>
@@ -363,7 +364,7 @@ private:
     // Starts with the smallest side, so that results are bitwise independent of the side that is touched first.
     const Input_halfedge_index first = (std::min)({h, hn, hp});
     const Input_halfedge_index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
-    const auto geometry = m_metric.face_geometry(m_input, first, m_traits);
+    const auto geometry = face_geometry(m_metric, m_input, first, m_traits);
     std::array<Slot, 3> slots;
     for(int i = 0; i < 3; ++i) {
       const Halfedge_index side = as_intrinsic(sides[i]);

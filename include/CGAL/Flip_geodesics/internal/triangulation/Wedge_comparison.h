@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_COMPARISON_H
 
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/planar_sine.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
@@ -133,8 +134,8 @@ private:
   bool is_in_plane(const Wedge_edge_sequences& sequences, Sign& sine) const
   {
     const auto by_metric = [&](Flat_edges& flat_edges) {
-      return m_triangulation.metric().sine_in_plane(m_triangulation.input(), sequences.from, sequences.to,
-                                                    sequences.steps, flat_edges, sine);
+      return sine_in_plane(m_triangulation.metric(), m_triangulation.input(), sequences.from, sequences.to,
+                           sequences.steps, flat_edges, sine);
     };
     bool result;
     if constexpr(Internals<Triangulation>::has_precise_numbers) {

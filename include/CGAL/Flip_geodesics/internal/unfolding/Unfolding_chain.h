@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <array>
@@ -30,7 +31,7 @@ public:
     if(found != m_faces.end())
       return found->second;
     check_triangle(triangulation.input(), h);
-    return m_faces.emplace(h, triangulation.metric().exact_face(triangulation.input(), h)).first->second;
+    return m_faces.emplace(h, exact_face(triangulation.metric(), triangulation.input(), h)).first->second;
   }
 
   std::size_t size() const { return m_faces.size(); }
