@@ -78,7 +78,7 @@ public:
         m_segments[index(s)] = {other.halfedge(s), c, other.is_head_fixed(s), true};
         m_curves.back().segments.push_back(s);
         const Edge_index e = Triangulation::edge(other.halfedge(s));
-        if(stack(e).empty())
+        if(bundle(e).empty())
           m_triangulation.hold(e);
         m_bundles[e.idx()] = other.bundle(e);
       });
@@ -125,8 +125,8 @@ public:
       return *after;
     return c.is_closed ? c.segments.front() : Segment_index(CGAL::Flip_geodesics::null_index);
   }
-  bool is_occupied(Halfedge_index h) const { return !stack(Triangulation::edge(h)).empty(); }
-  Segments stack(Edge_index e) const
+  bool is_occupied(Halfedge_index h) const { return !bundle(Triangulation::edge(h)).empty(); }
+  Segments bundle(Edge_index e) const
   {
     const auto found = m_bundles.find(e.idx());
     return found == m_bundles.end() ? Segments() : found->second;
@@ -199,7 +199,7 @@ public:
     Segments added;
     for(const Halfedge_index h : arc) {
       const Halfedge_index along = joint.side == Side::LEFT ? h : Triangulation::twin(h);
-      added.push_back(add(c, along, along == h ? stack(Triangulation::edge(h)).size() : 0));
+      added.push_back(add(c, along, along == h ? bundle(Triangulation::edge(h)).size() : 0));
     }
     if(joint.side == Side::RIGHT)
       std::reverse(added.begin(), added.end());
@@ -257,7 +257,7 @@ private:
   // The segments on an edge from left to right along h.
   Segments from_left(Halfedge_index h) const
   {
-    Segments result = stack(Triangulation::edge(h));
+    Segments result = bundle(Triangulation::edge(h));
     if(!is_first(h))
       std::reverse(result.begin(), result.end());
     return result;

@@ -15,6 +15,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
@@ -406,7 +407,7 @@ public:
     for(std::size_t i = 0; i + 2 < sides.size() && !sides[i].is_border; i += 3)
       m_parts->push_back(
           Exact_subface(exact_face_below(surface.below(), sides[i].face),
-                        metric.face_geometry(surface.below(), sides[i].face, Precise_face_traits())[0],
+                        internal::face_geometry(metric, surface.below(), sides[i].face, Precise_face_traits())[0],
                         {{sides[i].tail_weights, sides[i + 1].tail_weights, sides[i + 2].tail_weights}}));
   }
 
@@ -457,12 +458,12 @@ public:
   {
     const Split_side* const side = mesh.surface().find(h);
     if(side == nullptr)
-      return m_metric.face_geometry(below(mesh), h, traits);
+      return internal::face_geometry(m_metric, below(mesh), h, traits);
     if constexpr(std::is_same<Traits, Precise_face_traits>::value) {
       return part(mesh, *side).precise_face(place_in_part(mesh, *side));
     } else if constexpr(Has_exact_subfaces<Traits>::value) {
       const Split_side *const next = mesh.surface().find(side->next), *const last = mesh.surface().find(side->previous);
-      return traits.construct_subface_object()(m_metric.face_geometry(below(mesh), side->face, traits),
+      return traits.construct_subface_object()(internal::face_geometry(m_metric, below(mesh), side->face, traits),
                                                {{side->tail_weights, next->tail_weights, last->tail_weights}});
     } else {
       for(const Input_halfedge_index s : {h, side->next, side->previous})
@@ -499,11 +500,8 @@ public:
     sine = ZERO;
     if(surface.is_beside_split(a.tail) || surface.is_new(a.head) || surface.is_new(b.head))
       return false;
-    if constexpr(Has_exact_faces<Metric>::value)
-      return m_metric.sine_in_plane(below(mesh), sequence_below(surface, a), sequence_below(surface, b), steps,
-                                    flat_edges, sine);
-    else
-      return false;
+    return internal::sine_in_plane(m_metric, below(mesh), sequence_below(surface, a), sequence_below(surface, b), steps,
+                                   flat_edges, sine);
   }
 
 private:
@@ -514,8 +512,8 @@ private:
 
   Exact_face exact_face_below(const Below& input, Input_halfedge_index h) const
   {
-    if constexpr(Has_exact_faces<Metric>::value)
-      return m_metric.exact_face(input, h);
+    if constexpr(has_exact_faces<Metric>)
+      return internal::exact_face(m_metric, input, h);
     else
       return exact_face_from_lengths(std::array<double, 3>{
           m_metric.length(input, h), m_metric.length(input, input.next(h)), m_metric.length(input, input.previous(h))});
