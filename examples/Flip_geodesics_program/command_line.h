@@ -252,9 +252,9 @@ private:
 
   void add_ends()
   {
-    m_group = "Curves: one kind of them; vertices are counted from 0";
-    CLI::Option* const from = add("--from", "VERTEX", m_options.from, any, "source of one path");
-    CLI::Option* const to = add("--to", "VERTEX", m_options.to, any, "target of one path");
+    m_group = "Curves: one kind of them. Points are `v`, x,y,z in space, a,b,t on an edge, a,b,c,t,u in a face";
+    CLI::Option* const from = add_text("--from", "POINT", m_options.from, "source of one path");
+    CLI::Option* const to = add_text("--to", "POINT", m_options.to, "target of one path");
     from->needs(to);
     to->needs(from);
   }
@@ -262,7 +262,7 @@ private:
   void add_pairs()
   {
     add_ends();
-    add_text("--pairs", "FILE", m_options.pairs, "a path per line `source target`; # starts a comment");
+    add_text("--pairs", "FILE", m_options.pairs, "a path per line `source target`, of points; # starts a comment");
     add("--random", "NUMBER", m_options.random, {1, 1e7}, "paths between random vertices of one component");
     add("--seed", "NUMBER", m_options.seed, not_negative, "seed of --random [1]");
   }
@@ -270,8 +270,7 @@ private:
   void add_files_of_paths()
   {
     add_text("--edges", "FILE", m_options.edges, "a path of edges per line, as vertices");
-    add_text("--points", "FILE", m_options.points,
-             "a path per line through points: `v`, `a,b,t` on an edge, `a,b,c,t,u` in a face");
+    add_text("--points", "FILE", m_options.points, "a path per line, through points");
     add_draw();
     add("--snap", m_options.is_snapped, "move the polylines of --draw to edges first")
         ->needs(m_command->get_option("--draw"));
@@ -280,7 +279,7 @@ private:
   CLI::Option* add_draw()
   {
     return add_text("--draw", "FILE", m_options.draw,
-                    "a polyline per line through such points, after `o` closed; or FILE.polylines.txt");
+                    "a polyline per line, through points, after `o` closed; or FILE.polylines.txt");
   }
 
   CLI::Option* add_loop()

@@ -26,8 +26,7 @@ struct Options
   std::string output_format; ///< of a mesh that goes to standard output
   bool is_repaired = false;
   double weld = 0; ///< the tolerance of the repair
-  std::optional<long long> from, to;
-  std::string pairs, edges, loop, network, segmentation, points, bezier, draw;
+  std::string from, to, pairs, edges, loop, network, segmentation, points, bezier, draw;
   bool is_snapped = false, has_seams = false, has_free_junctions = false, is_shortest = false, has_voronoi = false;
   int rounds = 5;
   std::optional<long long> landmarks, ways, random, source;

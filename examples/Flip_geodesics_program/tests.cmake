@@ -161,6 +161,22 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   1)
   flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" path torus.off --points points.txt --polylines
                                   points.out)
+  # Ends at vertices, in space, on an edge and in a face, with commas between them.
+  file(WRITE ${program_dir}/pairs.csv "0,150\n1.5,0,0, -1.5,0,0.5\n0,1,0.25,1.5,0,0\n0,12,13,0.3,0.3,0,1,13,0.2,0.2\n")
+  file(WRITE ${program_dir}/path.csv "0,1,2,14\n5, 6, 7\n")
+  file(WRITE ${program_dir}/no_pair.csv "1.5,0,0,-1.5,0\n")
+  flip_geodesics_add_program_test(ends_in_space 0 "1 LOCALLY_SHORTEST" path torus.off --from 1.5,0,0.1 --to=-1.5,0,0.5)
+  flip_geodesics_add_program_test(ends_of_two_kinds 0 "1 LOCALLY_SHORTEST" path torus.off --from 0 --to 0,12,13,0.3,0.3)
+  flip_geodesics_add_program_test(pairs_of_points 0 "0 +0 +150 .*4 LOCALLY_SHORTEST" path torus.off --pairs pairs.csv)
+  flip_geodesics_add_program_test(edges_with_commas 0 "2 LOCALLY_SHORTEST" path torus.off --edges path.csv)
+  flip_geodesics_add_program_test(no_pair 2 "no_pair.csv line 1: a pair is two points, not 1" path torus.off --pairs
+                                  no_pair.csv)
+  flip_geodesics_add_program_test(no_edge_but_space 2 "--to: '0,100,0.5' names .*write x.0,y.0,z for a point in space"
+                                  path torus.off --from 0 --to 0,100,0.5)
+  flip_geodesics_add_program_test(far_end 2 "--to: a point has a coordinate beyond 1e60" path torus.off --from 0 --to
+                                  1e70,0,0)
+  flip_geodesics_add_program_test(shortest_between_points 2 "--from, --to: shortest paths are computed between vertices"
+                                  shortest torus.off --from 0 --to 0.1,0.2,0.3)
   flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt)
   flip_geodesics_add_program_test(crossing_page 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt
                                   --page crossing.html)
@@ -361,8 +377,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --isolines 1)
   flip_geodesics_add_program_test(source_too_large 2 "--source: '99999999999999999999' is beyond" distance torus.off
                                   --source 0,99999999999999999999 --isolines 1)
-  flip_geodesics_add_program_test(vertex_too_large 2 "--from: '99999999999999999999' is beyond the range" path torus.off
-                                  --from 99999999999999999999 --to 3)
+  flip_geodesics_add_program_test(vertex_too_large 2 "--from: a point has a vertex that is not a whole number below 1e15" path
+                                  torus.off --from 99999999999999999999 --to 3)
   flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is beyond the range" path torus.off
                                   --random 1 --seed 99999999999999999999)
   flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' is beyond the range" distance torus.off
@@ -377,14 +393,15 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --trace 010,00.5,01 --trace 9,0,1 --trace +10,1,1)
   flip_geodesics_add_program_test(zeros_in_file 0 "0  *0  *150  .*1  *10  *77  .*2 LOCALLY_SHORTEST" path torus.off
                                   --pairs zeros.txt)
-  flip_geodesics_add_program_test(hexadecimal_file 2 "hexadecimal.txt line 1: '0x1' is no whole number" path torus.off
+  flip_geodesics_add_program_test(hexadecimal_file 2 "hexadecimal.txt line 1: '0x1' is not a point" path torus.off
                                   --pairs hexadecimal.txt)
   flip_geodesics_add_program_test(zeros_in_limits 0 "8 LOCALLY_SHORTEST" path torus.off --random 08 --seed 09)
-  flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is no whole number; see" path torus.off --from 0 --to 0x1)
+  flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is not a point. write a vertex" path torus.off --from 0 --to
+                                  0x1)
   flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is no whole number" spline torus.off --bezier
                                   bezier.txt --rounds 0x1)
   flip_geodesics_add_program_test(hexadecimal_trace 2 "--trace 0x1,0,1: give a vertex" trace torus.off --trace 0x1,0,1)
-  flip_geodesics_add_program_test(blank_number 2 "--from: ' 1' is no whole number" path torus.off "--from= 1" --to 0)
+  flip_geodesics_add_program_test(blank_number 2 "--from: ' 1' is not a point" path torus.off "--from= 1" --to 0)
   flip_geodesics_add_program_test(isoline_infinite 2 "--isolines: 'inf' is not a finite number" distance torus.off
                                   --source 0 --isolines inf)
   flip_geodesics_add_program_test(tolerance_infinite 2 "--tolerance: 'inf' is not a finite number" distance torus.off
@@ -456,7 +473,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(one_dash 2 "-randm is not known; did you mean --random." path torus.off -randm 3)
   flip_geodesics_add_program_test(one_letter 2 "-x is not known. see flip_geodesics path --help" path torus.off -x
                                   x.obj)
-  flip_geodesics_add_program_test(no_vertex 2 "--from: 'zero' is no whole number" path torus.off --from zero --to 5)
+  flip_geodesics_add_program_test(no_vertex 2 "--from: 'zero' is not a point" path torus.off --from zero --to 5)
   flip_geodesics_add_program_test(begun 2 "--seg is not known. did you mean --segmentation." network torus.off --seg=x)
   flip_geodesics_add_program_test(unlike_any 2 "--xyzzyx is not known; see" path torus.off --xyzzyx)
   flip_geodesics_add_program_test(zero_length 1
@@ -610,7 +627,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(huge_header 2 "huge.off line 2: .*number of vertices" path huge.off --random 2)
   flip_geodesics_add_program_test(early_property 2 "early_property.ply line 3: .*property before any element" path
                                   early_property.ply --random 2)
-  flip_geodesics_add_program_test(escape 2 "escape.txt line 2: '[?]c7' is no whole number" path torus.off --pairs
+  flip_geodesics_add_program_test(escape 2 "escape.txt line 2: '[?]c7' is not a point" path torus.off --pairs
                                   escape.txt)
   flip_geodesics_add_program_test(folder 2 ": is a folder; name a file in it" path . --random 2)
   flip_geodesics_add_program_test(folder_of_pairs 2 ": is a folder; name a file in it" path torus.off --pairs .)
@@ -618,7 +635,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(escape_in_option 2 "--kernel: [?]c not in" path torus.off --random 2 --kernel
                                   "${escape}c")
   flip_geodesics_add_program_test(marked 0 "2 LOCALLY_SHORTEST" path torus.off --pairs marked.txt)
-  flip_geodesics_add_program_test(beyond 2 "beyond the range" path torus.off --pairs beyond.txt)
+  flip_geodesics_add_program_test(beyond 2 "beyond.txt line 1: a point has a vertex that is not a whole number" path
+                                  torus.off --pairs beyond.txt)
   flip_geodesics_add_program_test(none_at_random 2 "--random: '0' is out of range" path torus.off --random 0)
   flip_geodesics_add_program_test(too_many_at_random 2 "--random: '99999999999' is out of range" path torus.off --random
                                   99999999999)

@@ -265,9 +265,11 @@ BOOST_AUTO_TEST_CASE(curve_files)
   BOOST_CHECK_EQUAL(pairs("\xef\xbb\xbf"
                           "0 5\r\n1\t3 # c\r\r2 4"),
                     "read: 3");
-  check_has(pairs("0 1\n0 99999999999999999999\n"), "a.txt line 2: '99999999999999999999' is beyond the range");
+  check_has(pairs("0 1\n0 99999999999999999999\n"), "a.txt line 2: a point has a vertex that is not a whole");
+  BOOST_CHECK_EQUAL(pairs("0,5\n1, 3\n0.5,0,0 0\n0.5,0,0,0,0.5,1\n"), "read: 4");
+  check_has(pairs("0,1,2\n"), "a pair is two points, not 1");
   check_has(pairs("0 6\n"), "a.txt line 1: vertex 6 does not exist; use 0 to 5");
-  check_has(pairs("0 \x1b[31m\n"), "'?[31m' is no whole number");
+  check_has(pairs("0 \x1b[31m\n"), "'?[31m' is not a point");
   BOOST_CHECK_LT(pairs("0 " + std::string(100000, '9') + "\n").size(), 300);
 }
 

@@ -93,12 +93,16 @@ inline std::vector<Vertex_index> read_vertices(const Input_mesh& mesh, Text_scan
 {
   const std::string name = words.place();
   std::vector<Vertex_index> vertices;
-  for(std::string_view word; !(word = words.next_word()).empty();) {
-    long long v = 0;
-    if(const char* const error = parse_number(word, v))
-      words.fail("'" + printable(word) + "' " + error + "; write 0-based numbers of vertices between blanks");
-    vertices.push_back(mesh.vertex(v, name));
-  }
+  for(std::string_view word; !(word = words.next_word()).empty();)
+    for(std::size_t start = 0, end = 0; start < word.size(); start = end + 1) {
+      end = (std::min)(word.find(',', start), word.size());
+      const std::string_view digits = word.substr(start, end - start);
+      long long v = 0;
+      if(const char* const error = parse_number(digits, v))
+        words.fail("'" + printable(digits) + "' " + error +
+                   "; write 0-based numbers of vertices between blanks or commas");
+      vertices.push_back(mesh.vertex(v, name));
+    }
   return vertices;
 }
 
@@ -115,27 +119,6 @@ inline Curve_request make_pair_request(Vertex_index s, Vertex_index t, const std
 inline Network_request tree_request(const Input_mesh& mesh, long long source)
 {
   return {{}, {}, mesh.vertex(source, "--source")};
-}
-
-/// The pair of the command line.
-inline std::vector<Curve_request> single_pair(const Input_mesh& mesh, long long s, long long t)
-{
-  const std::string name = "--from, --to";
-  return {make_pair_request(mesh.vertex(s, name), mesh.vertex(t, name), name)};
-}
-
-/// Lines `s t`. Whether a path joins the two vertices is left to the computation, so that a pair fails alone.
-inline std::vector<Curve_request> read_pairs(const Input_mesh& mesh, const Input_text& input)
-{
-  std::vector<Curve_request> pairs;
-  for_each_line(input, [&](Text_scanner& words) {
-    const std::vector<Vertex_index> v = read_vertices(mesh, words);
-    if(v.size() != 2)
-      words.fail("a pair is two vertices, not " + std::to_string(v.size()) + "; write `source target`");
-    pairs.push_back(make_pair_request(v[0], v[1], words.place()));
-  });
-  check_not_empty(pairs, input);
-  return pairs;
 }
 
 /// `count` pairs of different vertices of one component, the same ones for the same mesh and seed on any machine.

@@ -4,23 +4,28 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_POINT_INPUT_H
 
 #include "input/curve_input.h"
+#include "input/surface_projector.h"
 
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-// Files of points anywhere on the mesh: `v` is a vertex, `a,b,t` the point (1-t) a + t b of an edge, and `a,b,c,t,u`
-// the point (1-t-u) a + t b + u c of a face, as in the polylines that the program writes.
+// Points anywhere on the mesh, in files and options: `v` is a vertex, `a,b,t` the point (1-t) a + t b of an edge, and
+// `a,b,c,t,u` the point (1-t-u) a + t b + u c of a face, as in the polylines that the program writes. Three numbers of
+// which the first two are not both written as whole numbers are a point in space, for the nearest point of the mesh.
 namespace program {
 
 [[noreturn]] inline void throw_no_point(std::string_view word, const std::string& name)
 {
-  throw Bad_input(name + ": '" + printable(word) +
-                  "' is not a point; write a vertex, a,b,t or a,b,c,t,u without blanks");
+  throw Bad_input(
+      name + ": '" + printable(word) +
+      "' is not a point; write a vertex, x,y,z in space, a,b,t on an edge or a,b,c,t,u in a face, without blanks");
 }
 
 inline std::vector<double> read_numbers(std::string_view word, const std::string& name)
@@ -38,7 +43,7 @@ inline std::vector<double> read_numbers(std::string_view word, const std::string
 inline Vertex_index read_vertex(const Input_mesh& mesh, double number, const std::string& name)
 {
   if(!(number >= -1e15 && number <= 1e15) || number != static_cast<double>(static_cast<long long>(number)))
-    throw Bad_input(name + ": a point has a vertex that is no whole number; vertices are counted from 0");
+    throw Bad_input(name + ": a point has a vertex that is not a whole number below 1e15; vertices are counted from 0");
   return mesh.vertex(static_cast<long long>(number), name);
 }
 
@@ -51,32 +56,124 @@ inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Vertex_index a, V
   return is_of_face ? h : Mesh::null_halfedge();
 }
 
-inline CGAL::Flip_geodesics::Surface_location read_point(const Input_mesh& input_mesh, std::string_view word,
-                                                         const std::string& name)
+/// Finds the points that words stand for.
+class Point_reader
 {
-  const Mesh& mesh = input_mesh;
-  const std::vector<double> n = read_numbers(word, name);
-  if(n.size() != 1 && n.size() != 3 && n.size() != 5)
-    throw_no_point(word, name);
-  const Vertex_index a = read_vertex(input_mesh, n[0], name);
-  if(n.size() == 1) {
-    const Mesh::Halfedge_index h = mesh.halfedge(mesh_vertex(a));
-    if(h == Mesh::null_halfedge())
-      throw Bad_input(name + ": vertex " + std::to_string(a.idx()) + " is in no face; choose another one");
-    return {index_of(mesh.opposite(h)), {{1, 0, 0}}};
+  using Surface_location = CGAL::Flip_geodesics::Surface_location;
+
+public:
+  explicit Point_reader(const Input_mesh& mesh)
+    : m_input_mesh(mesh)
+    , m_mesh(mesh)
+  {
   }
-  const Vertex_index b = read_vertex(input_mesh, n[1], name);
-  const Vertex_index c = n.size() == 5 ? read_vertex(input_mesh, n[2], name) : Vertex_index();
-  const double t = n[n.size() == 5 ? 3 : 2], u = n.size() == 5 ? n[4] : 0;
-  if(!(t >= 0 && u >= 0 && t + u <= 1))
+
+  const Input_mesh& mesh() const { return m_input_mesh; }
+
+  /// \param name where the word is, for messages \throws Bad_input
+  Surface_location operator()(std::string_view word, const std::string& name)
+  {
+    const std::vector<double> n = read_numbers(word, name);
+    if(n.size() == 3 && word.substr(0, word.rfind(',')).find_first_not_of("0123456789,+-") != std::string_view::npos)
+      return nearest_point({n[0], n[1], n[2]}, name);
+    if(n.size() != 1 && n.size() != 3 && n.size() != 5)
+      throw_no_point(word, name);
+    const Vertex_index a = read_vertex(m_input_mesh, n[0], name);
+    return n.size() == 1 ? at_vertex(a, name) : in_face(a, n, word, name);
+  }
+
+private:
+  Surface_location at_vertex(Vertex_index v, const std::string& name) const
+  {
+    const Mesh::Halfedge_index h = m_mesh.halfedge(mesh_vertex(v));
+    if(h == Mesh::null_halfedge())
+      throw Bad_input(name + ": vertex " + std::to_string(v.idx()) + " is in no face; choose another one");
+    return {index_of(m_mesh.opposite(h)), {{1, 0, 0}}};
+  }
+
+  Surface_location in_face(Vertex_index a, const std::vector<double>& n, std::string_view word,
+                           const std::string& name) const
+  {
+    const Vertex_index b = read_vertex(m_input_mesh, n[1], name);
+    const Vertex_index c = n.size() == 5 ? read_vertex(m_input_mesh, n[2], name) : Vertex_index();
+    const double t = n[n.size() == 5 ? 3 : 2], u = n.size() == 5 ? n[4] : 0;
+    if(!(t >= 0 && u >= 0 && t + u <= 1))
+      throw Bad_input(name + ": '" + printable(word) +
+                      "' is outside; its coordinates must not be negative or sum to more than 1");
+    if(const auto h = halfedge_between(m_mesh, a, b, c); h != Mesh::null_halfedge())
+      return {index_of(h), {{1 - t - u, t, u}}};
+    if(const auto h = halfedge_between(m_mesh, b, a, c); h != Mesh::null_halfedge())
+      return {index_of(h), {{t, 1 - t - u, u}}};
     throw Bad_input(name + ": '" + printable(word) +
-                    "' is outside; its coordinates must not be negative or sum to more than 1");
-  if(const auto h = halfedge_between(mesh, a, b, c); h != Mesh::null_halfedge())
-    return {index_of(h), {{1 - t - u, t, u}}};
-  if(const auto h = halfedge_between(mesh, b, a, c); h != Mesh::null_halfedge())
-    return {index_of(h), {{t, 1 - t - u, u}}};
-  throw Bad_input(name + ": '" + printable(word) +
-                  "' names vertices that are not those of an edge or face; correct them");
+                    "' names vertices that are not those of an edge or face; correct " +
+                    (c.is_valid() ? "them" : "them, or write x.0,y.0,z for a point in space"));
+  }
+
+  Surface_location nearest_point(const Point_3& p, const std::string& name)
+  {
+    if(!m_project) {
+      check_coordinates_to_project(m_mesh, name);
+      m_project.emplace(m_mesh);
+    }
+    for(int i = 0; i < 3; ++i)
+      if(std::abs(p[i]) > largest_coordinate_to_project)
+        throw Bad_input(name +
+                        ": a point has a coordinate beyond 1e60, so that it cannot be moved to the mesh; scale both");
+    return (*m_project)(p);
+  }
+
+  const Input_mesh& m_input_mesh;
+  const Mesh& m_mesh;
+  std::optional<Surface_projector> m_project;
+};
+
+/// The next point of a line, which a comma may separate from the one after it; empty at the end of the line.
+inline std::string_view next_point(Text_scanner& words)
+{
+  std::string_view word = words.next_word();
+  if(word.size() > 1 && word.back() == ',')
+    word.remove_suffix(1);
+  return word;
+}
+
+/// A path between two points: a pair if both are vertices.
+inline Curve_request path_between(Point_reader& read_point, std::string_view s, std::string_view t,
+                                  const std::string& name, const std::string& name_of_s, const std::string& name_of_t)
+{
+  long long a = 0, b = 0;
+  const Input_mesh& mesh = read_point.mesh();
+  if(parse_number(s, a) == nullptr && parse_number(t, b) == nullptr)
+    return make_pair_request(mesh.vertex(a, name_of_s), mesh.vertex(b, name_of_t), name);
+  Curve_request curve;
+  curve.name = name;
+  curve.points = {read_point(s, name_of_s), read_point(t, name_of_t)};
+  return curve;
+}
+
+/// Lines `s t` of points, separated by blanks or a comma. Whether a path joins them is left to the computation, so that
+/// a pair fails alone.
+inline std::vector<Curve_request> read_pairs(const Input_mesh& mesh, const Input_text& input)
+{
+  Point_reader read_point(mesh);
+  std::vector<Curve_request> pairs;
+  for_each_line(input, [&](Text_scanner& words) {
+    std::vector<std::string_view> ends;
+    for(std::string_view word; !(word = next_point(words)).empty();)
+      ends.push_back(word);
+    if(ends.size() == 1) { // the comma in the middle separates two points of as many numbers
+      std::size_t at = std::string_view::npos;
+      for(auto left = std::count(ends[0].begin(), ends[0].end(), ',') / 2 + 1; left > 0; --left)
+        at = ends[0].find(',', at + 1);
+      if(at != std::string_view::npos && std::count(ends[0].begin(), ends[0].end(), ',') % 2 == 1)
+        ends = {ends[0].substr(0, at), ends[0].substr(at + 1)};
+    }
+    const std::string name = words.place();
+    if(ends.size() != 2)
+      words.fail("a pair is two points, not " + std::to_string(ends.size()) + "; write `source target`");
+    pairs.push_back(path_between(read_point, ends[0], ends[1], name, name, name));
+  });
+  check_not_empty(pairs, input);
+  return pairs;
 }
 
 /// Lines of points. Those of splines are control points; `s` before them makes them those of a cubic B-spline, `o` of a
@@ -84,6 +181,7 @@ inline CGAL::Flip_geodesics::Surface_location read_point(const Input_mesh& input
 inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, const Input_text& input, bool are_splines)
 {
   using CGAL::Flip_geodesics::Spline_kind;
+  Point_reader read_point(mesh);
   std::vector<Curve_request> curves;
   for_each_line(input, [&](Text_scanner& words) {
     const std::string name = words.place();
@@ -97,8 +195,8 @@ inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, cons
       else if(words.take('s'))
         curve.spline = Spline_kind::CUBIC_B_SPLINE;
     }
-    for(std::string_view word; !(word = words.next_word()).empty();)
-      curve.points.push_back(read_point(mesh, word, name));
+    for(std::string_view word; !(word = next_point(words)).empty();)
+      curve.points.push_back(read_point(word, name));
     if(curve.points.size() < (curve.is_closed ? 3u : 2u))
       words.fail("a curve needs two points, a closed one three; add points or remove the line");
     curves.push_back(curve);

@@ -19,11 +19,23 @@ program::Input_mesh program::read_input_mesh(const Options& options)
   if(!options.format.empty() && mesh_formats().count(lower_case(options.format)) == 0)
     throw Bad_input("--format " + printable(options.format) + ": not known; use one of" + names_of_mesh_formats());
   const Input_text input = read_text(options.mesh, lower_case(options.format));
-  Input_mesh mesh = options.is_repaired || options.command == "repair" ? repair_mesh(input, options.weld) : read_mesh(input);
+  Input_mesh mesh =
+      options.is_repaired || options.command == "repair" ? repair_mesh(input, options.weld) : read_mesh(input);
   if(options.has_seams)
     mesh.keep_text(input);
   return mesh;
 }
+
+namespace {
+
+std::vector<program::Curve_request> read_ends(const program::Input_mesh& mesh, const std::string& s,
+                                              const std::string& t)
+{
+  program::Point_reader read_point(mesh);
+  return {program::path_between(read_point, s, t, "--from, --to", "--from", "--to")};
+}
+
+} // namespace
 
 std::vector<program::Network_request> program::read_requests(const Options& options, const Input_mesh& mesh)
 {
@@ -44,10 +56,13 @@ std::vector<program::Network_request> program::read_requests(const Options& opti
       : !options.draw.empty()   ? read_drawn_curves(mesh, read_text(options.draw))
       : !options.edges.empty()  ? read_curves(mesh, read_text(options.edges), false)
       : !options.loop.empty()   ? read_curves(mesh, read_text(options.loop), true)
-                                : single_pair(mesh, *options.from, *options.to);
+                                : read_ends(mesh, options.from, options.to);
   std::vector<Network_request> requests;
-  for(const Curve_request& curve : curves)
+  for(const Curve_request& curve : curves) {
+    if(options.command == "shortest" && !curve.is_pair)
+      throw Bad_input(curve.name + ": shortest paths are computed between vertices alone; give the nearest vertices");
     requests.push_back({{curve}, {}, {}});
+  }
   return requests;
 }
 
