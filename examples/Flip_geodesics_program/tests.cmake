@@ -625,6 +625,14 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(not_a_coordinate 2 "nan.obj line 2: vertex 1 has 'nan'" path nan.obj --random 2)
   flip_geodesics_add_program_test(truncated 2 "truncated.off line 4: vertex 2 is missing" path truncated.off --random 2)
   flip_geodesics_add_program_test(huge_header 2 "huge.off line 2: .*number of vertices" path huge.off --random 2)
+  file(WRITE ${program_dir}/strips.ply
+       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+       "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0\n")
+  file(WRITE ${program_dir}/no_faces.off "OFF\n1 0 0\n0 0 0\n")
+  flip_geodesics_add_program_test(strips 2 "strips.ply[^\n]*: the file has triangle strips, which are not read" path
+                                  strips.ply --random 2)
+  flip_geodesics_add_program_test(nothing_to_repair 2 "no_faces.off: the file has no faces" repair no_faces.off --output
+                                  x.off)
   flip_geodesics_add_program_test(early_property 2 "early_property.ply line 3: .*property before any element" path
                                   early_property.ply --random 2)
   flip_geodesics_add_program_test(escape 2 "escape.txt line 2: '[?]c7' is not a point" path torus.off --pairs

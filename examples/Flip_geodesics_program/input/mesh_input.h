@@ -83,6 +83,8 @@ inline Input_mesh repair_mesh(Input_text input, double weld_tolerance = 0)
   namespace FG = CGAL::Flip_geodesics;
   input.allow_points_not_finite();
   Soup soup = read_soup(input);
+  if(soup.faces.empty())
+    throw Bad_input(input.name() + ": the file has no faces; give a mesh");
   Mesh mesh;
   try {
     FG::Repair_report report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.faces, mesh,

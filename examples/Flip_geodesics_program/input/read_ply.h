@@ -299,6 +299,8 @@ public:
         read_vertices(kind);
       else if(kind.name == "face" || kind.name == "faces")
         read_faces(kind);
+      else if(kind.name == "tristrips")
+        m_source.fail("the file has triangle strips, which are not read; write faces");
       else if(!kind.properties.empty())
         skip_elements(kind);
     }
