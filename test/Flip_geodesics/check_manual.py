@@ -83,6 +83,15 @@ def check_enumerators(name, text, enumerators):
             problems.append(f'{name}: {enumerator} is not linked')
 
 
+def check_headers(name, text):
+    """The page of a class names its header, except that of a specialisation; the page of a concept names none."""
+    is_class = re.fullmatch(r'(class|struct)CGAL_1_1Flip__geodesics_1_1[A-Za-z]\w*?\.html', name) is not None
+    if is_class and '_3_01' not in name and '<code>#include' not in text:
+        problems.append(f'{name}: the header is missing')
+    if '/Concepts/' in text:
+        problems.append(f'{name}: a concept with a header')
+
+
 def check_pages_of_repository(root):
     """Pictures and links of the pages that are read where the repository is hosted lead to files."""
     for name in ('README.md', 'CONTRIBUTING.md', 'doc/Flip_geodesics/Gallery.md'):
@@ -111,6 +120,7 @@ def main():
         check_citations(name, text, source.references())
         check_enumerators(name, text, source.enumerators())
         check_links(name, text, pages, folder)
+        check_headers(name, text)
     check_figures(pages)
     check_pages_of_repository(Path(__file__).parents[2])
     print('\n'.join(problems))

@@ -139,7 +139,7 @@ public:
   }
   /// Returns the verdict on a segment, with exact arithmetic on the input coordinates. A segment that is not a geodesic
   /// requires flips and crosses itself, or exceeds the precision of the traits. Nothing is certified if coordinates or
-  /// lengths of the mesh are not doubles.
+  /// lengths of the mesh had to be rounded.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// Returns the verdict on the curve, which is the worst one of its segments.
   Verdict verdict() const

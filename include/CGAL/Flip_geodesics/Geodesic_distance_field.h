@@ -97,7 +97,7 @@ struct Distance_field_report
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if no path is shorter than a distance up to `Geodesic_distance_field::reach()` by more than
   /// 1e-10 of it. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if coordinates or lengths
-  /// of the mesh are not doubles.
+  /// of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
 };
 

@@ -57,7 +57,7 @@ struct Given_curve_certificate
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< of the mesh
 
   /// The verdict. It is `BENT_JOINT` only if all segments are straight, and `UNDECIDED` if coordinates or lengths of
-  /// the mesh are not doubles. In the latter case the other members refer to the rounded mesh.
+  /// the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.
   Verdict verdict = Verdict::PROVEN;
   /// The largest angle by which the curve is bent, in radians and rounded; 0 if it is not bent. At a joint, this is
   /// \f$\pi\f$ minus the angle on one side. In a segment, it is the turn at the end of an edge of the shortest path

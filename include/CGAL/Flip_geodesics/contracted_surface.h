@@ -152,7 +152,7 @@ bool has_lost_paths(const Input_mesh& contracted)
 
 /*
  * Returns the report of a curve that is a point on the surface of a triangulation. This is proven unless coordinates or
- * lengths of the mesh are not doubles.
+ * lengths of the mesh had to be rounded.
  */
 template <class Triangulation>
 Curve_report report_of_point(const Triangulation& triangulation)

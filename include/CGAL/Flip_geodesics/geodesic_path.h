@@ -70,7 +70,8 @@ struct Geodesics_result
  *
  * A nearly shortest edge path (`Search_method::LOOK_BACK`) is straightened by `add_straightened_path()` and then
  * shortened to a geodesic as by `shorten()`. The geodesic is not necessarily a globally shortest path, since a path on
- * the other side of a hole or a bump may be shorter; see `shortest_path()`. The functions of `curves_through_points.h`
+ * the other side of a hole or a bump may be shorter, and the path from `target` to `source` may be another one; see
+ * `shortest_path()`. The functions of `curves_through_points.h`
  * accept end points anywhere on the surface.
  *
  * If the two vertices coincide, the path has length zero, the status `Shortening_status::CONTRACTED` and the verdict

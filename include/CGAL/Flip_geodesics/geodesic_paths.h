@@ -285,8 +285,9 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
   using Tag =
       std::conditional_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value, Parallel_tag, Sequential_tag>;
 #else
-  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag asks for threads, but the program is not linked to TBB");
+  static_assert(
+      !std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+      "Parallel_tag requires TBB: link the target CGAL::TBB_support, or define CGAL_LINKED_WITH_TBB and link tbb");
   using Tag = Sequential_tag;
 #endif
   const auto& options =

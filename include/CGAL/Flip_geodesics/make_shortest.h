@@ -45,7 +45,7 @@ struct Distances_report
   std::size_t flips = 0;            ///< the number of flips that inserted shortest paths
   /// `WITHIN_TOLERANCE` if the figures are exact up to rounding errors, and no shortest path is shorter than the one
   /// found by more than 1e-10 of it. Otherwise `UNDECIDED`: if the search was aborted or stopped, or encountered a
-  /// degenerate edge, or if coordinates or lengths of the mesh are not doubles. Near faces whose height is at most
+  /// degenerate edge, or if coordinates or lengths of the mesh had to be rounded. Near faces whose height is at most
   /// 1e-10 of their base, and if rounding errors may be as large, the figures are confirmed only by a search with
   /// outward-rounded bounds.
   Verdict verdict = Verdict::UNDECIDED;

@@ -166,7 +166,7 @@ struct Curve_report
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back
   /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose
-  /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh are not doubles.
+  /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
   /// Whether degenerate edges were contracted because the curve encountered a degenerate edge or folded faces. Set by
   /// the free functions.
@@ -206,7 +206,7 @@ struct Shortest_path_report
 
   double first_length = 0; ///< the length of the geodesic obtained from the initial edge path
   double length = 0;       ///< the length of the result
-  /// A lower bound of the length of all paths, for the mesh with its coordinates as doubles, including rounding errors.
+  /// A lower bound of the length of all paths, including rounding errors.
   double lower_bound = 0;
   std::size_t windows = 0;              ///< the number of windows of the search
   Verdict verdict = Verdict::UNDECIDED; ///< whether no path is shorter
