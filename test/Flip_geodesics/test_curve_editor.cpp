@@ -417,7 +417,7 @@ BOOST_AUTO_TEST_CASE(angles_from_leg_to_leg_go_round_their_vertex)
   Curve_setting s(flat_grid(7, 7, Diagonal_rule::RISING));
   struct Seen
   {
-    FG::Edge_sequence word;
+    FG::Edge_sequence sequence;
     FG::internal::Edge_sequence_angle angle;
   };
   const auto seen = [&](int x, int y) { // from the vertex (2, 2)

@@ -165,7 +165,10 @@ public:
   auto point(const Surface_point& p) const { return point_in_space(m_triangulation, p); }
 
   /// The edge sequence of a segment of the network.
-  Edge_sequence sequence(Segment_index segment) { return m_triangulation.edge_sequence(m_network.halfedge(segment)); }
+  Edge_sequence edge_sequence(Segment_index segment)
+  {
+    return m_triangulation.edge_sequence(m_network.halfedge(segment));
+  }
 
 private:
   using Strip = internal::Strip<Triangulation>;

@@ -82,7 +82,8 @@ public:
       extractor.face_locations(c, mesh, std::back_inserter(locations));
       for(const auto& [face, weights] : locations)
         m_out << face << ' ' << weights[0] << ' ' << weights[1] << '\n';
-      network.for_each_segment(c, [&](FG::Segment_index s) { m_out << extractor.sequence(s).crossed.size() << ' '; });
+      network.for_each_segment(c,
+                               [&](FG::Segment_index s) { m_out << extractor.edge_sequence(s).crossed.size() << ' '; });
     }
   }
 

@@ -121,6 +121,7 @@ template <class Length>
 struct Lengths_alone
 {
   Length length;
+  bool are_equally_long(FG::Input_halfedge_index g, FG::Input_halfedge_index h) const { return length(g) == length(h); }
   bool is_folded(FG::Input_halfedge_index, FG::Input_halfedge_index) const { return false; }
 };
 template <class Length>
