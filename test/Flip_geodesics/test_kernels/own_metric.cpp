@@ -23,6 +23,8 @@
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
 
+namespace own_metric {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -37,7 +39,7 @@ Rational square_of(int x, int y) { return Rational(x * x) / 3 + Rational(x * y) 
 class Sheared_metric
 {
 public:
-  using Mesh = FG::Numbered_mesh<::Mesh>;
+  using Mesh = FG::Numbered_mesh<own_metric::Mesh>;
   using Kernel = CGAL::Simple_cartesian<double>;
 
   struct Place
@@ -73,7 +75,7 @@ private:
 // No class but those of the package has faces in its numbers.
 struct Metric_with_another_exact_face
 {
-  using Mesh = FG::Numbered_mesh<::Mesh>;
+  using Mesh = FG::Numbered_mesh<own_metric::Mesh>;
   using Kernel = CGAL::Simple_cartesian<double>;
   int exact_face(const Mesh&, FG::Input_halfedge_index) const { return 0; }
 };
@@ -140,3 +142,5 @@ BOOST_AUTO_TEST_CASE(needles_are_compared_exactly)
       BOOST_CHECK_THROW(construct(), FG::Degenerate_face_error);
   }
 }
+
+} // namespace own_metric

@@ -28,6 +28,8 @@ namespace FG = CGAL::Flip_geodesics;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using namespace Flip_geodesics_test;
 
+namespace points_on_the_mesh {
+
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -256,3 +258,5 @@ BOOST_AUTO_TEST_CASE(a_mesh_with_curves_is_exact)
     check_surface(result);
   }
 }
+
+} // namespace points_on_the_mesh

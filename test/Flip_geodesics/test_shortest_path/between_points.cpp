@@ -53,7 +53,7 @@ using Face = Mesh::Face_index;
 using Location = std::pair<Face, std::array<double, 3>>;
 using Verdict = FG::Verdict;
 
-constexpr double tolerance = 1e-11;
+constexpr double length_tolerance = 1e-11;
 
 std::vector<Point> corners(const Mesh& mesh, Face f)
 {
@@ -149,12 +149,12 @@ void check_pairs(const char* name, const Mesh_soup& soup, int number, const Dist
     {
       const Location s = location(), t = location();
       const Found path = found(mesh, s, t), back = found(mesh, t, s);
-      const double length = path.report.length, allowed = tolerance * (1 + length);
+      const double length = path.report.length, allowed = length_tolerance * (1 + length);
       BOOST_TEST(path.report.is_confirmed());
       unproven += path.report.verdict == Verdict::WITHIN_ROUNDING ? 0 : 1;
       BOOST_TEST(std::abs(length - distance(mesh, s, t)) <= allowed);
       BOOST_TEST(std::abs(length - back.report.length) <= allowed);
-      BOOST_TEST(path.report.lower_bound <= length * (1 + tolerance));
+      BOOST_TEST(path.report.lower_bound <= length * (1 + length_tolerance));
       BOOST_TEST(std::abs(length_of(path.points) - length) <= allowed);
       BOOST_TEST(std::sqrt(CGAL::squared_distance(path.points.front(), point_at(mesh, s))) <= allowed);
       BOOST_TEST(std::sqrt(CGAL::squared_distance(path.points.back(), point_at(mesh, t))) <= allowed);
@@ -373,7 +373,7 @@ BOOST_AUTO_TEST_CASE(landmarks_narrow_searches_between_points)
         FG::shortest_path(mesh, s, t, std::back_inserter(path.points), CGAL::parameters::landmarks(landmarks)).report;
     const double length = found(mesh, s, t).report.length;
     BOOST_TEST((path.report.verdict == Verdict::WITHIN_ROUNDING));
-    BOOST_TEST(std::abs(path.report.length - length) <= tolerance);
+    BOOST_TEST(std::abs(path.report.length - length) <= length_tolerance);
     Splitter splitter(triangulation,
                       {FG::surface_location(triangulation, mesh, s), FG::surface_location(triangulation, mesh, t)});
     const Split& split = splitter.triangulation();

@@ -373,9 +373,9 @@ inline constexpr double straight_leg = 1e-9;
 inline constexpr double outgoing_halfedge_drift = 1e-6;
 
 /* The error of each coordinate of a point inside a face, relative to the sum of the coordinate of a corner and its
- * differences to the others: one rounding of each corner's coordinate to a double (3 in all), one of the difference,
- * three of its weight, one of their product and up to three of the sums. */
-inline constexpr double combined_place_error = rounding_errors(12);
+ * differences to the others: one rounding of the difference, three of its weight, one of their product and up to three
+ * of the sums. */
+inline constexpr double combined_place_error = rounding_errors(8);
 
 /* A lower bound of a distance on the surface by one in space between points of a metric: fewer than 32 roundings. */
 inline constexpr double space_bound_rounding = rounding_errors(32);

@@ -7,8 +7,8 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/derived_metrics.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
@@ -551,16 +551,24 @@ private:
             {{at.weights[0] / sum, at.weights[1] / sum, at.weights[2] / sum}}};
   }
 
-  static double coordinate(double x) { return x; }
-  static double coordinate(const Double_double& x) { return x.high; }
+  static double value(double x) { return x; }
+  static double value(const Approximate_number& x) { return x.value; }
+
+  static void set_coordinate(double& result, double x, double, double, double) { result = x; }
+  /* The shares add up to 1 but for roundings, which the factor of 2 covers. */
+  static void set_coordinate(Approximate_number& result, double x, const Approximate_number& p,
+                             const Approximate_number& q, const Approximate_number& r)
+  {
+    result = {x, 2 * (std::max)({p.error, q.error, r.error})};
+  }
 
   static Place combined(const typename Metric::Place& p, const typename Metric::Place& q,
                         const typename Metric::Place& r, const Shares& w)
   {
     Place result = {p, 0};
     for(std::size_t k = 0; k < 3; ++k) {
-      const double from = coordinate(p[k]), to_q = coordinate(q[k]) - from, to_r = coordinate(r[k]) - from;
-      result.place[k] = {from + (w[1] * to_q + w[2] * to_r)};
+      const double from = value(p[k]), to_q = value(q[k]) - from, to_r = value(r[k]) - from;
+      set_coordinate(result.place[k], from + (w[1] * to_q + w[2] * to_r), p[k], q[k], r[k]);
       result.error += combined_place_error * (std::abs(from) + std::abs(to_q) + std::abs(to_r));
     }
     return result;
