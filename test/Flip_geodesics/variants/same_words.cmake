@@ -21,7 +21,7 @@ set(fused_options -O2 -march=native -ffp-contract=fast)
 foreach(variant IN ITEMS "fused;${fused_options}" "32_bit;-m32;-msse2;-mfpmath=sse")
   list(POP_FRONT variant name)
   list(JOIN variant " " CMAKE_REQUIRED_FLAGS)
-  check_cxx_source_compiles("#include <vector>\nint main() { return std::vector<int>(1).back(); }"
+  check_cxx_source_compiles("#include <sstream>\nint main() { return std::stringstream().str().empty() ? 0 : 1; }"
                             FLIP_GEODESICS_HAS_${name})
   unset(CMAKE_REQUIRED_FLAGS)
   if(name STREQUAL "fused" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
