@@ -208,10 +208,10 @@ public:
     return static_cast<std::size_t>(value);
   }
 
-  void keyword(const char* sequence)
+  void keyword(const char* word)
   {
-    if(get<std::string>(sequence) != sequence)
-      fail(sequence);
+    if(get<std::string>(word) != word)
+      fail(word);
   }
 
   [[noreturn]] void fail(const char* what) const
@@ -357,7 +357,7 @@ inline std::string checked_text(std::istream& in)
   if(!in.good())
     throw File_format_error("there is no saved network: nothing can be read from the stream");
   std::istream lines(in.rdbuf()); // has no exceptions of its own
-  const std::string first_sequence = network_magic;
+  const std::string first_word = network_magic;
   std::string text, line;
   std::uint64_t expected = 0;
   bool has_end = false;
@@ -367,14 +367,14 @@ inline std::string checked_text(std::istream& in)
     has_end = line.compare(0, 4, "end ") == 0 && std::istringstream(line.substr(4)) >> expected;
     if(!has_end)
       text += line + '\n';
-    if(text.compare(0, first_sequence.size(), first_sequence) != 0)
+    if(text.compare(0, first_word.size(), first_word) != 0)
       break;
   }
   std::istringstream start(text);
   std::string magic;
   int version = 0;
-  if(!(start >> magic >> version) || magic != first_sequence)
-    throw File_format_error("this is no saved network: it does not start with " + first_sequence, {0});
+  if(!(start >> magic >> version) || magic != first_word)
+    throw File_format_error("this is no saved network: it does not start with " + first_word, {0});
   if(version < 1 || version > network_version)
     throw File_format_error("the saved network has version " + std::to_string(version) + ", and only versions 1 to " +
                                 std::to_string(network_version) + " are known",
@@ -468,27 +468,27 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
   internal::check_has_no_curves(triangulation, "a network cannot be restored");
   const std::string text = internal::checked_text(in);
-  internal::Network_reader sequences(text);
-  sequences.keyword(internal::network_magic);
-  const int version = sequences.index("version");
-  sequences.keyword("input");
-  const Index vertices = sequences.index("number of vertices"), halfedges = sequences.index("number of halfedges");
-  const auto fingerprint = sequences.template get<std::uint64_t>("fingerprint");
+  internal::Network_reader words(text);
+  words.keyword(internal::network_magic);
+  const int version = words.index("version");
+  words.keyword("input");
+  const Index vertices = words.index("number of vertices"), halfedges = words.index("number of halfedges");
+  const auto fingerprint = words.template get<std::uint64_t>("fingerprint");
   const auto& input = triangulation.input();
   if(vertices != input.number_of_vertices() || halfedges != input.number_of_halfedges() ||
      fingerprint != internal::input_fingerprint(triangulation))
     throw Input_mismatch_error("the network was saved for another mesh, of " + std::to_string(vertices) +
                                " vertices and " + std::to_string(halfedges / 2) +
                                " edges, or for the same one with other edge lengths");
-  const std::vector<internal::Log_entry> log = internal::read_log(sequences, version, text.size());
-  const internal::Network_state state = internal::read_state(sequences, text.size());
+  const std::vector<internal::Log_entry> log = internal::read_log(words, version, text.size());
+  const internal::Network_state state = internal::read_state(words, text.size());
   constexpr std::size_t usual = 1u << 24; // ids of replaced segments take memory, too
   if(state.end_of_segment_ids < 1 || static_cast<std::size_t>(state.end_of_segment_ids) > usual + 64 * text.size())
-    sequences.fail("number of segments");
+    words.fail("number of segments");
   try {
     internal::replay(triangulation, log);
     if(!internal::Internals<std::decay_t<decltype(network)>>::restore(network, state))
-      sequences.fail("network of curves");
+      words.fail("network of curves");
   } catch(...) {
     network.clear();
     triangulation.rollback(0);
