@@ -24,7 +24,7 @@ namespace internal {
 /* Lengths whose squares and products of squares are normal doubles, by the range in tolerances.h. */
 inline bool is_usable_length(double length) { return length > least_length && length < greatest_length; }
 
-/* The same for searches along edges, which pass edges of length zero. */
+/* The same for searches along edges, which pass degenerate edges. */
 inline bool is_zero_or_usable_length(double length) { return length == 0 || is_usable_length(length); }
 
 /* Is a > b + c, exactly? By the rounding error of the sum, which is a double [Knuth, TwoSum]. */

@@ -219,38 +219,10 @@ Input_halfedge_index halfedge(Covering_face f, const Covering_surface<TriangleMe
 
 /* A covering surface is numbered already, and is its own mesh. */
 template <class TriangleMesh>
-class Indexed_mesh<Covering_surface<TriangleMesh>>
-  : public Possibly_contracted<Indexed_mesh<Covering_surface<TriangleMesh>>>
+class Indexed_mesh<Covering_surface<TriangleMesh>> : public Numbered_surface<Covering_surface<TriangleMesh>>
 {
-  using Surface = Covering_surface<TriangleMesh>;
-
 public:
-  using vertex_descriptor = Vertex_index;
-  using halfedge_descriptor = Input_halfedge_index;
-
-  explicit Indexed_mesh(const Surface& surface)
-    : m_surface(&surface)
-  {
-  }
-
-  const Surface& surface() const { return *m_surface; }
-
-  Index number_of_vertices() const { return m_surface->number_of_vertices(); }
-  Index number_of_halfedges() const { return m_surface->number_of_halfedges(); }
-  Index number_of_faces() const { return m_surface->number_of_faces(); }
-  Vertex_index vertex(Vertex_index v) const { return v; }
-  Input_halfedge_index halfedge(Input_halfedge_index h) const { return h; }
-  Vertex_index index(Vertex_index v) const { return v; }
-  Input_halfedge_index index(Input_halfedge_index h) const { return h; }
-  Input_halfedge_index next(Input_halfedge_index h) const { return m_surface->next(h); }
-  Input_halfedge_index previous(Input_halfedge_index h) const { return m_surface->previous(h); }
-  bool is_triangle(Input_halfedge_index h) const { return next(next(h)) == previous(h); }
-  Vertex_index tail(Input_halfedge_index h) const { return m_surface->tail(h); }
-  bool is_border(Input_halfedge_index h) const { return m_surface->is_border(h); }
-  Input_halfedge_index outgoing(Vertex_index v) const { return m_surface->outgoing(v); }
-
-private:
-  const Surface* m_surface;
+  using Numbered_surface<Covering_surface<TriangleMesh>>::Numbered_surface;
 };
 
 } // namespace internal
@@ -261,12 +233,8 @@ namespace boost {
 
 template <class TriangleMesh>
 struct graph_traits<CGAL::Flip_geodesics::internal::Covering_surface<TriangleMesh>>
+  : CGAL::Flip_geodesics::internal::Numbered_surface_traits<CGAL::Flip_geodesics::internal::Covering_face>
 {
-  using vertex_descriptor = CGAL::Flip_geodesics::Vertex_index;
-  using halfedge_descriptor = CGAL::Flip_geodesics::Input_halfedge_index;
-  using face_descriptor = CGAL::Flip_geodesics::internal::Covering_face;
-
-  static halfedge_descriptor null_halfedge() { return halfedge_descriptor(); }
 };
 
 } // namespace boost
