@@ -311,7 +311,7 @@ private:
         ->check(CLI::IsMember({"certified", "double"}).description(""));
     add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
         "lengthen all edges by this part of their mean length");
-    add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract edges of length zero for curves");
+    add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");
     add_most_memory();
   }
 

@@ -96,7 +96,7 @@ const char* parse_number(std::string_view word, T& value)
     digits.remove_prefix(1);
   const auto [end, error] = from_chars(digits.data(), digits.data() + digits.size(), value);
   if(error == std::errc::invalid_argument || end != digits.data() + digits.size())
-    return std::is_integral<T>::value ? "is no whole number" : "is no number";
+    return std::is_integral<T>::value ? "is not a whole number" : "is not a number";
   if constexpr(std::is_floating_point<T>::value) {
     if(error == std::errc::result_out_of_range && !rounds_to_zero(digits, value))
       return "is beyond the range of the numbers here";

@@ -138,7 +138,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --most-memory 0.0001)
   flip_geodesics_add_program_test(shortest_inserted 0 "1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150 --insert
                                   shortest.off)
-  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 met edges of length zero" shortest
+  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 met degenerate edges" shortest
                                   zero_length.off --pairs zero_length.txt)
   flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; leave them out, or give --mollify"
                                   shortest zero_length.off --pairs zero_length.txt --landmarks 2)
@@ -315,7 +315,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --pairs pairs.txt --ways 2 --page ways.html)
   flip_geodesics_add_program_test(ways_at_random 0 "6 curves: 6 WITHIN_ROUNDING" shortest torus.off --random 3 --seed 2
                                   --ways 2)
-  flip_geodesics_add_program_test(no_other_ways 0 "1 curve: 1 WITHIN_ROUNDING.*there is no other" shortest pyramid.off
+  flip_geodesics_add_program_test(no_other_ways 0 "1 curve: 1 WITHIN_ROUNDING.*no other exists" shortest pyramid.off
                                   --repair --from 0 --to 2 --ways 3)
   flip_geodesics_add_program_test(ways_along_wall 0 "2 WITHIN_ROUNDING.*length   8.46715 of.*flips    52" shortest
                                   ${pair_beside_wall} --ways 2 --avoid wall.txt)
@@ -337,13 +337,13 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --avoid hole.txt)
   flip_geodesics_add_program_test(avoid_gap 2 "gap.txt line 2.*1 and 5" shortest torus.off --random 1 --ways 2 --avoid
                                   gap.txt)
-  flip_geodesics_add_program_test(avoid_nothing 2 "no_curve.txt: there is no obstacle" shortest torus.off --random 1
+  flip_geodesics_add_program_test(avoid_nothing 2 "no_curve.txt: the file has no obstacles" shortest torus.off --random 1
                                   --ways 2 --avoid no_curve.txt)
-  flip_geodesics_add_program_test(avoid_no_faces 2 "no_faces.txt line 1: there is no face" shortest torus.off --random 1
+  flip_geodesics_add_program_test(avoid_no_faces 2 "no_faces.txt line 1: the line has no faces" shortest torus.off --random 1
                                   --ways 2 --avoid no_faces.txt)
   flip_geodesics_add_program_test(avoid_face_beyond 2 "face_beyond.txt line 1: face 576 does not exist. use 0 to 575"
                                   shortest torus.off --random 1 --ways 2 --avoid face_beyond.txt)
-  flip_geodesics_add_program_test(avoid_word 2 "face_word.txt line 1: 'x' is no whole number" shortest torus.off
+  flip_geodesics_add_program_test(avoid_word 2 "face_word.txt line 1: 'x' is not a whole number" shortest torus.off
                                   --random 1 --ways 2 --avoid face_word.txt)
   flip_geodesics_add_program_test(trace_certified 2 "--kernel is not an option of trace" trace torus.off --trace 0,0,1
                                   --kernel certified)
@@ -369,11 +369,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0 --isolines 1,nan --mesh no_isolines.vtp)
   flip_geodesics_add_program_test(negative_isoline 2 "--isolines: '-2' is out of range" distance torus.off --source 0
                                   --isolines 1,-2)
-  flip_geodesics_add_program_test(left_out_isoline 2 "--isolines: '' is no number" distance torus.off --source 0
+  flip_geodesics_add_program_test(left_out_isoline 2 "--isolines: '' is not a number" distance torus.off --source 0
                                   --isolines 0.1,,0.2)
   flip_geodesics_add_program_test(left_out_last_isoline 2 "--isolines: '0.1,' ends with a comma" distance torus.off
                                   --source 0 --isolines 0.1,)
-  flip_geodesics_add_program_test(left_out_source 2 "--source: '' is no whole number" distance torus.off --source 0,,1
+  flip_geodesics_add_program_test(left_out_source 2 "--source: '' is not a whole number" distance torus.off --source 0,,1
                                   --isolines 1)
   flip_geodesics_add_program_test(source_too_large 2 "--source: '99999999999999999999' is beyond" distance torus.off
                                   --source 0,99999999999999999999 --isolines 1)
@@ -398,7 +398,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zeros_in_limits 0 "8 LOCALLY_SHORTEST" path torus.off --random 08 --seed 09)
   flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is not a point. write a vertex" path torus.off --from 0 --to
                                   0x1)
-  flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is no whole number" spline torus.off --bezier
+  flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is not a whole number" spline torus.off --bezier
                                   bezier.txt --rounds 0x1)
   flip_geodesics_add_program_test(hexadecimal_trace 2 "--trace 0x1,0,1: give a vertex" trace torus.off --trace 0x1,0,1)
   flip_geodesics_add_program_test(blank_number 2 "--from: ' 1' is not a point" path torus.off "--from= 1" --to 0)
@@ -416,7 +416,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" distance torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest is not an option of distance, but of log" distance
                                   torus.off --source 0 --isolines 1 --shortest)
-  flip_geodesics_add_program_test(tree_of_two 2 "--source: '0,1' is no whole number" log torus.off --source 0,1)
+  flip_geodesics_add_program_test(tree_of_two 2 "--source: '0,1' is not a whole number" log torus.off --source 0,1)
   flip_geodesics_add_program_test(bad_tolerance 2 "--tolerance" distance torus.off --source 0 --voronoi --tolerance 0)
   flip_geodesics_add_program_test(tolerance_too_small 2 "--tolerance 1e-300 is less than a millionth" distance torus.off
                                   --source 0 --voronoi --tolerance 1e-300)
@@ -482,7 +482,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length_field 2 "length zero; give --repair" distance zero_length.off --source 0
                                   --isolines 1)
   flip_geodesics_add_program_test(zero_length_trace 1 "length zero; give --repair" trace zero_length.off --trace 3,0,1)
-  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met edges of length zero" path
+  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met degenerate edges" path
                                   zero_length.off --pairs zero_length.txt --kernel certified)
   flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 met" log zero_length.off --source 0 --map
                                   zero_length.csv)

@@ -70,7 +70,7 @@ public:
   /// the order of the face. Called once per input face that is touched, by `Edge_length_metric`. \pre the lengths are
   /// positive and satisfy the triangle inequality; equality is allowed. The functors of the models
   /// of this package are also called with exact squared lengths, and `Construct_face_3` with rounded sides, in types of
-  /// the package; these overloads are no part of the concept, and other models get doubles and points
+  /// the package; these overloads are not part of the concept, and other models get doubles and points
   typedef unspecified_type Construct_face_from_lengths;
 
   /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: the face whose

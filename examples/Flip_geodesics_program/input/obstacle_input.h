@@ -17,7 +17,7 @@ namespace program {
 inline void read_faces(Text_scanner& words, std::vector<char>& is_marked)
 {
   if(!words.has_word())
-    words.fail("there is no face in it; write 0-based numbers of faces behind the `f`");
+    words.fail("the line has no faces; write 0-based numbers of faces behind the `f`");
   for(std::string_view word; !(word = words.next_word()).empty();) {
     long long f = 0;
     if(const char* const error = parse_number(word, f))
@@ -51,7 +51,7 @@ inline Obstacles read_obstacles(const Input_mesh& input_mesh, const Input_text& 
   });
   if(are_none)
     throw Bad_input(input.name() +
-                    ": there is no obstacle in it; write a wall of vertices, or `f` and faces, per line");
+                    ": the file has no obstacles; write a wall of vertices, or `f` and faces, per line");
   for(const auto f : mesh.faces())
     if(is_in_file[input_mesh.face_in_file(f)])
       result.faces.insert(f);

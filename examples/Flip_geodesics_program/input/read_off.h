@@ -167,7 +167,7 @@ private:
     double number = 0;
     for(std::string_view word; !(word = m_words.next_word()).empty();)
       if(parse_number(word, number) != nullptr && std::isfinite(number))
-        m_words.fail(element, "is followed by '" + printable(word) + "', which is no number; correct it");
+        m_words.fail(element, "is followed by '" + printable(word) + "', which is not a number; correct it");
   }
 
   template <class Scanner>

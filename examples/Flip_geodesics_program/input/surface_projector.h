@@ -28,8 +28,8 @@
 
 namespace program {
 
-/// Finds the nearest points of a mesh, among the faces that have an area: they have all edges, but where only faces
-/// without area meet. Coordinates of less than 1e-12 of a face's point count as zero.
+/// Finds the nearest points of a mesh among its non-degenerate faces, which have all edges except those between two
+/// degenerate faces. Barycentric coordinates below 1e-12 count as zero.
 class Surface_projector
 {
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;

@@ -50,7 +50,7 @@ private:
  * Comma-separated values, one line per curve. Lengths are in the units of the mesh, angles in radians, times in
  * seconds. A curve that could not be computed has the status ERROR, and `nan` where nothing is known; a closed curve
  * has -1 as source and target. The curves of a network share one run: flips, flip_outs and shorten_s are those of the
- * run in each line. The last column is 1 where edges of length zero were contracted.
+ * run in each line. The last column is 1 if degenerate edges were contracted.
  */
 class Stats_file
 {

@@ -48,7 +48,7 @@ struct Curve_result
   std::string certificate = "none"; ///< the verdict, if the arithmetic is certified
   bool is_closed = false, is_of_tree = false;
   bool is_pulled_tight = true;                       ///< or follows from distances or a direction
-  bool are_zero_edges_contracted = false;            ///< since it met an edge of length zero
+  bool are_zero_edges_contracted = false;            ///< since it met a degenerate edge
   double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
   std::string error;                                 ///< why the status is ERROR or MEMORY_LIMIT
   std::vector<Curve_point> points;

@@ -64,7 +64,7 @@ public:
   {
   }
 
-  /// Where an edge of length zero is met, such edges are contracted, and all is computed again.
+  /// If a degenerate edge is met, such edges are contracted, and the curve is computed again.
   std::vector<Curve_result> run(const Network_request& request) override
   {
     forget_last_run();
@@ -625,7 +625,7 @@ private:
   CGAL::Flip_geodesics::Zero_length_edges m_zero_length_edges;
   Triangulation m_triangulation;
   CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;
-  std::unique_ptr<Curve_runner> m_on_surface; // with edges of length zero contracted, once there is need of it
+  std::unique_ptr<Curve_runner> m_on_surface; // with degenerate edges contracted, created when first needed
 };
 
 } // namespace program

@@ -168,7 +168,7 @@ private:
          << (report.is_confirmed() ? ", confirmed; " : ", not confirmed; ");
     const double bound = report.lower_bound_of_others();
     if(std::isinf(bound))
-      line << "there is no other\n";
+      line << "no other exists\n";
     else
       line << "any other is at least " << bound << " long\n";
     m_ways.others += line.str();
