@@ -4,16 +4,16 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * A network of curves with what `shorten()` asks of it besides: what stands in the wedges of joints, and how a joint is
- * moved.
+ * The concept `EdgePathGraph` refines `CurveNetwork` by what `shorten()` requires in addition: the state of the wedges
+ * of joints, and the operations that move a joint.
  *
- * A model never gives the index of a segment a second time, since indices wait in a queue while segments come and go.
- * It holds an edge of the triangulation, once, if and only if a segment lies there.
+ * A model never reuses the index of a segment, since indices wait in a queue while segments are created and removed. It
+ * holds an edge of the triangulation once if at least one segment lies on the edge, and otherwise not at all.
  *
- * The angle in a wedge does not change while its joint lives, since `shorten()` flips no occupied edge. But other ends
- * can come into the wedge, or leave it. Therefore `shorten()` queues each free wedge once, by its angle, and when its
- * turn comes asks again whether its two ends are still adjacent. It relies on `replace_joint()` to name all wedges that
- * may have become free.
+ * The angle of a wedge is constant as long as its joint exists, since `shorten()` does not flip occupied edges. The set
+ * of segment ends in the wedge can change, however. Therefore `shorten()` queues each free wedge once, ordered by its
+ * angle, and verifies that the two ends are still adjacent when the wedge is processed. It relies on `replace_joint()`
+ * to report every wedge that may have become free.
  *
  * \cgalRefines{CurveNetwork}
  *
@@ -29,25 +29,25 @@ public:
   /// \name Types
   /// @{
 
-  /// What `wedge()` returns: a class with the members `state`, a `Wedge_state`, and `turn`, a `Triangulation::Turn`,
-  /// which is read if `state` is `Wedge_state::FREE` and then is the angle of the wedge.
+  /// The result of `wedge()`: a class with the members `state`, a `Wedge_state`, and `turn`, a `Triangulation::Turn`.
+  /// If `state` is `Wedge_state::FREE`, then `turn` is the angle of the wedge; otherwise it is not read.
   typedef unspecified_type Wedge;
 
-  /// What `bundle_place()` returns; copyable.
+  /// The result of `bundle_place()`; copyable.
   typedef unspecified_type Bundle_place;
 
   /// @}
   /// \name Curves
   /// @{
 
-  /// The triangulation; `shorten()` flips its edges.
+  /// Returns the triangulation, whose edges `shorten()` flips.
   Triangulation& triangulation() const;
 
   /// @}
   /// \name Segments
   /// @{
 
-  /// Is there a segment with this index now, rather than in the past?
+  /// Returns whether a segment with this index exists now. Indices of removed segments are allowed.
   bool is_alive(Segment_index segment) const;
 
   /// @}
@@ -55,46 +55,49 @@ public:
   /// \pre `next(joint.incoming)` is a segment
   /// @{
 
-  /// What stands in the wedge of a joint. `Wedge_state::FREE` if and only if the joint is not fixed, and two conditions
-  /// are met by its ends. The second is `next_clockwise()` of the first; so neither a border nor an edge that another
-  /// network holds lies in between. And the angle from the first to the second is below \f$\pi\f$. No corner need be
-  /// looked at beyond that angle.
+  /// Returns the state of the wedge of a joint and its angle. The state is `Wedge_state::FREE` if and only if the joint
+  /// is not fixed, the second of its ends is `next_clockwise()` of the first, and the angle between them is less than
+  /// \f$\pi\f$. The second condition implies that neither a border nor an edge held by another network lies in
+  /// between. Corners beyond the angle \f$\pi\f$ need not be examined.
   Wedge wedge(const Joint& joint) const;
 
   /// @}
   /// \name Moves
   /// @{
 
-  /// Takes away the two segments of a joint and puts segments along `arc` into their place in the curve.
+  /// Replaces the two segments of a joint by segments along `arc`.
   ///
-  /// `arc` is a chain of halfedges from the far node of the first end to the far node of the second. It has the wedge
-  /// on its right, and is given in this direction for both sides. Each new segment comes to lie outermost on its edge
-  /// on the side of the wedge. An empty arc is given if and only if the joint turns back. A closed curve of these two
-  /// segments and an empty arc has contracted.
+  /// `arc` is a chain of halfedges from the far node of the first end to the far node of the second. The wedge lies on
+  /// its right, and the direction is the same for both sides of a joint. Each new segment becomes the outermost one on
+  /// its edge, on the side of the wedge. The arc is empty if and only if the joint turns back. A closed curve that
+  /// consists of these two segments contracts if the arc is empty.
   ///
-  /// Appends to `affected` both sides of each joint of which a new segment is a part, or which is new because an empty
-  /// arc has joined its two segments. It also appends each joint whose two ends have become adjacent about a vertex
-  /// because ends between them have gone. It may name more; wedges that are not free are dropped. It may leave out a
-  /// side of which it is known that the angle is at least \f$\pi\f$. One is the wedge's side between two new segments.
-  /// The other is the other side where the arc begins or ends, if the angle was so large before, since it has grown.
+  /// The function appends to `affected` both sides of each joint that contains a new segment, or that is new because an
+  /// empty arc has joined its two segments. It also appends each joint whose two ends have become adjacent around a
+  /// vertex because ends between them were removed. Additional joints are allowed, since wedges that are not free are
+  /// discarded. A side may be omitted if its angle is known to be at least \f$\pi\f$: the wedge's side between two new
+  /// segments, and the other side at either end of the arc if its angle was that large before, since it has grown.
   ///
-  /// \return the first new segment in the direction of the curve, `null_index` if there is none
-  /// \pre the two segments differ, no edge in the wedge is held, and the arc bounds its faces; no angle on its right is
-  ///      below \f$\pi\f$
+  /// \return the first new segment in the direction of the curve, `null_index` if the arc is empty
+  /// \pre The two segments differ, no edge inside the wedge is held, the arc bounds the faces of the wedge, and no
+  ///      angle on the right of the arc is less than \f$\pi\f$.
   Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected);
 
-  /// Replaces the one segment of a closed curve by two, along the other edges of the face on the left of `h`, which is
-  /// the segment's halfedge or its twin. They come to lie outermost on their edges on the side of that face.
+  /// Replaces the only segment of a closed curve by two segments along the other edges of the face on the left of `h`,
+  /// which is the halfedge of the segment or its twin. The new segments become the outermost ones on their edges, on
+  /// the side of that face.
   /// \return the new segment that arrives at the old node
-  /// \pre no segment lies on the two edges
+  /// \pre The two edges carry no segments.
   Segment_index perturb_loop(Segment_index segment, Halfedge_index h);
 
-  /// Where the segment of a closed curve of one segment lies: what is needed to put it back.
+  /// Returns the position of the only segment of a closed curve among the segments of its edge, as `restore_loop()`
+  /// requires it.
   Bundle_place bundle_place(Segment_index segment) const;
 
-  /// Replaces whatever a closed curve is now by the one segment that it was when `place` was taken.
+  /// Replaces the present segments of a closed curve by the single segment that it consisted of when `place` was
+  /// recorded.
   /// \return that segment, with a new index
-  /// \pre all flips since then have been taken back, and no other curve has changed
+  /// \pre All flips since then have been rolled back, and no other curve has changed.
   Segment_index restore_loop(Curve_index curve, const Bundle_place& place);
 
   /// @}

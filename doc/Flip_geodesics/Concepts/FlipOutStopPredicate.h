@@ -4,15 +4,18 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * A predicate that ends a shortening early. `shorten()` keeps a reference to it and calls it from one thread.
+ * The concept `FlipOutStopPredicate` describes a predicate that ends a shortening early. `shorten()` keeps a reference
+ * to it and calls it from one thread.
  *
- * It is asked when the outcome of a step is known and before the curve is changed. So a limit on the length is never
- * overrun, not even by a step in which a curve collapses. If it objects, the flips of the step are taken back.
+ * The predicate is evaluated when the outcome of a step is known and before the curve changes. A limit on the length is
+ * therefore never exceeded, not even by a step in which a curve collapses. If the predicate rejects the step, its flips
+ * are rolled back.
  *
- * A predicate that remembers something, as `Time_stop_predicate` does the time, may have a const member function
- * `restarted()`, which returns one of the same type that has forgotten it. Three functions pull several curves tight,
- * one after the other or in several threads: `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()`.
- * They then ask another predicate for each curve, made when its turn comes.
+ * A predicate with state, such as `Time_stop_predicate` with its start time, may have a const member function
+ * `restarted()` that returns a predicate of the same type in its initial state. The functions that shorten several
+ * curves separately, possibly in several threads, then evaluate a restarted copy for each curve. These are
+ * `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()`. Without this member, they use one predicate
+ * for all curves.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Never_stop_predicate}
@@ -30,7 +33,8 @@
 class FlipOutStopPredicate
 {
 public:
-  /// Is the step to be taken, and if not, why? `Stop_decision::CURVE_LENGTH_LIMIT` leaves the step's curve as it is
-  /// from now on, while the others go on; any other answer than `Stop_decision::CONTINUE` ends the shortening.
+  /// Returns whether the step is taken, and otherwise the reason for rejecting it. `Stop_decision::CURVE_LENGTH_LIMIT`
+  /// keeps the curve of the step unchanged from now on, while other curves continue to be shortened. All other values
+  /// except `Stop_decision::CONTINUE` end the shortening.
   Stop_decision operator()(const Shortening_step& step) const;
 };

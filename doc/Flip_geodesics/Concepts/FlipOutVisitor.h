@@ -4,30 +4,30 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * An observer of a shortening, for progress, interruption and animation. `shorten()` calls its members from one
- * thread; an exception that one of them throws passes through `shorten()`, and leaves valid curves, none longer than
- * before.
+ * The concept `FlipOutVisitor` describes an observer of a shortening, for progress, interruption and animation.
+ * `shorten()` calls its members from one thread. An exception that is thrown by a member passes through `shorten()` and
+ * leaves valid curves, none of them longer than before.
  *
- * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well, and call the first two members;
- * `refine()` takes a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Logarithmic_map`,
- * `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only the first one. `geodesic_distances()` and
- * `logarithmic_map()` do so too, unless they grow a tree. Each of these functions has a status for a computation that
- * is stopped; nothing is confirmed then, no output is written, and objects remain usable.
+ * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well and call the first two members;
+ * `refine()` requires a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Logarithmic_map`,
+ * `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only the first member, as do
+ * `geodesic_distances()` and `logarithmic_map()` unless they grow a tree. Each of these functions has a status for a
+ * computation that was stopped. In that case nothing is certified, no output is written, and all objects remain usable.
  *
- * Other long computations call only `go_further()`, too, at regular intervals. Each returns what the following table
- * says if it is stopped, and is not asked again; a caller can also ask the visitor.
+ * Other long computations call only `go_further()`, at regular intervals, and not again after it has returned `false`.
+ * Their results are then the following:
  *
  * | computation | result if it is stopped |
  * |---|---|
  * | `Shortest_edge_path`, `shortest_halfedges_through()`, `shortest_loop()` | no halfedges |
  * | the search for the edge path of `geodesic_path()`, `geodesic_paths()`, `add_shortest_path()` | no path, and the status `Shortening_status::STOPPED_BY_VISITOR` |
  * | `Landmark_distances`, `Geodesic_landmarks`, `geodesic_landmarks()` | `is_complete()` returns `false`; all bounds are zero |
- * | `Loop_basis` | `is_complete()` returns `false`; there are no loops |
+ * | `Loop_basis` | `is_complete()` returns `false`; the basis is empty |
  * | `handle_and_tunnel_loops()`, `add_cut_graph()` | no loops, no curves |
  * | `isolines()`, `voronoi_boundaries()` | no output |
  *
- * `shorten_cut_graph()` and `geodesic_loop_basis()` consist of several shortenings. None of these takes a step once one
- * of them has been stopped.
+ * `shorten_cut_graph()` and `geodesic_loop_basis()` consist of several shortenings. After one of them has been stopped,
+ * none of the others takes a step.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
@@ -42,18 +42,19 @@
 class FlipOutVisitor
 {
 public:
-  /// Called before each step. If it returns `false`, then the shortening ends, and the curves that could still be
-  /// shortened have the status `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` calls it before each pair of
-  /// vertices as well, and searches, distance fields and computations of loops, landmarks and isolines call it at
-  /// regular intervals, about once for a thousand steps of a microsecond or less.
+  /// Returns whether the computation continues. It is called before each step of a shortening. If it returns `false`,
+  /// the shortening ends, and the curves that could still be shortened have the status
+  /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls it before each pair of end points.
+  /// Searches, distance fields and computations of loops, landmarks and isolines call it at regular intervals, about
+  /// once in a thousand steps of at most a microsecond each.
   bool go_further();
 
-  /// Called after the edge of halfedge `h` was flipped, before the step moves its curve. There is no call for flips
-  /// that are taken back with a step that is not taken; compare `triangulation.log_position()` to see it.
+  /// Observes that the edge of halfedge `h` was flipped. It is called before the step moves its curve. The flips of a
+  /// rejected step are rolled back without a call, which `triangulation.log_position()` reveals.
   template <class Triangulation>
   void on_flip(const Triangulation& triangulation, Halfedge_index h);
 
-  /// Called after a step, when a curve has become shorter. The unit that shortens a loop of one segment is one step.
+  /// Observes that a step has shortened a curve. The compound step for a loop of one segment counts as one step.
   template <class Network>
   void after_flip_out(const Network& network, Curve_index curve);
 };

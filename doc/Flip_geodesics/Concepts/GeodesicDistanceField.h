@@ -4,13 +4,15 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * A distance field on a mesh that can be asked anywhere: how far the nearest of some sources is, and which one it is. It
- * is what `isolines()` and `voronoi_boundaries()` ask for. A function object will do, so a lambda of closed forms does.
+ * The concept `GeodesicDistanceField` describes a distance field that can be evaluated at every surface point of a mesh
+ * and returns the distance to the nearest of some sources together with the number of that source. `isolines()` and
+ * `voronoi_boundaries()` require it. Any function object with this signature is a model, such as a lambda expression
+ * that evaluates a closed form.
  *
- * The field is continuous over edges and vertices where it is finite, and 1-Lipschitz: two distances differ by no more
- * than the length of a path on the surface between their places. Offsets of the sources are allowed, and may be
- * negative. Rounding errors are no harm. Where a field has larger slopes nothing breaks, but bounds that are drawn from
- * this need not hold.
+ * As far as the field is finite, it is continuous across edges and vertices and 1-Lipschitz: the values at two points
+ * differ by at most the length of any path on the surface between them. Sources may have offsets, also negative
+ * ones. Rounding errors are harmless. If a field has larger slopes, both functions still work, but bounds that are
+ * derived from this property need not hold.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Interpolated_distances<TriangleMesh\,VertexDistanceMap>}
@@ -22,16 +24,16 @@
 class GeodesicDistanceField
 {
 public:
-  /// What is known of a place: a class with a member `distance`, a `double`, and a member `source`, a `std::size_t`.
-  /// `distance` is infinity where no source reaches, and `source` is not looked at then.
+  /// The value at a surface point: a class with the members `distance`, a `double`, and `source`, a `std::size_t`. If
+  /// no source reaches the point, `distance` is infinite and `source` is not read.
   typedef unspecified_type Answer;
 
-  /// The answer for a place in a face: the barycentric weights belong to the source, the target and the third vertex of
-  /// `halfedge(face, mesh)`, are not negative and sum to one, but for roundings. The weight of the opposite vertex is
-  /// exactly zero on an edge.
+  /// Returns the value at a point in a face. The barycentric weights refer to the source, the target and the third
+  /// vertex of `halfedge(face, mesh)`. They are nonnegative and sum to one up to rounding errors. For a point on an
+  /// edge, the weight of the opposite vertex is exactly zero.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const;
 
-  /// Optional. Returns true only if all places of a face with a finite distance have the same nearest source.
-  /// `voronoi_boundaries()` does not search such faces for boundaries.
+  /// Returns `true` only if all points of a face with a finite distance have the same nearest source. This member is
+  /// optional: if it exists, `voronoi_boundaries()` does not search such faces for boundaries.
   bool has_one_source(face_descriptor face) const;
 };

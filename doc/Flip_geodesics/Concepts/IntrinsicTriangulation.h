@@ -4,18 +4,19 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * An intrinsic triangulation: vertices joined by straight edges in a surface, which can be flipped. It is what
- * `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
+ * The concept `IntrinsicTriangulation` describes a triangulation of a surface by straight edges that can be
+ * flipped. `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
  * `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`, `Geodesic_tree`, `intrinsic_faces()`, `Operators` and
- * what is solved by them ask for. \ref Flip_geodesicsAsked has the whole table.
+ * the solvers that are built on it require this concept. \ref Flip_geodesicsAsked contains the complete table.
  *
- * Its descriptors are the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, numbered from 0. An edge with
- * number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: there may be loops, several
- * edges between two vertices, and faces that are glued to themselves. Faces are triangles, and lie on the left of their
- * halfedges; a border halfedge has none. The surface is oriented and a manifold.
+ * The descriptors are the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, numbered from 0. The edge with
+ * number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: loops, several edges between
+ * two vertices, and faces that are glued to themselves are allowed. Every face is a triangle on the left of its
+ * halfedges, and a border halfedge has no face. The surface is an oriented manifold.
  *
- * Where `Traits::Has_drift` is `CGAL::Tag_true`, finished curves and trees are measured from the input, and faces laid
- * out afresh; `shorten()`, `Geodesic_tree` and `flip_to_delaunay()` then ask for `IntrinsicTriangulationOfMesh`.
+ * If `Traits::Has_drift` is `CGAL::Tag_true`, finished curves and trees are measured on the input, and faces are
+ * recomputed from it. In this case `shorten()`, `Geodesic_tree` and `flip_to_delaunay()` require
+ * `IntrinsicTriangulationOfMesh`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Intrinsic_triangulation<TriangleMesh\,Traits\,Metric>}
@@ -37,8 +38,8 @@ public:
   /// `Traits::Turn`.
   typedef unspecified_type Turn;
 
-  /// A halfedge, held by where the triangulation keeps it: for walks of many steps. Copyable, assignable, compared by
-  /// `==` and `!=`. The members of a walker are below.
+  /// A handle of a halfedge that contains its position in memory, for walks of many steps: a model of
+  /// `IntrinsicTriangulationWalker`. Copyable, assignable, and comparable by `==` and `!=`.
   typedef unspecified_type Walker;
 
   /// A position in the log of flips, an integer.
@@ -48,95 +49,96 @@ public:
   /// \name Elements
   /// @{
 
-  /// The number of vertices.
+  /// Returns the number of vertices.
   Index number_of_vertices() const;
-  /// The number of halfedges, twice that of edges.
+  /// Returns the number of halfedges, which is twice the number of edges.
   Index number_of_halfedges() const;
-  /// The number of edges.
+  /// Returns the number of edges.
   Index number_of_edges() const;
 
-  /// The other side of the edge.
+  /// Returns the opposite halfedge.
   static Halfedge_index twin(Halfedge_index h);
-  /// The edge of a halfedge.
+  /// Returns the edge of a halfedge.
   static Edge_index edge(Halfedge_index h);
-  /// The next halfedge of the face. \pre `h` is not on the border
+  /// Returns the next halfedge of the face. \pre `h` is not on the border
   Halfedge_index next(Halfedge_index h) const;
-  /// The previous halfedge of the face. \pre `h` is not on the border
+  /// Returns the previous halfedge of the face. \pre `h` is not on the border
   Halfedge_index previous(Halfedge_index h) const;
-  /// The vertex at which `h` starts.
+  /// Returns the vertex at which `h` starts.
   Vertex_index tail(Halfedge_index h) const;
-  /// The vertex at which `h` ends.
+  /// Returns the vertex at which `h` ends.
   Vertex_index head(Halfedge_index h) const;
-  /// Has `h` no face on its left?
+  /// Returns whether `h` has no face on its left.
   bool is_border(Halfedge_index h) const;
-  /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
+  /// Returns the next halfedge clockwise around the tail, `null_index` at the border.
   Halfedge_index clockwise(Halfedge_index h) const;
-  /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
+  /// Returns the next halfedge counterclockwise around the tail, `null_index` at the border.
   Halfedge_index counterclockwise(Halfedge_index h) const;
-  /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
+  /// Returns a halfedge that starts at `v`, `null_index` for an isolated vertex.
   Halfedge_index outgoing(Vertex_index v) const;
-  /// Says that the face on the left of `h` will be read soon. It may do nothing.
+  /// Announces that the face on the left of `h` will be read soon. An empty function is valid.
   void prefetch_face(Halfedge_index h) const;
 
   /// @}
   /// \name Geometry
   /// @{
 
-  /// The traits.
+  /// Returns the traits.
   const Traits& traits() const;
-  /// The length of the edge of `h`, rounded.
+  /// Returns the length of the edge of `h`, rounded.
   double length(Halfedge_index h) const;
-  /// Adds to a turn the corner on the right of `h` at its tail, and returns `clockwise(h)`; where that is `null_index`,
-  /// nothing is added.
+  /// Adds to `turn` the corner on the right of `h` at its tail, and returns `clockwise(h)`. If that is `null_index`,
+  /// `turn` is unchanged.
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const;
-  /// Is the turn, which leads clockwise from `from` to `to` about a vertex, at least \f$\pi\f$?
+  /// Returns whether `turn`, the angle clockwise from `from` to `to` around a vertex, is at least \f$\pi\f$.
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const;
-  /// Is the edge of `h` on the border, or are the angles opposite to it together at most \f$\pi\f$?
+  /// Returns whether the edge of `h` is on the border, or the two angles opposite to it add up to at most \f$\pi\f$.
   bool is_locally_delaunay(Halfedge_index h) const;
 
   /// @}
   /// \name Flips
   /// @{
 
-  /// Can the edge of `h` be flipped: not on the border, not held, in a convex quad, and the only edge at neither of its
-  /// ends?
+  /// Returns whether the edge of `h` can be flipped: it is not on the border, not held, the diagonal of a convex
+  /// quadrilateral, and not the only edge at one of its ends.
   bool is_flippable(Halfedge_index h) const;
-  /// Flips the edge of `h`. With the faces `(h, hn, hp)` and `(t, tn, tp)` on its two sides, the new faces are
+  /// Flips the edge of `h`. If `(h, hn, hp)` and `(t, tn, tp)` are the faces on its two sides, the new faces are
   /// `(h, hp, tn)` and `(t, tp, hn)`. \pre `is_flippable(h)`
   void flip(Halfedge_index h);
-  /// The end of the log: it grows with each flip.
+  /// Returns the end of the log, which grows with each flip.
   Log_position log_position() const;
-  /// Takes flips back, the last first, until the log ends at `position`; bit for bit.
+  /// Rolls back flips, the last one first, until the log ends at `position`. The result is bitwise the former state.
   void rollback(Log_position position);
-  /// The bytes that the records of flips take, for `Memory_stop_predicate`.
+  /// Returns the size of the flip records in bytes, for `Memory_stop_predicate`.
   std::size_t memory_of_records() const;
 
   /// @}
   /// \name Held edges
-  /// Each network holds the edges on which it has segments, once each. What flips edges, as `shorten()` of another network
-  /// and `flip_to_delaunay()`, leaves edges alone that are held.
+  /// Each network holds every edge on which it has segments, once. Functions that flip edges, such as `shorten()` for
+  /// another network and `flip_to_delaunay()`, do not flip edges that are held.
   /// @{
 
-  /// The number of holds on an edge, 0 at first.
+  /// Returns the number of holds on an edge, initially 0.
   Index holds(Edge_index e) const;
   /// Adds a hold.
   void hold(Edge_index e);
-  /// Takes a hold back. \pre `holds(e) > 0`
+  /// Releases a hold. \pre `holds(e) > 0`
   void release(Edge_index e);
-  /// The number of holds on all edges together.
+  /// Returns the number of holds on all edges.
   std::size_t number_of_holds() const;
-  /// An upper bound of `Walker::edge_place()` for all edges at which a walker has stood.
+  /// Returns an upper bound of `Walker::edge_place()` for all edges at which a walker has been.
   std::size_t number_of_edge_places() const;
 
   /// @}
   /// \name Walkers
   /// @{
 
-  /// A walker that stands at `h`.
+  /// Returns a walker at `h`.
   Walker walker(Halfedge_index h) const;
-  /// The same, given the place of a walker at either side of the edge.
+  /// Returns a walker at `h`, given the `place()` of a walker at either side of the edge.
   Walker walker(Walker::Place place, Halfedge_index h) const;
-  /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
+  /// Returns whether the two faces of the edge of `h` have together an angle of at least \f$\pi\f$ at the head of
+  /// `h`. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const;
 
   /// @}
@@ -146,49 +148,49 @@ public:
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * What stands at a halfedge of an `IntrinsicTriangulation`, and goes from there to others. All but the last members do
- * what those of the triangulation do.
+ * The concept `IntrinsicTriangulationWalker` describes a handle of a halfedge of an `IntrinsicTriangulation` that moves
+ * to other halfedges. Except for the last four, its members correspond to those of the triangulation.
  *
  * \sa `IntrinsicTriangulation`
  */
 class IntrinsicTriangulationWalker
 {
 public:
-  /// What an edge's place is kept in; default constructible, copyable.
+  /// The position of an edge in memory; default constructible and copyable.
   typedef unspecified_type Place;
 
-  /// The halfedge.
+  /// Returns the halfedge.
   Halfedge_index index() const;
-  /// Its place.
+  /// Returns the position of its edge.
   Place place() const;
-  /// Does it stand nowhere, since the border intervened?
+  /// Returns whether the walker has no halfedge because it met the border.
   bool is_none() const;
 
-  /// The vertex at which the halfedge starts.
+  /// Returns the vertex at which the halfedge starts.
   Vertex_index tail() const;
-  /// At the other side of the edge.
+  /// Returns a walker at the opposite halfedge.
   IntrinsicTriangulationWalker twin() const;
-  /// At the previous halfedge of the face. \pre there is one
+  /// Returns a walker at the previous halfedge of the face. \pre the halfedge is not on the border
   IntrinsicTriangulationWalker previous() const;
-  /// At the next halfedge clockwise about the tail, or nowhere.
+  /// Returns a walker at the next halfedge clockwise around the tail, none at the border.
   IntrinsicTriangulationWalker clockwise() const;
-  /// At the next halfedge counterclockwise about the tail, or nowhere.
+  /// Returns a walker at the next halfedge counterclockwise around the tail, none at the border.
   IntrinsicTriangulationWalker counterclockwise() const;
 
-  /// The length of the edge.
+  /// Returns the length of the edge.
   double length() const;
-  /// As for the triangulation.
+  /// Announces that the face on the left will be read soon.
   void prefetch_face() const;
-  /// Adds the corner on the right at the tail, and goes clockwise; where that leads nowhere, nothing is added.
+  /// Adds to `turn` the corner on the right at the tail, and returns `clockwise()`. At the border, `turn` is unchanged.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
-  /// A number of the edge, that of no other edge, which never changes: an index of arrays by edges. It is the number of
-  /// the edge, or one that is small for edges that were touched early, so that such arrays are short.
+  /// Returns a constant number that is unique to the edge, an index of arrays by edges. It is the number of the edge,
+  /// or a number that is small for edges that were used early, which keeps such arrays short.
   std::size_t edge_place() const;
-  /// Has the edge holds?
+  /// Returns whether the edge is held.
   bool is_held() const;
   /// Adds a hold to the edge.
   void hold() const;
-  /// Takes a hold of the edge back.
+  /// Releases a hold of the edge.
   void release() const;
 };

@@ -4,7 +4,7 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * An observer of a refinement, for progress and interruption.
+ * The concept `RefinementVisitor` describes an observer of a refinement, for progress and interruption.
  *
  * \cgalRefines{FlipOutVisitor}
  *
@@ -17,8 +17,8 @@
 class RefinementVisitor
 {
 public:
-  /// Called after vertex `v` was inserted into a face or on an edge, and the edges around it were flipped. There is no
-  /// call for a vertex that is taken back.
+  /// Observes that vertex `v` was inserted into a face or on an edge, and that the edges around it were flipped. It is
+  /// not called for an insertion that is rolled back.
   template <class Triangulation>
   void on_insertion(const Triangulation& triangulation, Vertex_index v);
 };
