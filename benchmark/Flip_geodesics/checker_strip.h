@@ -83,7 +83,7 @@ NT edge_length(const Mesh& mesh, Index c)
 /*
  * A corner of a face laid into the plane, the face on its upper side: the dot product and the length of the cross
  * product of the vectors to the next and to the previous vertex. That is |u||v| (cos + i sin) of the corner's angle,
- * with an error of a few units in the last place of |u||v|, whatever the shape of the face: also a face without area
+ * with an error of a few units in the last place of |u||v|, whatever the shape of the face: also a degenerate face
  * has an angle, 0 or pi.
  */
 template <class NT>

@@ -15,7 +15,7 @@
 /*
  * Meshes of 1000 to 300 000 faces: planes and hills with ties and without, solids, surfaces of revolution, knots and
  * sponges; turned, far from the origin, tiny and huge; with needles, spikes, holes, vertices of a high degree, vertices
- * in one place, and faces without area.
+ * in one place, and degenerate faces.
  */
 namespace meshes_of_every_kind {
 
@@ -145,7 +145,7 @@ inline void add_moved(std::vector<Named_mesh>& result)
 inline void add_spoilt(std::vector<Named_mesh>& result)
 {
   const std::vector<std::string> names = {" with vertices in one place", " with three vertices in one place",
-                                          " with faces without area", " with folded faces"};
+                                          " with degenerate faces", " with folded faces"};
   for(int how = 0; how < 4; ++how)
     for(const Named_mesh& surface : surfaces())
       result.push_back({surface.name + names[static_cast<std::size_t>(how)],

@@ -204,7 +204,7 @@ bool measure_strip(const Mesh& mesh, const Polyline& curve, Segment& segment, Cu
   const Unfolded_strip<NT> forward(mesh, segment.strip), backward(mesh, reversed);
   const long double line = static_cast<long double>(length(forward.target()));
   if(!std::isfinite(line) || !std::isfinite(static_cast<long double>(length(backward.target()))))
-    return false; // a face has an edge of length zero
+    return false; // a face has a zero-length edge
   const long double uncertainty = forward.uncertainty_of_line() > 0 ? forward.uncertainty_of_line() / line : 0;
   segment.at_source =
       direction_at_source(mesh, segment.strip.source, segment.strip.crossed.front(), forward, uncertainty);
@@ -268,7 +268,7 @@ void trace_segment(const Mesh& mesh, const Polyline& curve, Segment segment, Tra
     if(reached <= segment.last)
       return report.add_break(at_point(reached) + "it does not lie in the face that the curve has come to");
     if(!measure_strip<NT>(mesh, curve, segment, report))
-      return report.add_break(at_point(segment.first) + "a face with an edge of length zero cannot be unfolded");
+      return report.add_break(at_point(segment.first) + "a face with a zero-length edge cannot be unfolded");
   }
   traced.segments.push_back(segment);
 }

@@ -51,7 +51,7 @@ struct Row
 {
   std::size_t decisions = 0, filtered = 0, ties = 0, unproven_zeros = 0;
   std::size_t disagreements = 0, bent_edges = 0; // must be zero
-  std::size_t unordered = 0;                     // faces without area leave the order of edges open
+  std::size_t unordered = 0;                     // degenerate faces leave the order of edges open
   std::string note;
 };
 

@@ -132,7 +132,7 @@ private:
   LengthMap m_lengths;
 };
 
-/// Two intrinsic edges leave a vertex in one direction, in a face without area: no angle can be told from their words.
+/// Two intrinsic edges leave a vertex in one direction, in a degenerate face: no angle can be told from their words.
 struct No_order : std::runtime_error
 {
   using std::runtime_error::runtime_error;

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(planes_and_walls_are_decided_as_by_roots)
   soups.push_back({"thin cylinder", cylinder(31, 4, 0.1, 7)});
   soups.push_back({"far cylinder", translated(cylinder(7, 6, 1, 3), 1e5, 0.1, 0)});
   soups.push_back(
-      {"walls beside faces without area", extrusion({0, 0, 1}, {{0, 0, 0}, {0, 0, 0.5}, {4, 3, 0}, {4, 3, 0.25}})});
+      {"walls beside degenerate faces", extrusion({0, 0, 1}, {{0, 0, 0}, {0, 0, 0.5}, {4, 3, 0}, {4, 3, 0.25}})});
   const std::size_t first_wall = soups.size();
   for(const Named_soup& wall : walls())
     soups.push_back(wall);

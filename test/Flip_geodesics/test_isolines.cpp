@@ -44,7 +44,8 @@ BOOST_AUTO_TEST_CASE(circles_in_the_plane)
   }
 }
 
-// A chord of length h of a circle of radius r is h^2 / 8r from it: so long are chords, but for the few in which faces end.
+// A chord of length h of a circle of radius r is h^2 / 8r from it: so long are chords, but for the few in which faces
+// end.
 BOOST_AUTO_TEST_CASE(points_grow_like_the_root_of_the_tolerance)
 {
   const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::ALTERNATING, 0.2, 3));
@@ -102,7 +103,8 @@ BOOST_AUTO_TEST_CASE(chords_of_many_levels_do_not_cross)
       BOOST_TEST(!do_cross(curves[i], curves[j]), curves[i].level << " and " << curves[j].level);
 }
 
-// The numbers of a place next to a vertex are less than those that a location may have; its isoline is about the vertex.
+// The numbers of a place next to a vertex are less than those that a location may have; its isoline is about the
+// vertex.
 BOOST_AUTO_TEST_CASE(levels_next_to_zero)
 {
   using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh>;
@@ -218,7 +220,7 @@ BOOST_AUTO_TEST_CASE(levels_of_several_sources_do_not_cross)
   BOOST_TEST(crossings == 0);
 }
 
-// Up and down along the sides of parts, and levels as close as roundings.
+// Up and down along the sides of parts, and levels as close as rounding errors.
 BOOST_AUTO_TEST_CASE(levels_of_a_rough_field_do_not_cross)
 {
   const Mesh mesh = to_mesh<Mesh>(jittered_grid(6, 6, Diagonal_rule::FALLING, 0.2, 8));
@@ -255,8 +257,8 @@ BOOST_AUTO_TEST_CASE(small_components_are_found)
   }
 }
 
-// What is nearer than the level by the tolerance is on the left of all curves, what is farther by it on the right: told by
-// how often they wind about a point.
+// What is nearer than the level by the tolerance is on the left of all curves, what is farther by it on the right: told
+// by how often they wind about a point.
 BOOST_AUTO_TEST_CASE(both_sides_are_told_apart)
 {
   const Mesh mesh = to_mesh<Mesh>(jittered_grid(20, 20, Diagonal_rule::ALTERNATING, 0.2, 9));
@@ -455,7 +457,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_cannot_be)
   for(double wrong : {nan, infinity, -infinity})
     BOOST_CHECK_EXCEPTION(isolines(mesh, field, std::vector<double>{1, wrong}, 0.1), FG::Invalid_parameter_error,
                           [](const FG::Error& e) { return e.elements() == std::vector<std::size_t>{1}; });
-  for(double wrong : {nan, infinity, 0., -1., 1e-300, 1e-15}) { // the last ones are lost in roundings
+  for(double wrong : {nan, infinity, 0., -1., 1e-300, 1e-15}) { // the last ones are lost in rounding errors
     BOOST_CHECK_THROW(isolines(mesh, field, std::vector<double>{1}, wrong), FG::Invalid_parameter_error);
     BOOST_CHECK_THROW(boundaries(mesh, field, wrong), FG::Invalid_parameter_error);
   }

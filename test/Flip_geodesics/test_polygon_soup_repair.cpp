@@ -403,7 +403,7 @@ BOOST_AUTO_TEST_CASE(borders_in_one_place_are_stitched)
   }
 }
 
-// Points on straight edges of one side only, as many as there is room for, leave triangles without area between.
+// Points on straight edges of one side only, as many as there is room for, leave degenerate triangles between.
 BOOST_AUTO_TEST_CASE(collinear_triangles_are_flipped_away)
 {
   for(int n : {1, 2, 5, 9}) { // points between (0,0) and (n+1,0)
@@ -419,7 +419,7 @@ BOOST_AUTO_TEST_CASE(collinear_triangles_are_flipped_away)
     for(std::size_t i = 1; i < last; ++i) // a fan from point 0, flat
       soup.polygons.push_back({0, i, i + 1});
     const Repaired repaired = repair(soup);
-    check_repairs(repaired.report, {{Repair::FACES_WITHOUT_AREA_FLIPPED, static_cast<std::size_t>(n)}});
+    check_repairs(repaired.report, {{Repair::DEGENERATE_FACES_FLIPPED, static_cast<std::size_t>(n)}});
     BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 4u);
     BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), soup.polygons.size());
     BOOST_CHECK_CLOSE(repaired.area(), 2.5 * (n + 1), 1e-12);
@@ -434,8 +434,8 @@ BOOST_AUTO_TEST_CASE(collinear_triangles_are_flipped_away)
   }
 }
 
-// Both sides of a triangle ACD, one with a point B on AC: a flip would make an edge BD that is there already. What has no
-// area is dropped, and leaves a slit; whatever the number of faces about B, and their order.
+// Both sides of a triangle ACD, one with a point B on AC: a flip would make an edge BD that is there already. What has
+// no area is dropped, and leaves a slit; whatever the number of faces about B, and their order.
 BOOST_AUTO_TEST_CASE(no_edge_is_made_twice)
 {
   for(const std::size_t more : {0u, 1u, 8u}) {
@@ -452,22 +452,22 @@ BOOST_AUTO_TEST_CASE(no_edge_is_made_twice)
     for(std::size_t k = 0; k < soup.polygons.size(); ++k) {
       std::rotate(soup.polygons.begin(), soup.polygons.begin() + 1, soup.polygons.end());
       const Repaired repaired = repair(soup);
-      check_repairs(repaired.report, {{Repair::FACES_WITHOUT_AREA_DROPPED, 1}});
+      check_repairs(repaired.report, {{Repair::DEGENERATE_FACES_DROPPED, 1}});
       BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), soup.polygons.size() - 1);
       BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 3u);
     }
   }
 }
 
-// Two triangles without area on each other, with points of their own in one place: both are dropped.
+// Two degenerate triangles on each other, with points of their own in one place: both are dropped.
 BOOST_AUTO_TEST_CASE(no_edge_of_length_zero_is_made)
 {
   const Soup soup = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, -2, 0}},
                      {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {3, 0, 5}, {2, 3, 5}}};
   const Repaired repaired = repair(soup);
   BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), 4u);
-  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::FACES_WITHOUT_AREA_FLIPPED), 0u);
-  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::FACES_WITHOUT_AREA_DROPPED), 2u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::DEGENERATE_FACES_FLIPPED), 0u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::DEGENERATE_FACES_DROPPED), 2u);
   BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 4u);
   BOOST_CHECK_CLOSE(repaired.area(), 4, 1e-12);
 }
@@ -476,11 +476,11 @@ BOOST_AUTO_TEST_CASE(collinear_triangles_at_a_border_are_dropped)
 {
   const Soup soup = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 3}, {1, 2, 3}, {0, 2, 1}}};
   const Repaired repaired = repair(soup);
-  check_repairs(repaired.report, {{Repair::FACES_WITHOUT_AREA_DROPPED, 1}});
+  check_repairs(repaired.report, {{Repair::DEGENERATE_FACES_DROPPED, 1}});
   BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), 2u);
 }
 
-// An edge of length zero inside a surface closes: its two triangles go, and its ends are merged.
+// A zero-length edge inside a surface closes: its two triangles go, and its ends are merged.
 BOOST_AUTO_TEST_CASE(edges_of_length_zero_close)
 {
   Soup soup = to_soup(flat_grid(4, 4, Diagonal_rule::RISING));

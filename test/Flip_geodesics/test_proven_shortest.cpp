@@ -160,8 +160,8 @@ BOOST_AUTO_TEST_CASE(other_surfaces)
   check("saddle", saddle_disk(6, 2, 8));
 }
 
-// Rays from one vertex run through rows of others. What passes them on both sides by rounding is not followed twice: the
-// number of windows would double at each.
+// Rays from one vertex run through rows of others. What passes them on both sides by rounding is not followed twice:
+// the number of windows would double at each.
 BOOST_AUTO_TEST_CASE(windows_do_not_multiply_along_rows)
 {
   const auto squashed = [](const Mesh_soup& soup) {
@@ -216,8 +216,8 @@ BOOST_AUTO_TEST_CASE(bounds_on_cylinders_are_not_above_the_distance)
   });
 }
 
-// Whether a path ties with another one does not depend on its direction, also where rows of vertices are pushed together
-// to one line: rounded rays that turn back in faces without area arrive from the wrong side.
+// Whether a path ties with another one does not depend on its direction, also where rows of vertices are pushed
+// together to one line: rounded rays that turn back in degenerate faces arrive from the wrong side.
 BOOST_AUTO_TEST_CASE(ties_are_the_same_in_both_directions)
 {
   const auto pushed_together = [](double shift, Diagonal_rule rule) {

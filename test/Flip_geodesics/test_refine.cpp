@@ -155,8 +155,8 @@ BOOST_AUTO_TEST_CASE(bounds_that_make_no_sense_are_refused)
   BOOST_CHECK_THROW(FG::refine(s.triangulation, options), FG::Invalid_parameter_error);
 }
 
-// The exact certificate may find bends where curves are split, but they are roundings.
-BOOST_AUTO_TEST_CASE(split_curves_bend_by_roundings)
+// The exact certificate may find bends where curves are split, but they are rounding errors.
+BOOST_AUTO_TEST_CASE(split_curves_bend_by_rounding_errors)
 {
   Curve_setting s(torus(24, 12, 3, 1));
   s.add_path(0_v, 150_v);

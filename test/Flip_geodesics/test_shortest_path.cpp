@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(no_geodesic_is_shorter_than_a_confirmed_path)
   }
 }
 
-// Vertices that are moved beyond a neighbor leave faces without area, which fold: light passes them, and angles of pi.
+// Vertices that are moved beyond a neighbor leave degenerate faces, which fold: light passes them, and angles of pi.
 BOOST_AUTO_TEST_CASE(no_path_over_faces_without_area_is_confirmed_if_there_is_a_shorter_one)
 {
   int confirmed = 0;

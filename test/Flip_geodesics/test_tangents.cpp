@@ -297,7 +297,7 @@ BOOST_AUTO_TEST_CASE(one_call_tells_the_angle_about_its_source)
   BOOST_TEST(corners == 8u);
 }
 
-// Up to roundings.
+// Up to rounding errors.
 BOOST_AUTO_TEST_CASE(one_call_does_the_same)
 {
   const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(4, 0.2, 5));

@@ -399,7 +399,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused)
     BOOST_CHECK_THROW(trace(mesh, source, std::make_pair(none, 0.0), 1), FG::Invalid_parameter_error);
   const Halfedge rim = mesh.halfedge(corner, Vertex(grid_vertex(12, 1, 0)));
   BOOST_CHECK_THROW(trace(mesh, Vertex(100000), std::make_pair(h, 0.0), 1), FG::Vertex_out_of_range_error);
-  // A vector says nothing of a face without area, or with a corner that is no point.
+  // A vector says nothing of a degenerate face, or with a corner that is no point.
   const Surface flat = to_mesh<Surface>({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}});
   const Surface no_point = to_mesh<Surface>({{{0, 0, 0}, {2, 0, 0}, {1, nan, 0}}, {{0, 1, 2}}});
   const Face_location inside = {Face(0), {0.25, 0.25, 0.5}};

@@ -335,8 +335,8 @@ private:
     result.shorten_s = stopwatch.seconds() - result.search_s;
   }
 
-  // Records how flips alone pull the curve tight that is known by now. Results stay as they are, so that they are the same
-  // with and without a page.
+  // Records how flips alone pull the curve tight that is known by now. Results stay as they are, so that they are the
+  // same with and without a page.
   void record_flips_alone(const Network_request& request, const std::vector<Curve_result>& results)
   {
     std::vector<Curve_result> others = {make_result(request.curves.front())};
@@ -562,7 +562,7 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     if(!m_options.are_zero_edges_refused && FG::internal::are_curves_folded(m_triangulation, report))
-      throw FG::Degenerate_face_error("faces without area fold vertices onto one place", {});
+      throw FG::Degenerate_face_error("degenerate faces fold vertices onto one place", {});
   }
 
   // Where vertices are inserted the record has no steps but the finished triangulation.

@@ -118,7 +118,7 @@ public:
       return with_error(typename Plain::Construct_face_3()(p, q, r), internal::face_layout_error);
     }
 
-    /// The face with these sides.
+    /// Returns the face with these sides.
     Face_geometry operator()(const internal::Rounded_sides& sides) const
     {
       return with_error(typename Plain::Construct_face_3()(sides), internal::face_layout_error);
@@ -136,7 +136,7 @@ public:
       return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), internal::face_layout_error);
     }
 
-    /// The same from exact squared lengths.
+    /// Returns the face with these exact squared side lengths.
     Face_geometry operator()(const internal::Squared_lengths& lengths) const
     {
       return with_error(typename Plain::Construct_face_from_lengths()(lengths), internal::face_layout_error);

@@ -150,7 +150,7 @@ private:
       throw Flattening_error("the cut surface is not connected: " + std::to_string(reached) + " of " +
                              std::to_string(m_faces.size()) + " faces hang together");
     if(m_surface.euler_characteristic() != 1)
-      throw Flattening_error("the cut surface is no disk; its Euler characteristic is " +
+      throw Flattening_error("the cut surface is not a disk; its Euler characteristic is " +
                              std::to_string(m_surface.euler_characteristic()));
     for(const Intrinsic_face& face : m_faces)
       if(!internal::Plane_triangle(face.lengths).has_finite_cotangents())

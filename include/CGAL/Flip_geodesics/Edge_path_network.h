@@ -169,7 +169,7 @@ public:
         continue;
       for(Segment_index fixed : freed)
         set_head_fixed(fixed, true);
-      throw Crossing_curves_error("strands cross at vertex " + std::to_string(v.idx()),
+      throw Crossing_curves_error("curves cross at vertex " + std::to_string(v.idx()),
                                   {static_cast<std::size_t>(v.idx())});
     }
   }

@@ -175,7 +175,7 @@ public:
     /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const { return face(NT(a), NT(b), NT(c)); }
 
-    /// The same from exact squared lengths.
+    /// Returns the face with these exact squared side lengths.
     Face_geometry operator()(const internal::Squared_lengths& lengths) const
     {
       const NT unit = internal::converted<NT>(lengths.denominator);
@@ -455,7 +455,7 @@ public:
   };
 
   Construct_face_3 construct_face_3_object() const { return Construct_face_3(m_unit); } ///< a functor of this type
-  /// A functor of this type.
+  /// Returns a functor of this type.
   Construct_face_from_lengths construct_face_from_lengths_object() const { return Construct_face_from_lengths(m_unit); }
   Construct_face_2 construct_face_2_object() const { return {}; }                     ///< a functor of this type
   Construct_subface construct_subface_object() const { return Construct_subface(); }  ///< a functor of this type
@@ -463,7 +463,7 @@ public:
   Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; } ///< a functor of this type
   Turn_key turn_key_object() const { return Turn_key(m_unit); }                       ///< a functor of this type
   Flip flip_object() const { return Flip(m_unit); }                                   ///< a functor of this type
-  /// A functor of this type.
+  /// Returns a functor of this type.
   Is_locally_delaunay is_locally_delaunay_object() const { return Is_locally_delaunay(m_unit); }
   Is_inaccurate is_inaccurate_object() const { return {}; }                   ///< a functor of this type
   Compute_squared_length compute_squared_length_object() const { return {}; } ///< a functor of this type

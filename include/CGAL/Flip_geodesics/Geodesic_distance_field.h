@@ -154,9 +154,9 @@ public:
     , m_propagation(triangulation, extent == Distance_field_extent::EVERYWHERE)
   {
   }
-  /// A temporary triangulation would not outlive the field.
+  /// Is deleted, since a temporary triangulation would not outlive the field.
   Geodesic_distance_field(const Triangulation&&, const Triangle_mesh&, Distance_field_extent = {}) = delete;
-  /// A temporary mesh would not outlive the field.
+  /// Is deleted, since a temporary mesh would not outlive the field.
   Geodesic_distance_field(const Triangulation&, const Triangle_mesh&&, Distance_field_extent = {}) = delete;
 
   /*!
@@ -222,13 +222,13 @@ public:
     for(const Surface_location& location : locations)
       at.push_back(internal::canonical_location(m_triangulation.input(), location));
     if(at.empty())
-      throw Invalid_curve_error("a curve that is to be a source has no points");
+      throw Invalid_curve_error("a curve that is a source has no points");
     std::vector<Input_halfedge_index> faces;
     for(std::size_t i = 0; i + 1 < at.size(); ++i) {
       faces.push_back(internal::common_face(m_triangulation.input(), at[i], at[i + 1]));
       if(faces.back() == null_index)
         throw Invalid_curve_error("no face has the points " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                                      " of a curve that is to be a source",
+                                      " of a curve that is a source",
                                   {i, i + 1});
     }
     check_addition(offset, at.front().halfedge);
@@ -473,7 +473,7 @@ private:
     const internal::Face_side side = m_propagation.sides().copy(is_border ? internal::twin_index(h) : h);
     if(offset > internal::greatest_offset * (side.length + std::abs(side.x) + side.y))
       throw Invalid_coordinate_error("the offset of a source is " + number.str() +
-                                     ", so much longer than the sides of its face that roundings hide them");
+                                     ", so much longer than the sides of its face that rounding errors hide them");
   }
 
   void add_point(const Surface_location& at, double offset)
@@ -538,7 +538,7 @@ private:
   typename Query::Arrival arrival_at(const Surface_location& at) const
   {
     if(m_extent != Distance_field_extent::EVERYWHERE)
-      throw Invalid_parameter_error("a field of vertices only is asked for another place");
+      throw Invalid_parameter_error("a field of vertices only is queried at another point");
     return query()(at.halfedge, internal::normalized(at.weights));
   }
 

@@ -475,7 +475,7 @@ public:
    * result is the same as without contraction. Contraction takes linear time in the mesh.
    *
    * \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
-   * \throws Degenerate_face_error if a face has one edge of length zero and two of different lengths
+   * \throws Degenerate_face_error if a face has one zero-length edge and two of different lengths
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
                           Zero_length_edges zero_length_edges)
@@ -668,7 +668,7 @@ public:
   {
     return insert(location, [this](const internal::Edge_halves& halves) {
       if(holds(edge(halves.first)) > 0)
-        throw Occupied_triangulation_error("a curve lies on the edge that a point is to be inserted on");
+        throw Occupied_triangulation_error("a curve lies on the edge that a point is inserted on");
     });
   }
 

@@ -87,7 +87,7 @@ public:
  * of its own face. A flip costs one complex division and no root.
  *
  * Decisions are taken up to `angle_tolerance()`: a wedge whose angle misses \f$\pi\f$ by less counts as straight, in
- * the wedge test and in the flip test alike. `shorten()` measures the finished curves afresh from the input.
+ * the wedge test and in the flip test alike. `shorten()` measures the finished curves on the input.
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *
@@ -148,7 +148,7 @@ public:
       return operator()(internal::rounded_sides(p, q, r));
     }
 
-    /// The face with these sides.
+    /// Returns the face with these sides.
     Face_geometry operator()(const internal::Rounded_sides& sides) const
     {
       const std::array<Vector_3, 3>& e = sides.vectors;
@@ -195,7 +195,8 @@ public:
       return turned_to_first(face, a);
     }
 
-    /// The same from exact squared lengths, of which each coordinate is computed exactly before it is rounded.
+    /// Returns the face with these exact squared side lengths. Each of its coordinates is computed exactly and then
+    /// rounded.
     Face_geometry operator()(const internal::Squared_lengths& lengths) const
     {
       const double base = lengths.length(0).high, height = lengths.doubled_area().high / base;

@@ -154,7 +154,7 @@ public:
 
   /*!
    * Returns the weak (integrated) divergence of vector fields that are constant on each face, \f$n \times 2m\f$: entry
-   * \f$i\f$ of the result is \f$-\int \nabla\varphi_i \cdot X\f$ with the hat function \f$\varphi_i\f$. Hence
+   * \f$i\f$ of the result is \f$-\int \nabla\varphi_i \cdot X\f$ with the hat function \f$\varphi_i\f$. Therefore
    * \f$-\mathrm{div}\,\nabla = L\f$.
    */
   Matrix divergence() const

@@ -71,7 +71,7 @@ public:
   {
     const internal::Transport_sleeve<Triangulation> sleeve(m_triangulation, locations);
     if(!std::isfinite(direction.angle))
-      throw Invalid_parameter_error("the angle of a direction is no finite number");
+      throw Invalid_parameter_error("the angle of a direction is not a finite number");
     Surface_location last;
     for(const Surface_location& location : locations)
       last = location;

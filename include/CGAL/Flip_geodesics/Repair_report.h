@@ -17,21 +17,21 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsRepair
 /// Lists the repairs made by `polygon_soup_to_triangle_mesh()`, each of which is counted in a `Repair_report`.
 enum class Repair {
-  POINTS_NOT_FINITE,          ///< points with a NaN or infinite coordinate, which do not become vertices
-  POINTS_WELDED,              ///< points moved to another point within the tolerance
-  POLYGONS_WITHOUT_POINTS,    ///< polygons removed because they contain such a point or an invalid index
-  POLYGONS_COLLAPSED,         ///< polygons removed because they have fewer than three distinct corners
-  CORNERS_REPEATED,           ///< corners removed because they coincide with the previous corner
-  POLYGONS_SPLIT,             ///< polygons split because they pass a point twice
-  POLYGONS_TRIANGULATED,      ///< polygons with more than three corners, which were triangulated
-  DUPLICATES_DROPPED,         ///< triangles removed because another one has the same corners
-  POLYGONS_REVERSED,          ///< polygons reversed to match the orientation of their neighbors
-  EDGES_CUT,                  ///< edges with more than two faces, along which the faces were cut apart
-  VERTICES_SPLIT,             ///< vertices duplicated to take over some of the faces of another one
-  POINTS_MERGED,              ///< points merged with a coincident one, at stitched borders or removed corners
-  FACES_WITHOUT_AREA_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
-  FACES_WITHOUT_AREA_DROPPED, ///< triangles with collinear corners or two coincident corners, removed
-  POINTS_LEFT                 ///< points that thereby lost all their polygons
+  POINTS_NOT_FINITE,        ///< points with a NaN or infinite coordinate, which do not become vertices
+  POINTS_WELDED,            ///< points moved to another point within the tolerance
+  POLYGONS_WITHOUT_POINTS,  ///< polygons removed because they contain such a point or an invalid index
+  POLYGONS_COLLAPSED,       ///< polygons removed because they have fewer than three distinct corners
+  CORNERS_REPEATED,         ///< corners removed because they coincide with the previous corner
+  POLYGONS_SPLIT,           ///< polygons split because they pass a point twice
+  POLYGONS_TRIANGULATED,    ///< polygons with more than three corners, which were triangulated
+  DUPLICATES_DROPPED,       ///< triangles removed because another one has the same corners
+  POLYGONS_REVERSED,        ///< polygons reversed to match the orientation of their neighbors
+  EDGES_CUT,                ///< edges with more than two faces, along which the faces were cut apart
+  VERTICES_SPLIT,           ///< vertices duplicated to take over some of the faces of another one
+  POINTS_MERGED,            ///< points merged with a coincident one, at stitched borders or removed corners
+  DEGENERATE_FACES_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
+  DEGENERATE_FACES_DROPPED, ///< triangles with collinear corners or two coincident corners, removed
+  POINTS_LEFT               ///< points that thereby lost all their polygons
 };
 
 /// \ingroup PkgFlipGeodesicsRepair
@@ -51,7 +51,7 @@ inline std::string describe(Repair repair, std::size_t count)
   case Repair::POINTS_WELDED:
     return counted("point", "points", "moved into the place of others within the weld tolerance");
   case Repair::POLYGONS_WITHOUT_POINTS:
-    return counted("polygon", "polygons", "dropped: a corner is no point of the input, or not finite");
+    return counted("polygon", "polygons", "dropped: a corner is not a point of the input, or not finite");
   case Repair::POLYGONS_COLLAPSED:
     return counted("polygon", "polygons", "dropped: fewer than three corners in different places");
   case Repair::CORNERS_REPEATED:
@@ -70,10 +70,10 @@ inline std::string describe(Repair repair, std::size_t count)
     return counted("vertex", "vertices", "added where faces that share no edge met in a vertex");
   case Repair::POINTS_MERGED:
     return counted("point", "points", "merged into others in the same place");
-  case Repair::FACES_WITHOUT_AREA_FLIPPED:
-    return counted("triangle", "triangles", "without area removed by flips");
-  case Repair::FACES_WITHOUT_AREA_DROPPED:
-    return counted("triangle", "triangles", "without area dropped");
+  case Repair::DEGENERATE_FACES_FLIPPED:
+    return counted("degenerate triangle", "degenerate triangles", "removed by flips");
+  case Repair::DEGENERATE_FACES_DROPPED:
+    return counted("degenerate triangle", "degenerate triangles", "dropped");
   case Repair::POINTS_LEFT:
     return counted("point", "points", "left without faces");
   }

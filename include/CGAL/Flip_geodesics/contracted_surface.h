@@ -25,7 +25,7 @@ namespace internal {
 [[noreturn]] inline void throw_no_surface_left(Vertex_index v)
 {
   throw Degenerate_face_error("at vertex " + std::to_string(v.idx()) +
-                                  " faces without area hang on an edge of length zero, and no surface is left",
+                                  " degenerate faces share a zero-length edge, and no surface is left",
                               {static_cast<std::size_t>(v.idx())});
 }
 
@@ -292,7 +292,7 @@ template <class Triangulation>
 void note_contraction(const Triangulation& triangulation, Shortening_report& report)
 {
   if(are_curves_folded(triangulation, report))
-    throw Degenerate_face_error("a curve leads through vertices that faces without area fold onto one place", {});
+    throw Degenerate_face_error("a curve leads through vertices that degenerate faces fold onto one place", {});
   for(Curve_report& curve : report.curves)
     curve.are_zero_edges_contracted = triangulation.input().is_contracted();
 }

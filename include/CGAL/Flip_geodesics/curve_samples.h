@@ -186,7 +186,7 @@ double angle_between(const Triangulation& triangulation, const Surface_location&
                      const Surface_direction& first, const Surface_direction& second)
 {
   if(!std::isfinite(first.angle) || !std::isfinite(second.angle))
-    throw Invalid_parameter_error("the angle of a direction is no finite number");
+    throw Invalid_parameter_error("the angle of a direction is not a finite number");
   const internal::Place_frame<Triangulation> frame(triangulation,
                                                    internal::canonical_location(triangulation.input(), location));
   return frame.angle(frame.position(second.halfedge) + second.angle - first.angle, first.halfedge);
@@ -382,7 +382,7 @@ double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first
                                b = internal::located_curve(surface, mesh, second);
   const Surface_location& p = a.locations().front();
   if(!internal::is_one_place(surface.input(), p, b.locations().front()))
-    throw Invalid_curve_error("two curves, between which there is to be an angle, start at different places");
+    throw Invalid_curve_error("two curves whose angle is requested start at different points");
   return angle_between(surface, p, a.direction(0), b.direction(0));
 }
 

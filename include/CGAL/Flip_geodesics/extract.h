@@ -60,8 +60,8 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
  * Reads curves of a network off on the input mesh, by unfolding the edge sequences of their segments: which edges are
  * crossed, and in which order, is exact; where they are crossed is rounded to double.
  *
- * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there in space.
- * The edges then tell on which side the curve passes, and `Surface_point::t` is not zero.
+ * If a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there in space.
+ * The edges then determine on which side the curve passes, and `Surface_point::t` is not zero.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
  */
@@ -164,7 +164,7 @@ public:
   /// Returns the point in space. Only available with `Embedded_metric`.
   auto point(const Surface_point& p) const { return point_in_space(m_triangulation, p); }
 
-  /// The edge sequence of a segment of the network.
+  /// Returns the edge sequence of a segment of the network.
   Edge_sequence edge_sequence(Segment_index segment)
   {
     return m_triangulation.edge_sequence(m_network.halfedge(segment));

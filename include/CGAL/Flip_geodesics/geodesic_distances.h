@@ -197,7 +197,7 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
   if(is_stopped_by_visitor(result.report))
     return result;
   if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
-    throw Degenerate_face_error("paths lead through vertices that faces without area fold onto one place", {});
+    throw Degenerate_face_error("paths lead through vertices that degenerate faces fold onto one place", {});
   if(result.report.longer > 0)
     result.report.verdict = Verdict::UNDECIDED;
   write(tree, Value_collector<typename Triangulation::Mesh_vertex, Value>{&result.values});

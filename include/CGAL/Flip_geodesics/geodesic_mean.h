@@ -116,7 +116,7 @@ public:
     , m_weights(std::move(weights))
   {
     if(m_points.empty())
-      throw Invalid_parameter_error("there are no points to have a mean");
+      throw Invalid_parameter_error("a mean of no points is undefined");
     if(m_points.size() != m_weights.size())
       throw Invalid_parameter_error("there are " + std::to_string(m_points.size()) + " points of a mean, and " +
                                     std::to_string(m_weights.size()) + " weights");

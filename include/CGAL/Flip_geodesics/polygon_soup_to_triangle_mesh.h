@@ -155,7 +155,7 @@ void check_repaired(const Triangle_soup<Kernel>& soup, const Repair_record& reco
     throw Invalid_mesh_error("no triangle is left by the repair: " + reasons);
   }
   if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles))
-    throw Invalid_mesh_error("the repair failed: the triangles are no oriented manifold");
+    throw Invalid_mesh_error("the repair failed: the triangles are not an oriented manifold");
 }
 
 template <class Kernel, class PointRange>

@@ -118,13 +118,13 @@ Refinement_status refinement_status(End end, std::size_t missed)
 inline void check_options(const Refinement_options& options)
 {
   if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
-    throw Invalid_parameter_error("the smallest angle of a refinement is to be " +
-                                  std::to_string(options.smallest_angle) + " degrees, which is not between 0 and 30");
+    throw Invalid_parameter_error("the smallest angle of a refinement is " + std::to_string(options.smallest_angle) +
+                                  " degrees, which is not between 0 and 30");
   if(!(options.longest_edge >= least_length)) {
     std::ostringstream number;
     number << options.longest_edge;
-    throw Invalid_parameter_error("the longest edge of a refinement is to be " + number.str() +
-                                  " long, which is no number of at least 1e-70: no edge is shorter");
+    throw Invalid_parameter_error("the longest edge of a refinement is " + number.str() +
+                                  " long, which is not a number of at least 1e-70: no edge is shorter");
   }
 }
 

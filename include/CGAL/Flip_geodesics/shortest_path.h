@@ -342,8 +342,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *
  * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is mostly within 1e-13 of the
  * length. A `Verdict::PROVEN` geodesic whose length is within `Shortest_path_report::rounding_tolerance()` of the bound
- * is reported as `Verdict::WITHIN_ROUNDING`. The path cannot be confirmed if the search encounters a degenerate edge or is aborted, or if coordinates or lengths of the
- * mesh had to be rounded; the bound is then that of the rounded mesh.
+ * is reported as `Verdict::WITHIN_ROUNDING`. The path cannot be confirmed if the search encounters a degenerate edge or
+ * is aborted, or if coordinates or lengths of the mesh had to be rounded; the bound is then that of the rounded mesh.
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param search an edge path search over that triangulation; `Search_method::LOOK_BACK` is fastest
@@ -426,7 +426,7 @@ Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& trian
   Shortest_path_report report = add_shortest_path(network, search, checked_landmarks(whole, np), source, target,
                                                   search_limit_of<Window_limit>(np), visitor.get());
   if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(whole))
-    throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
+    throw Degenerate_face_error("a shortest path can lead through coincident vertices", {});
   note_contraction(whole, report.shortening);
   if(network.number_of_curves() != 0) // not stopped by the visitor
     write(network);

@@ -179,7 +179,8 @@ inline std::array<double, 3> nearest_on_side(const Triangle_places& corners, std
   return weights;
 }
 
-/* Returns the foot of the perpendicular from the origin, by the areas that it cuts off; not finite without an area. */
+/* Returns the foot of the perpendicular from the origin, by the areas that it cuts off; not finite for a degenerate
+ * face. */
 inline std::array<double, 3> foot_of_perpendicular(const Triangle_places& corners)
 {
   const Place_in_space u = difference(corners[1], corners[0]), v = difference(corners[2], corners[0]);
@@ -215,7 +216,7 @@ inline Nearest_weights nearest_weights(Triangle_places corners)
   for(std::size_t i = 0; i < 3; ++i)
     consider(nearest_on_side(corners, i));
   const std::array<double, 3> foot = foot_of_perpendicular(corners);
-  if(*std::min_element(foot.begin(), foot.end()) > 0) // never without an area
+  if(*std::min_element(foot.begin(), foot.end()) > 0) // never degenerate
     consider(foot);
   return result;
 }
@@ -235,7 +236,8 @@ Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfed
   const Vertex_index v = input.tail(h);
   const Place_in_space p = half_of(triangulation.metric().point(input, v));
   if(!are_finite(p))
-    throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) + " has a coordinate that is no finite number",
+    throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) +
+                                       " has a coordinate that is not a finite number",
                                    {static_cast<std::size_t>(v.idx())});
   return {{p[0] - from[0], p[1] - from[1], p[2] - from[2]}};
 }
@@ -264,7 +266,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
   using Face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
   const internal::Place_in_space from = internal::half_of(point);
   if(!internal::are_finite(from))
-    throw Invalid_location_error("a point in space has a coordinate that is no finite number");
+    throw Invalid_location_error("a point in space has a coordinate that is not a finite number");
   const auto& input = triangulation.input().uncontracted();
   internal::Nearest_weights nearest;
   Face found{};

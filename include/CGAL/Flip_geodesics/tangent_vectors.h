@@ -208,7 +208,7 @@ public:
   Surface_direction transported(const Surface_location& location, double angle) const
   {
     if(!std::isfinite(angle))
-      throw Invalid_parameter_error("the angle of a direction is no finite number");
+      throw Invalid_parameter_error("the angle of a direction is not a finite number");
     const internal::Place_frame<Triangulation> frame(m_triangulation,
                                                      internal::canonical_location(m_triangulation.input(), location));
     const Input_halfedge_index h = frame.reference(location);

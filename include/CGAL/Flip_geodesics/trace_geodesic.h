@@ -482,7 +482,7 @@ private:
     const Vector a = side(h), c = side(input.next(input.next(h))), b = {{-c[0], -c[1], -c[2]}};
     const Vector normal = unit_of(cross(unit_of(a), unit_of(b))), direction = unit_of(v);
     if(normal == Vector{{0, 0, 0}})
-      throw Degenerate_face_error("a direction is told in the face of halfedge " + std::to_string(h.idx()) +
+      throw Degenerate_face_error("a direction is given in the face of halfedge " + std::to_string(h.idx()) +
                                       ", which has no area",
                                   {static_cast<std::size_t>(h.idx())});
     return {dot(cross(direction, b), normal), dot(cross(a, direction), normal)};
@@ -660,7 +660,7 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   static_assert(is_vector || std::is_convertible<Direction, std::pair<Halfedge, double>>::value,
                 "a direction is a pair of a halfedge and an angle, or a vector in space");
   static_assert(!is_vector || !internal::is_mesh_vertex<TriangleMesh, Source>,
-                "a vector in space is told in a face: give a Face_location at the vertex, or a halfedge and an angle");
+                "a vector in space is given in a face: give a Face_location at the vertex, or a halfedge and an angle");
   const Surface surface = internal::make_surface(mesh, options);
   const Surface_location place = internal::trace_start(surface, mesh, source);
   std::vector<Surface_point> points;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Segments that touch vertices, run along edges, or pass faces without area.
+// Segments that touch vertices, run along edges, or pass degenerate faces.
 
 #include "test_certify/second_opinion.h"
 
 using namespace Flip_geodesics_test;
 
-// A kite with two points on its long diagonal, which is doubled by faces without area. Lines run along crossed edges.
+// A kite with two points on its long diagonal, which is doubled by degenerate faces. Lines run along crossed edges.
 BOOST_AUTO_TEST_CASE_TEMPLATE(segments_along_faces_without_area_are_proven, Setting, Settings)
 {
   Setting setting(Mesh_soup{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, -2, 0}, {2, 2, 0}},
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_portal_has_a_full_angle_or
       }
 }
 
-// The line from 2 to 1 runs along the edge from 0 to 3, which it crosses between two faces without area, and touches 3,
+// The line from 2 to 1 runs along the edge from 0 to 3, which it crosses between two degenerate faces, and touches 3,
 // whose angle on the other side is less or more than pi.
 BOOST_AUTO_TEST_CASE(a_segment_along_an_edge_that_it_crosses)
 {
@@ -234,8 +234,8 @@ BOOST_AUTO_TEST_CASE(faces_on_the_line_are_followed_between_the_ends)
   BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0_v, 1_v) == FG::Verdict::PROVEN));
 }
 
-// Past the head, at 4, faces turn back to a tip at that place, or close before it: it is reached over the head only. A tip
-// between the ends is reached, also by a face that goes on past the head.
+// Past the head, at 4, faces turn back to a tip at that place, or close before it: it is reached over the head only. A
+// tip between the ends is reached, also by a face that goes on past the head.
 BOOST_AUTO_TEST_CASE(faces_on_the_line_are_left_at_the_head)
 {
   const Surface_of_lengths in_place({{0, 1, 2}, {2, 1, 3}, {3, 1, 4}, {3, 4, 5}, {5, 4, 6}, {3, 5, 6}}, {{0, 1, 4},

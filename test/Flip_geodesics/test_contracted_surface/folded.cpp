@@ -48,7 +48,7 @@ bool has_edge(const Mesh_soup& soup, int v, int w)
   });
 }
 
-/* As `split_vertex()`, where v lies between c and d: the two faces without area share the edge from c to d. */
+/* As `split_vertex()`, where v lies between c and d: the two degenerate faces share the edge from c to d. */
 int fold_vertex(Mesh_soup& soup, int v, int c, int d)
 {
   const int w = split_vertex(soup, v, c, d);

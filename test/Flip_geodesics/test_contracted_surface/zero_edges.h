@@ -65,7 +65,7 @@ inline int split_vertex(Mesh_soup& soup, int v, int c, int d)
   return w;
 }
 
-/* Splits vertices of a closed mesh at random, also those that were split before and along edges of length zero. */
+/* Splits vertices of a closed mesh at random, also those that were split before and along zero-length edges. */
 inline Mesh_soup split_at_random(Mesh_soup soup, int count, unsigned seed)
 {
   Random_numbers random(seed);

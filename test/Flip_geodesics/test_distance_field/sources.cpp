@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(wrong_sources_are_refused)
   BOOST_CHECK_THROW(field.add_source(Location{h, {{nan, 0, 0}}}), FG::Invalid_location_error);
   for(double offset : {nan, infinity, -1.0})
     BOOST_CHECK_THROW(field.add_source(0_v, offset), FG::Invalid_coordinate_error);
-  for(double offset : {1e11, 1e300}) { // beside them the mesh is lost in roundings, and all ways are equally long
+  for(double offset : {1e11, 1e300}) { // beside them the mesh is lost in rounding errors, and all ways are equally long
     BOOST_CHECK_THROW(field.add_source(0_v, offset), FG::Invalid_coordinate_error);
     BOOST_CHECK_THROW(field.add_source(Location{h, {{1, 1, 1}}}, offset), FG::Invalid_coordinate_error);
     BOOST_CHECK_THROW(field.add_curve(std::vector<Location>{s.vertex(0)}, offset), FG::Invalid_coordinate_error);

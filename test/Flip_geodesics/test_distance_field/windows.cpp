@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(flat_faces_are_told)
   }
 }
 
-// From a vertex on the longest side of a face without area, and past it, light goes on into the face beyond.
+// From a vertex on the longest side of a degenerate face, and past it, light goes on into the face beyond.
 BOOST_AUTO_TEST_CASE(light_passes_faces_without_area)
 {
   // A square with one vertex on its diagonal, and with two.
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(rays_that_go_round_faces_without_area_are_given_up)
   }
 }
 
-// A computation whose edges get more and more windows ends long before the limit of all windows: where faces without area
+// A computation whose edges get more and more windows ends long before the limit of all windows: where degenerate faces
 // put vertices into one place, and where rays run round and round a tip that is so sharp that lengths hardly differ.
 // Without either, an edge may have as many windows.
 BOOST_AUTO_TEST_CASE(crowded_edges_end_a_field)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Trees where faces without area fold vertices onto one place.
+// Trees where degenerate faces fold vertices onto one place.
 
 #include "flat_tori.h"
 #include "trees.h"
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(hindered_joints_are_found_in_either_order_until_they_are_cl
   }
 }
 
-// In doubles as well, an edge of length zero is not flipped, and the faces beside it are laid out as they are.
+// In doubles as well, a zero-length edge is not flipped, and the faces beside it are laid out as they are.
 BOOST_AUTO_TEST_CASE(delaunay_among_folded_vertices)
 {
   for_each_torus<Plain>(FG::Zero_length_edges::REFUSE, [](auto& triangulation) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Triangles by their lengths, where roundings could take their shape away.
+// Triangles by their lengths, where rounding errors could take their shape away.
 
 #include "test_internal_arithmetic/numbers.h"
 

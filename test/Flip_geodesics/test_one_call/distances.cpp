@@ -35,8 +35,8 @@ BOOST_AUTO_TEST_CASE(distances_come_in_maps_of_the_user)
 
 namespace {
 
-// How many of the vertices have other polar coordinates than a tree of shortest paths gives them. On needles the errors of
-// a field need not be small enough to be confirmed.
+// How many of the vertices have other polar coordinates than a tree of shortest paths gives them. On needles the errors
+// of a field need not be small enough to be confirmed.
 std::size_t number_of_other_coordinates(const Surface& mesh, Vertex source, bool has_needles = false)
 {
   using Triangulation = FG::Intrinsic_triangulation<Surface>;
@@ -61,7 +61,7 @@ std::size_t number_of_other_coordinates(const Surface& mesh, Vertex source, bool
 
 } // namespace
 
-// Only where two paths are as short, roundings choose: on a torus, on the two circles opposite to the source.
+// Only where two paths are as short, rounding errors choose: on a torus, on the two circles opposite to the source.
 BOOST_AUTO_TEST_CASE(polar_coordinates_are_those_of_a_tree)
 {
   for(int source : {0, 40, 77}) {

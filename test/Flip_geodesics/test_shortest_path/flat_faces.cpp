@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Shortest paths over faces without area, in which straight rays get lost.
+// Shortest paths over degenerate faces, in which straight rays get lost.
 
 #include "Curve_setting.h"
 #include "flat_tori.h"
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(ways_do_not_come_round)
   }
 }
 
-// With an edge of length zero on one line nothing is left that joins the others, but for a face beside that has an area.
+// With a zero-length edge on one line nothing is left that joins the others, but for a face beside that has an area.
 BOOST_AUTO_TEST_CASE(distances_to_what_is_lost_are_not_confirmed)
 {
   Surface mesh;

@@ -48,9 +48,9 @@ template <class TriangleMesh, class Field, class Tolerance>
 constexpr bool are_in_order()
 {
   static_assert(Has_faces<TriangleMesh>::value,
-                "the first argument is no mesh; the order is mesh, field, levels if any, output, tolerance");
+                "the first argument is not a mesh; the order is mesh, field, levels if any, output, tolerance");
   static_assert(is_distance_field<Field, TriangleMesh>,
-                "the second argument is no model of GeodesicDistanceField for the mesh");
+                "the second argument is not a model of GeodesicDistanceField for the mesh");
   static_assert(std::is_convertible<Tolerance, double>::value,
                 "no tolerance where it belongs; the order is mesh, field, levels if any, output, tolerance");
   return true;
@@ -91,7 +91,7 @@ auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const Na
   if(tolerance < least_curve_tolerance * surface.longest_side()) {
     std::ostringstream message;
     message << "the tolerance is " << tolerance << ", too small for a mesh with a side of length "
-            << surface.longest_side() << ": roundings hide it";
+            << surface.longest_side() << ": rounding errors exceed it";
     throw Invalid_parameter_error(message.str());
   }
   return surface;
@@ -273,8 +273,8 @@ void write_samples(const Surface& surface, const Followed_curve& curve, Polyline
  *      i ------------------- j
  *
  * Two chords that cross have vertices within twice the tolerance of one another. Vertices are therefore kept, together
- * with their segments, if curves come that close to one another, or if the curve returns or bends sharply. Hence chords
- * of the same curves do not cross.
+ * with their segments, if curves come that close to one another, or if the curve returns or bends sharply. Therefore
+ * chords of the same curves do not cross.
  */
 template <class Surface>
 class Curve_thinner

@@ -26,7 +26,7 @@ namespace internal {
  * by at most their distance plus an error of the function, so that the differences are lower bounds of the distance.
  *
  * A value is a number of units rounded down, in two bytes. A difference is therefore lowered by one unit, and by
- * another one for the error of these divisions, which is far smaller. So is the error of distances along edges, which
+ * another one for the error of these divisions, which is far smaller, as is the error of distances along edges, which
  * are sums of fewer than 2^31 lengths with relative rounding errors of 2^-53 each: at most 2^-6 units in two vertices.
  */
 class Landmark_rows

@@ -99,8 +99,8 @@ inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& err
 {
   if(error.remedy() != Degeneracy_remedy::CONTRACT)
     return error;
-  return {error.problem() + "; once such edges are contracted, no surface joins the ends of the curve, since faces "
-                            "without area are gone",
+  return {error.problem() + "; once such edges are contracted, no surface joins the ends of the curve, since "
+                            "degenerate faces are removed",
           error.elements(), Degeneracy_remedy::MOLLIFY};
 }
 

@@ -289,7 +289,7 @@ private:
 
   void flip(Halfedge_index h)
   {
-    CGAL_assertion_msg(!m_network.is_occupied(h), "a free wedge holds no strand");
+    CGAL_assertion_msg(!m_network.is_occupied(h), "a free wedge contains no segment end");
     m_triangulation.flip(h);
     ++m_state.flips;
     m_visitor.on_flip(m_triangulation, h);

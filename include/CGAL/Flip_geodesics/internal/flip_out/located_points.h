@@ -129,7 +129,7 @@ template <class TriangleMesh, class NamedParameters>
 using Locate_points =
     std::function<Located_points(const typename Curve_types<TriangleMesh, NamedParameters>::Triangulation&)>;
 
-/* Where points lie on the surface of a triangulation, which `locate(triangulation)` finds on the mesh itself: once, into
+/* How points lie on the surface of a triangulation, which `locate(triangulation)` finds on the mesh itself: once, into
  * `given`. */
 template <class Triangulation, class Locate>
 std::vector<Surface_location> points_on_surface(const Triangulation& triangulation, const Locate& locate,

@@ -310,7 +310,7 @@ template <class... Parts>
 decltype(auto) named_parameters_of(const Parts&... parts)
 {
   constexpr std::size_t count = (std::size_t(0) + ... + (Is_named_parameters<Parts>::value ? 1 : 0));
-  static_assert(sizeof...(Parts) > count, "something is to be written: a face graph, points or polylines");
+  static_assert(sizeof...(Parts) > count, "what is written is missing: a face graph, points or polylines");
   using Last = std::tuple_element_t<sizeof...(Parts) - 1, std::tuple<Parts...>>;
   static_assert(count == (Is_named_parameters<Last>::value ? 1 : 0), "named parameters come last");
   if constexpr(count == 0)

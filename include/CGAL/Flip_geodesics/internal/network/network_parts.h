@@ -161,7 +161,7 @@ private:
   {
     const Index own_holds = m_segments.leftmost(m_triangulation.walker(halves.first)).idx() != 0 ? 1 : 0;
     if(m_triangulation.holds(Triangulation::edge(halves.first)) > own_holds)
-      throw Occupied_triangulation_error("a curve of another network lies on the edge that is to be split");
+      throw Occupied_triangulation_error("a curve of another network lies on the edge that would be split");
     m_segments.divide_bundle(halves.first, {{halves.first, halves.second}});
   }
 

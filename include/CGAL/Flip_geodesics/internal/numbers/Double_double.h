@@ -20,13 +20,13 @@ namespace internal {
  * the first [Dekker]. With u = 2^-53, and as long as nothing over- or underflows, the result of each operation errs by
  * at most `double_double_error`, that is 16 u^2,
  *
- *   - of |x| + |y| for a sum: 8 u^2 at most, as both roundings are of numbers below 2 u (|x| + |y|), and as, if so much
- *     cancels that the last addition is not ordered, it errs by u of a number of that size;
+ *   - of |x| + |y| for a sum: 8 u^2 at most, as both rounded operations are on numbers below 2 u (|x| + |y|), and as,
+ *     if so much cancels that the last addition is not ordered, it errs by u of a number of that size;
  *   - of the result for a product, 5 u^2, and for a root, 4 u^2 [Joldes, Muller, Popescu, Tight and Rigorous Error
- * Bounds for Basic Building Blocks of Double-Edge sequence Arithmetic, algorithm 11; Lefevre et al., Accurate
- * Calculation of Euclidean Norms Using Double-Edge sequence Arithmetic];
- *   - of the result for a quotient, 13 u^2: the remainder of the first quotient is exact; then four roundings of
- * numbers below 3 u, and the divisor's second half is left out once.
+ * Bounds for Basic Building Blocks of Double-Word Arithmetic, algorithm 11; Lefevre et al., Accurate
+ * Calculation of Euclidean Norms Using Double-Word Arithmetic];
+ *   - of the result for a quotient, 13 u^2: the remainder of the first quotient is exact; then four rounded operations on
+ *     numbers below 3 u, and the divisor's second half is left out once.
  */
 struct Double_double
 {

@@ -38,7 +38,7 @@ enum class Number_kind {
   FLOATING          // rounded, of fixed precision
 };
 
-/* What is needed of a number type. The first template serves the types that CGAL knows. */
+/* What is needed of a number type. The first template serves the types for which CGAL has traits. */
 template <class NT, class Enable = void>
 struct Number_operations
 {

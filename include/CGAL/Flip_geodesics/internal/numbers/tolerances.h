@@ -5,7 +5,7 @@
 
 /*
  * All numbers of the package that bound an error, decide whether two values count as equal, or limit a range. They are
- * dimensionless unless it is said otherwise; angles are in radians. A tolerance is relative to the quantity that its
+ * dimensionless unless stated otherwise; angles are in radians. A tolerance is relative to the quantity that its
  * comment names. test/Flip_geodesics/check_tolerances.py refuses such literals in other headers.
  */
 
@@ -66,15 +66,15 @@ inline constexpr double radius_rounding = 1e-14, product_radius_rounding = 1e-12
 inline constexpr std::uint64_t default_sign_work = std::uint64_t(1) << 27;
 
 /* The error of a distance in the plane or in space as a lower bound: the difference, the sum of squares, its root and
- * the factor take fewer than 8 roundings. */
+ * the factor take fewer than 8 rounded operations. */
 inline constexpr double distance_bound_rounding = rounding_errors(8);
 
 /* The error of squared areas, and of sums of squares times areas, of triangles whose longest side is between 1 and 2:
- * some 20 roundings of numbers of up to 16, and sides that are off by some units in the last place, make less than 512
- * u. `stretch_rounding` is for the quotients and roots that follow. */
+ * some 20 rounded operations on numbers of up to 16, and sides that are off by some units in the last place, make less
+ * than 512 u. `stretch_rounding` is for the quotients and roots that follow. */
 inline constexpr double area_product_error = rounding_errors(512), stretch_rounding = bound_rounding;
 
-/* The error of determinants of places: eight roundings, three of differences, two of products and three of sums. A
+/* The error of determinants of places: eight rounded operations, three differences, two products and three sums. A
  * thousandth more is for the bound itself. */
 inline constexpr double determinant_error = 8.001 * unit_roundoff;
 
@@ -82,7 +82,7 @@ inline constexpr double determinant_error = 8.001 * unit_roundoff;
 inline constexpr double weighted_place_error = rounding_errors(8);
 
 /* A determinant of three vectors: each of its six products takes part in at most two products, a difference and two
- * sums, that is five roundings. */
+ * sums, that is five rounded operations. */
 inline constexpr double three_vectors_error = rounding_errors(8);
 
 /* A vector of a face that is laid out in double: differences (2), dot or cross products (8), roots and quotients (3)
@@ -108,7 +108,7 @@ inline constexpr double measured_angle_error = rounding_errors(32);
  * vector that is rotated by a rounded unit vector: less than 8 u, twice that with the rounding of the bound. */
 inline constexpr double product_sum_error = rounding_errors(16);
 
-/* The height of a face without area in a rounded layout, relative to its base: four errors of a layout. Faces below it
+/* The height of a degenerate face in a rounded layout, relative to its base: four errors of a layout. Faces below it
  * are examined exactly. */
 inline constexpr double flat_layout_error = 4 * face_layout_error;
 
@@ -203,7 +203,7 @@ inline constexpr double zero_layout_weight = 1e-14;
 inline constexpr double least_point_spacing = 1e-9;
 
 /* Lengths of the sides of a face that differ by at most this, relatively, are of one and the same face, which has been
- * laid out afresh in between. Another face of the same shape does just as well. */
+ * recomputed in between. Another face of the same shape does just as well. */
 inline constexpr double same_shape = 1e-9;
 
 /* Curves of a family begin at one point if its weights differ by at most this: points are rounded when they are
@@ -228,12 +228,12 @@ inline constexpr double straight_in_sleeve = 1e-12;
 inline constexpr double straight_in_last_round = 1e-9;
 
 /* The rounding errors of where a window's unfolded source lies and of where rays cross edges, and of angle sums,
- * relative to the distances in question. Where faces have a height below 1e-5 of their base, rounding errors can
+ * relative to the distances in question. If faces have a height below 1e-5 of their base, rounding errors can
  * exceed it. A last segment that is refused by mistake is found from a path; one that is accepted by mistake bends by
  * less than this. */
 inline constexpr double unfolded_place_error = 1e-11;
 
-/* Vertices at distance zero from a segment, relative to its length, as they are along faces without area: places are
+/* Vertices at distance zero from a segment, relative to its length, as they are along degenerate faces: places are
  * summed over such faces and come from a rounded strip, with errors far below these 10^7 u. A vertex that is within
  * the tolerance of the end of an interval but does not touch the segment is examined as well: if its angles sum to
  * less than 2 pi, a shortest path is then reported as not straight. A vertex is missed only if errors exceed the
@@ -271,7 +271,7 @@ inline constexpr double flat_bend = 0x1p-30;
  * some u of each; a sum so short has no direction that is worth following. */
 inline constexpr double cancelled_directions = 1e-6;
 
-/* Where a curve comes straight back: the square of the sum of two unit tangents, or one plus their cosine. Tangents
+/* A reversal of a curve: the square of the sum of two unit tangents, or one plus their cosine. Tangents
  * are then opposite up to 1.5e-6 radians; above, their sum has ten digits. Affects the shape of tubes only. */
 inline constexpr double reversal = 1e-12;
 
@@ -279,7 +279,7 @@ inline constexpr double reversal = 1e-12;
  * as behind a vertex at which paths bend. Positions there have errors of up to `unfolded_place_error`. */
 inline constexpr double least_map_height = 1e-9;
 
-/* Where the sum of the angles of a sector is within this of 60 degrees, the order of summation would decide whether it
+/* If the sum of the angles of a sector is within this of 60 degrees, the order of summation would decide whether it
  * is sharp; then each of its corners decides for itself. */
 inline constexpr double sharp_sector_margin = 1e-9;
 
@@ -304,7 +304,7 @@ inline constexpr double beside_window = 1e-9;
  * move a ray by 1e-4 of such a face. Distances over flatter faces are computed, but not reported as confirmed. */
 inline constexpr double flat_face = 1e-10;
 
-/* The height over the length of a side that a face without area is given, so that rays pass it: far below u, so that
+/* The height over the length of a side that a degenerate face is given, so that rays pass it: far below u, so that
  * it does not show in any distance. */
 inline constexpr double least_face_height = 0x1p-60;
 
@@ -334,7 +334,7 @@ inline constexpr double greatest_offset = 1e10;
 inline constexpr double parallel_rays = 1e-11;
 
 /* By how much the source of a window moves, relative to the size of its frame, when the window is carried over a face:
- * five changes of direction, the rotation, and the errors of the face itself are at most 32 roundings. */
+ * five changes of direction, the rotation, and the errors of the face itself are at most 32 rounded operations. */
 inline constexpr double window_step_error = rounding_errors(32);
 
 /* The error of positions on an edge, relative to the size of the frame of a window: that of four faces. In a longer
@@ -377,7 +377,8 @@ inline constexpr double outgoing_halfedge_drift = 1e-6;
  * of the sums. */
 inline constexpr double combined_place_error = rounding_errors(8);
 
-/* A lower bound of a distance on the surface by one in space between points of a metric: fewer than 32 roundings. */
+/* A lower bound of a distance on the surface by one in space between points of a metric: fewer than 32 rounded
+ * operations. */
 inline constexpr double space_bound_rounding = rounding_errors(32);
 
 /* The error of the lower bound that a cone gives, per face that a path crosses, relative to the longest path of

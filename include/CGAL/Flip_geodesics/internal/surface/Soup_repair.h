@@ -273,7 +273,7 @@ public:
         remove(f);
     }
     for(char is_dropped : m_is_dropped)
-      m_record.add(Repair::FACES_WITHOUT_AREA_DROPPED, is_dropped != 0 ? 1 : 0);
+      m_record.add(Repair::DEGENERATE_FACES_DROPPED, is_dropped != 0 ? 1 : 0);
     m_soup.remove(m_is_dropped);
     return true;
   }
@@ -307,7 +307,7 @@ private:
       return;
     }
     if(!m_soup.is_collinear(m_soup.triangles[g]))
-      m_record.add(Repair::FACES_WITHOUT_AREA_FLIPPED);
+      m_record.add(Repair::DEGENERATE_FACES_FLIPPED);
     Euler::flip_edge(h, m_mesh);
     --m_flips_left;
     m_soup.polygons[f] = m_soup.polygons[g];

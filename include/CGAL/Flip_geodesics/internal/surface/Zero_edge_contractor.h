@@ -153,7 +153,7 @@ private:
       const Input_halfedge_index k = next_side(g);
       if(k == g || (next_side(k) == g && !metric.are_equally_long(g, k)))
         throw Degenerate_face_error(
-            "a face has an edge of length zero between vertices " + std::to_string(m_input.tail(h).idx()) + " and " +
+            "a face has a zero-length edge between vertices " + std::to_string(m_input.tail(h).idx()) + " and " +
                 std::to_string(m_input.tail(twin_index(h)).idx()) + ", and two of different lengths",
             {static_cast<std::size_t>(m_input.tail(h).idx()),
              static_cast<std::size_t>(m_input.tail(twin_index(h)).idx())});
@@ -314,7 +314,7 @@ private:
     for(auto member = first; member != last; ++member)
       if(m_result.outgoing[member->second] == null_index)
         return member->second;
-    throw Degenerate_face_error("more sheets of the surface than vertices meet at vertex " + std::to_string(v.idx()),
+    throw Degenerate_face_error("more umbrellas of the surface than vertices meet at vertex " + std::to_string(v.idx()),
                                 {static_cast<std::size_t>(v.idx())});
   }
 

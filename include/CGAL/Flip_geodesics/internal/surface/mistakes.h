@@ -144,7 +144,7 @@ template <class Map>
 constexpr bool is_property_map()
 {
   static_assert(!is_container_with_keys<Map>,
-                "a std::map is no property map: boost::make_assoc_property_map() makes one of it");
+                "a std::map is not a property map: boost::make_assoc_property_map() makes one of it");
   return true;
 }
 

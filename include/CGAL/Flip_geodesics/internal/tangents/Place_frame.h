@@ -108,7 +108,7 @@ public:
   double position(Input_halfedge_index h) const
   {
     if(!h.is_valid() || h.idx() >= input().number_of_halfedges())
-      throw Invalid_parameter_error("a direction is told from a halfedge that the mesh does not have");
+      throw Invalid_parameter_error("a direction is measured from a halfedge that the mesh does not have");
     if(is_vertex())
       return position_at_vertex(h);
     const bool is_in_face = !input().is_border(h);
@@ -160,8 +160,8 @@ private:
 
   [[noreturn]] static void throw_no_side(Input_halfedge_index h)
   {
-    throw Invalid_parameter_error("a direction is told from halfedge " + std::to_string(h.idx()) +
-                                  ", which is no side of a face of the location");
+    throw Invalid_parameter_error("a direction is measured from halfedge " + std::to_string(h.idx()) +
+                                  ", which is not a side of a face of the location");
   }
 
   double reduced(double angle) const

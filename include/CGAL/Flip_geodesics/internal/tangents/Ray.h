@@ -508,15 +508,15 @@ public:
   {
     check_location(input(), location);
     if(!h.is_valid() || h.idx() >= input().number_of_halfedges())
-      throw Invalid_parameter_error("a direction is told from a halfedge that the mesh does not have");
+      throw Invalid_parameter_error("a direction is measured from a halfedge that the mesh does not have");
     if(!std::isfinite(angle))
-      throw Invalid_parameter_error("the angle of a direction is no finite number");
+      throw Invalid_parameter_error("the angle of a direction is not a finite number");
     const Surface_location at = canonical_location(input(), location);
     if(kind(at) == Location_kind::VERTEX)
       return at_vertex_of_face(h, input().tail(at.halfedge), angle);
     if(!is_side_of(h, at.halfedge) && !(kind(at) == Location_kind::EDGE && is_side_of(h, twin_index(at.halfedge))))
-      throw Invalid_parameter_error("a direction is told from halfedge " + std::to_string(h.idx()) +
-                                    ", which is no side of a face of the location");
+      throw Invalid_parameter_error("a direction is measured from halfedge " + std::to_string(h.idx()) +
+                                    ", which is not a side of a face of the location");
     return told_well(at, h, angle);
   }
 
@@ -528,7 +528,7 @@ public:
     if(!std::isfinite(direction[0]) || !std::isfinite(direction[1]) || (direction[0] == 0 && direction[1] == 0))
       throw Invalid_parameter_error("a direction has no length in its face, or is not finite");
     if(input().is_border(location.halfedge))
-      throw Invalid_parameter_error("a direction is told in the face of a halfedge on the border");
+      throw Invalid_parameter_error("a direction is given in the face of a halfedge on the border");
     Ray_start start = {location, normalized(direction), false, 0};
     if(kind(location) != Location_kind::VERTEX)
       return start;
@@ -565,8 +565,8 @@ public:
     while(input().tail(side) != v) { // the next side is rotated by the outer angle between them
       side = input().next(side);
       if(side == h || input().is_border(h))
-        throw Invalid_parameter_error("a direction is told from halfedge " + std::to_string(h.idx()) +
-                                      ", which is no side of a face of the location");
+        throw Invalid_parameter_error("a direction is measured from halfedge " + std::to_string(h.idx()) +
+                                      ", which is not a side of a face of the location");
       angle -= boost::math::constants::pi<double>() - corner(side);
     }
     return at_vertex(side, angle);
@@ -608,7 +608,7 @@ private:
   {
     const auto [length, third] = corners(h);
     if(y != 0 && !(third.imag() > 0))
-      throw Degenerate_face_error("a direction is told in the face of halfedge " + std::to_string(h.idx()) +
+      throw Degenerate_face_error("a direction is given in the face of halfedge " + std::to_string(h.idx()) +
                                       ", which has no area",
                                   {static_cast<std::size_t>(h.idx())});
     const double up = y == 0 ? 0 : y / third.imag();

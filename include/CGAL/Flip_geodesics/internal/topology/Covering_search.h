@@ -52,7 +52,7 @@ class Covering_search
 {
 public:
   /* \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_mesh_error, Invalid_coordinate_error,
-   * Interrupted. `run_to_targets()` also throws Degenerate_face_error if it encounters an edge of length zero. */
+   * Interrupted. `run_to_targets()` also throws Degenerate_face_error if it encounters a zero-length edge. */
   Covering_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target,
                   Interruption& interruption)
     : m_triangulation(triangulation)

@@ -42,8 +42,8 @@ struct Covering_face
  * A part of the universal covering of a surface: all faces around the lifts that a search has settled. In it all paths
  * between two vertices are homotopic, so that the shortest of them is the shortest of a class on the original surface.
  *
- * Where the part ends and the covering does not, it has a border, the *frontier*. Both ends of its edges are lifts that
- * are not settled. Such a lift has a vertex for each row of faces that contains it.
+ * The part has an additional border, the *frontier*, beyond which the covering continues. Both ends of its edges are
+ * lifts that are not settled. Such a lift has a vertex for each row of faces that contains it.
  *
  * The first side of an edge lies over the first side of the edge below.
  */

@@ -41,7 +41,7 @@ void check_surface(const Input_mesh& input)
     check_has_face(input, h);
     const Vertex_index v = input.tail(h);
     if(is_on_border[v] != 0)
-      throw Invalid_mesh_error("sheets of the surface meet in vertex " + std::to_string(v.idx()) + " only",
+      throw Invalid_mesh_error("umbrellas of the surface meet in vertex " + std::to_string(v.idx()) + " only",
                                {static_cast<std::size_t>(v.idx())});
     is_on_border[v] = 1;
   }
@@ -121,7 +121,7 @@ public:
       if(m_component[v] < 0 && input.outgoing(v) != null_index)
         grow(v, search, policy);
     if(policy.number_of_steps() != static_cast<std::size_t>(input.number_of_halfedges()))
-      throw Invalid_mesh_error("sheets of the surface meet in a vertex only");
+      throw Invalid_mesh_error("umbrellas of the surface meet in a vertex only");
   }
 
   /* Grows the trees without joined edges. */

@@ -300,7 +300,7 @@ public:
     std::uint64_t seed = 0;
     while(!project(seed))
       if(++seed == most_projections)
-        throw Degenerate_face_error("faces without area are in the way of loops through vertex " +
+        throw Degenerate_face_error("degenerate faces are in the way of loops through vertex " +
                                         std::to_string(input().tail(generator(0)).idx()),
                                     {static_cast<std::size_t>(input().tail(generator(0)).idx())});
     check_matrix();

@@ -70,7 +70,7 @@ public:
       p = half_of(get(m_points, source(h, m_mesh)));
       if(!are_finite(p))
         throw Invalid_coordinate_error(
-            "a vertex of a face that a curve enters has a coordinate that is no finite number");
+            "a vertex of a face that a curve enters has a coordinate that is not a finite number");
       h = next(h, m_mesh);
     }
     return result;
@@ -335,7 +335,7 @@ private:
     return m_faces.back();
   }
 
-  // Crossings do not depend on the shape, which makes triangles good only. One without an area gets another shape.
+  // Crossings do not depend on the shape, which makes good triangles only. A degenerate one gets another shape.
   void lay_out(Face_record& f) const
   {
     const double a = length(f.sides[0]), b = length(f.sides[1]), c = length(f.sides[2]);

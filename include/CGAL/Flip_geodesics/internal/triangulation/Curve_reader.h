@@ -186,7 +186,7 @@ private:
   Place place_in_space(const Place_in_space& p)
   {
     if(!are_finite(p))
-      throw Invalid_location_error(name() + " has a coordinate that is no finite number", elements());
+      throw Invalid_location_error(name() + " has a coordinate that is not a finite number", elements());
     Place best;
     if(m_last_face != Graph::null_face())
       for(const auto h : halfedges_around_face(halfedge(m_last_face, m_mesh), m_mesh))

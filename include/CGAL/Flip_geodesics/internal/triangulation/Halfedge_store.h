@@ -70,7 +70,7 @@ struct Halfedge_record
   /* \pre known and not on the border */
   Slot next() const
   {
-    CGAL_precondition_msg(encoded_next > 0, "the next halfedge is asked for where there is no face");
+    CGAL_precondition_msg(encoded_next > 0, "the next halfedge of a border halfedge is undefined");
     return static_cast<Slot>(encoded_next);
   }
   void set_next(Slot s) { encoded_next = static_cast<Index>(s); }

@@ -44,7 +44,7 @@ template <class Triangulation>
 class Lawson_flips
 {
   static_assert(Has_edge_sequences<Triangulation>::value || !Triangulation::Traits::Has_drift::value,
-                "faces that err are laid out afresh from the input, with which the triangulation does not correspond");
+                "inaccurate faces are recomputed from the input, with which the triangulation does not correspond");
 
 public:
   /* Works on the edges admitted later or, if `allows_all`, on all edges; edges are queued when they are examined. */

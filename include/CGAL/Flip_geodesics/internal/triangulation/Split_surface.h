@@ -64,7 +64,7 @@ struct Split_side
 
 /*
  * A surface on which points have been made vertices: the faces below that hold one are split, and all else is as below.
- * So whatever searches from vertices also searches from points.
+ * Therefore whatever searches from vertices also searches from points.
  *
  * Elements below keep their numbers, but a halfedge of a split edge is the part at one of its ends. Which faces there
  * are has been decided by an insertion of the points into a triangulation, exactly.
@@ -342,7 +342,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Where a vertex of a split surface is, by what the metric below knows of a place, up to an error. */
+/* Where a vertex of a split surface is, by the data of the metric below, up to an error. */
 template <class Place>
 struct Split_place
 {
@@ -524,7 +524,7 @@ private:
   static double value(const Approximate_number& x) { return x.value; }
 
   static void set_coordinate(double& result, double x, double, double, double) { result = x; }
-  /* The shares add up to 1 but for roundings, which the factor of 2 covers. */
+  /* The shares add up to 1 up to rounding errors, which the factor of 2 covers. */
   static void set_coordinate(Approximate_number& result, double x, const Approximate_number& p,
                              const Approximate_number& q, const Approximate_number& r)
   {

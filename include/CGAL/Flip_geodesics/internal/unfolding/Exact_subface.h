@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The quotient of two integers, rounded to a number of about 106 bits. \pre a >= 0, b > 0, a is not much larger than b */
+/* The quotient of two integers, rounded to a number of about 106 bits. \pre a >= 0, b > 0, a is not much larger than b
+ * */
 inline Double_double rounded_quotient(const Integer& a, const Integer& b)
 {
   constexpr int bits = 120; // of the quotient: more than a double-double number has
@@ -32,15 +33,15 @@ inline Double_double rounded_quotient(const Integer& a, const Integer& b)
 }
 
 /*
- * A triangle in an input face whose corners are given by weights in that face. Its sides are exact: with sides h, hn, hp
- * of the face, as in an `Exact_face`, corner 0 is the origin, corner 1 is h, and corner 2 is -hp. Lengths and directions
- * are rounded last, so that their errors do not depend on the shape of the triangle.
+ * A triangle in an input face whose corners are given by weights in that face. Its sides are exact: with sides h, hn,
+ * hp of the face, as in an `Exact_face`, corner 0 is the origin, corner 1 is h, and corner 2 is -hp. Lengths and
+ * directions are rounded last, so that their errors do not depend on the shape of the triangle.
  */
 class Exact_subface
 {
 public:
   /* \param length that of the first side of the face, as a halfedge with its error
-   * \param weights of the three corners, told from the first halfedge of the face */
+   * \param weights of the three corners, counted from the first halfedge of the face */
   Exact_subface(const Exact_face& face, const Precise_halfedge& length,
                 const std::array<std::array<double, 3>, 3>& weights)
     : m_radicand(face.doubled_area_squared)

@@ -113,7 +113,7 @@ template <class TriangleMesh>
 struct Vertex_of
 {
   static_assert(Has_faces<TriangleMesh>::value,
-                "the first argument is no mesh; the order is mesh, ends or curves, output, named parameters");
+                "the first argument is not a mesh; the order is mesh, ends or curves, output, named parameters");
   using Graph = std::conditional_t<Has_faces<TriangleMesh>::value, boost::graph_traits<TriangleMesh>, No_graph>;
   using type = typename Graph::vertex_descriptor;
 };

@@ -197,7 +197,7 @@ public:
   {
     const auto place = found(h);
     if(place == m_halfedges.end())
-      throw Invalid_mesh_error("sheets of the surface meet in vertex " + std::to_string(vertex.idx()) +
+      throw Invalid_mesh_error("umbrellas of the surface meet in vertex " + std::to_string(vertex.idx()) +
                                    " only, so that directions there have no angles between them",
                                {static_cast<std::size_t>(vertex.idx())});
     return place->angle;

@@ -78,8 +78,8 @@ struct Edge_sequence_angle
   double error = 0;
 };
 
-/* The direction of a halfedge at its tail, computed from the input. There is no reference if an end of its edge is an
- * inserted vertex. */
+/* The direction of a halfedge at its tail, computed from the input. A reference does not exist if an end of its edge is
+ * an inserted vertex. */
 struct Edge_end
 {
   Halfedge_index halfedge = null_index;
