@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Does not compile, since the triangulation or the network lacks a member of its concept.
+// Does not compile, since the traits, the triangulation or the network lack a member of its concept.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -10,7 +10,8 @@
 #include <CGAL/Surface_mesh.h>
 
 namespace FG = CGAL::Flip_geodesics;
-using Triangulation = FG::Intrinsic_triangulation<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 
 template <class Base>
@@ -20,7 +21,31 @@ struct Incomplete : Base
   void MEMBER(...) const = delete;
 };
 
-#ifdef OF_NETWORK
+// Each in place of a type, or of a functor, of the traits.
+template <class Base>
+struct Traits_without_type : Base
+{
+  using Base::Base;
+
+private:
+  using typename Base::MEMBER;
+};
+
+struct No_functor
+{
+};
+
+template <class Base>
+struct Traits_without_functor : Base
+{
+  using Base::Base;
+  No_functor MEMBER() const { return {}; }
+};
+
+#if defined(OF_TRAITS)
+using Traits = OF_TRAITS<FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>;
+FG::Intrinsic_triangulation<Mesh, Traits> triangulation{Mesh()};
+#elif defined(OF_NETWORK)
 void use(Incomplete<Network>& network) { FG::shorten(network); }
 #else
 void use(Incomplete<Triangulation>& triangulation)

@@ -4,7 +4,12 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CONCEPT_CHECKS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <array>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -30,7 +35,84 @@ struct Segment_function
   static_assert(allows<T>([](auto& x) -> decltype(static_cast<void>(x.__VA_ARGS__)) {}),                               \
                 "a model of " concept_name " lacks the member " #__VA_ARGS__ ", or has it with other parameters")
 
-/* Ends the compilation if a class is not a model of CurveNetwork. */
+#define CGAL_FLIP_GEODESICS_HAS_TYPE(T, concept_name, type)                                                            \
+  static_assert(allows<T>([](auto& x) -> std::void_t<typename std::decay_t<decltype(x)>::type> {}),                    \
+                "a model of " concept_name " lacks the type " #type)
+
+/* Detects functors made by a member of the traits, by their parameters and what they return. */
+template <class Traits, class Result, class... Arguments, class Make>
+constexpr bool makes_functor(const Make&)
+{
+  if constexpr(std::is_invocable<Make, const Traits&>::value)
+    return std::is_invocable_r<Result, const std::invoke_result_t<Make, const Traits&>&, Arguments...>::value;
+  else
+    return true; // the lack of the member is reported already
+}
+
+#define CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(Traits, type, member, ...)                                                   \
+  CGAL_FLIP_GEODESICS_HAS_TYPE(Traits, "IntrinsicTriangulationTraits", type);                                          \
+  CGAL_FLIP_GEODESICS_HAS(const Traits, "IntrinsicTriangulationTraits", member());                                     \
+  static_assert(makes_functor<Traits, __VA_ARGS__>([](auto& x) -> decltype(x.member()) { return x.member(); }),        \
+                "the functor of " #member "() has other parameters than those of IntrinsicTriangulationTraits, or "    \
+                "returns something else")
+
+/* Ends the compilation if the functors of traits are not those of IntrinsicTriangulationTraits. */
+template <class T>
+constexpr bool makes_functors()
+{
+  using Point = typename T::Point_3;
+  using Face = typename T::Face_geometry;
+  using H = const typename T::Halfedge_geometry&;
+  using Turn = typename T::Turn;
+  using Vectors = std::array<std::array<double, 2>, 3>;
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Construct_face_3, construct_face_3_object, Face, const Point&, const Point&,
+                                    const Point&);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Construct_face_from_lengths, construct_face_from_lengths_object, Face, double,
+                                    double, double);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Construct_face_2, construct_face_2_object, Face, const Vectors&, double);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Extend_turn, extend_turn_object, void, Turn&, H, H, H);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Compare_turn_with_straight, compare_turn_with_straight_object,
+                                    Uncertain<Comparison_result>, const Turn&);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Turn_key, turn_key_object, double, const Turn&);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Flip, flip_object, typename T::Flipped_geometry, H, H, H, H, H, H);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Is_locally_delaunay, is_locally_delaunay_object, Uncertain<bool>, H, H, H, H, H,
+                                    H);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Is_inaccurate, is_inaccurate_object, bool, H);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Compute_squared_length, compute_squared_length_object, typename T::FT, H);
+  CGAL_FLIP_GEODESICS_MAKES_FUNCTOR(T, Compute_length, compute_length_object, double, H);
+  if constexpr(!T::Has_drift::value)
+    CGAL_FLIP_GEODESICS_HAS(const T, "IntrinsicTriangulationTraits whose Has_drift is Tag_false", sign_work_limit());
+  return true;
+}
+
+template <class T, class = void>
+constexpr bool has_types_of_traits = false;
+template <class T>
+constexpr bool has_types_of_traits<
+    T, std::void_t<typename T::FT, typename T::Point_3, typename T::Halfedge_geometry, typename T::Face_geometry,
+                   typename T::Turn, typename T::Flipped_geometry, typename T::Has_drift>> = true;
+
+/* Ends the compilation if a class is not a model of IntrinsicTriangulationTraits. */
+template <class T>
+constexpr bool are_triangulation_traits()
+{
+  static_assert(Is_triangulation_traits<T>::value,
+                "the traits are not a model of IntrinsicTriangulationTraits: of a kernel K, give "
+                "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
+  if constexpr(has_types_of_traits<T>) {
+    return makes_functors<T>();
+  } else if constexpr(Is_triangulation_traits<T>::value) {
+    CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", FT);
+    CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", Point_3);
+    CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", Face_geometry);
+    CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", Turn);
+    CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", Flipped_geometry);
+    CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", Has_drift);
+  }
+  return true;
+}
+
+/* The same for CurveNetwork. */
 template <class Network>
 constexpr bool is_curve_network()
 {
@@ -136,6 +218,8 @@ constexpr bool is_intrinsic_triangulation()
   return is_walker<Walker, Turn>();
 }
 
+#undef CGAL_FLIP_GEODESICS_MAKES_FUNCTOR
+#undef CGAL_FLIP_GEODESICS_HAS_TYPE
 #undef CGAL_FLIP_GEODESICS_HAS
 
 } // namespace internal

@@ -25,26 +25,16 @@ struct Shortening_step;
 
 namespace internal {
 
+/* Detects traits, as opposed to kernels, by the type of what a halfedge stores. */
 template <class T, class = void>
 struct Is_triangulation_traits : std::false_type
 {
 };
 
 template <class T>
-struct Is_triangulation_traits<T, std::void_t<typename T::Halfedge_geometry, typename T::Turn, typename T::Has_drift>>
-  : std::true_type
+struct Is_triangulation_traits<T, std::void_t<typename T::Halfedge_geometry>> : std::true_type
 {
 };
-
-/* Ends the compilation if the type is not a traits class. */
-template <class Traits>
-constexpr bool are_triangulation_traits()
-{
-  static_assert(Is_triangulation_traits<Traits>::value,
-                "the traits are not a model of IntrinsicTriangulationTraits: of a kernel K, give "
-                "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
-  return true;
-}
 
 /* Detects kernels. */
 template <class T, class = void>
