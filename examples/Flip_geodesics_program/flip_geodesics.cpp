@@ -308,7 +308,7 @@ int run(const Options& options)
     return run_without_curves(options, input, title.str());
   if(options.ways || !options.obstacles.empty())
     return run_other_ways(options, input, title.str(), progress);
-  const Program_metric metric(mesh, options.mollify);
+  const Program_metric metric = program_metric(mesh, options.mollify);
   if(options.mollify)
     title << metric.added_length() << " added to the length of every edge\n";
   return run(options, input, metric, title.str(), progress);

@@ -5,21 +5,39 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 
-#include <CGAL/enum.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 namespace Flip_geodesics_test {
 
+using Exact_square = boost::multiprecision::cpp_rational;
+
+/* A metric of points in double to which exact squared lengths are added. */
+template <class Metric>
+class Metric_with_squares : public Metric
+{
+public:
+  using Metric::Metric;
+
+  Exact_square squared_length(const typename Metric::Mesh& mesh, CGAL::Flip_geodesics::Input_halfedge_index h) const
+  {
+    const auto p = this->point(mesh, mesh.tail(h)), q = this->point(mesh, mesh.tail(mesh.twin(h)));
+    const auto square = [](double from, double to) {
+      const Exact_square difference = Exact_square(to) - Exact_square(from);
+      return Exact_square(difference * difference);
+    };
+    return square(p.x(), q.x()) + square(p.y(), q.y()) + square(p.z(), q.z());
+  }
+};
+
 /*
- * A model of `IntrinsicMetric` that has nothing but what its page asks for. It holds another model, which has points,
- * and forwards to it.
+ * A model of `IntrinsicMetric` that has only the members listed on its page, with exact squared lengths in place of
+ * faces. It holds another model, which has points, and forwards to it.
  */
 template <class Metric>
 class Metric_archetype
 {
-  using Index = CGAL::Flip_geodesics::Index;
   using Vertex_index = CGAL::Flip_geodesics::Vertex_index;
   using Halfedge_index = CGAL::Flip_geodesics::Input_halfedge_index;
-  using Word = CGAL::Flip_geodesics::Edge_sequence;
 
 public:
   using Mesh = typename Metric::Mesh;
@@ -62,18 +80,7 @@ public:
 
   Point_3 point(const Mesh& mesh, Vertex_index v) const { return m_metric.point(mesh, v); }
 
-  template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Halfedge_index h, const Traits& traits) const
-  {
-    return m_metric.face_geometry(mesh, h, traits);
-  }
-  auto exact_face(const Mesh& mesh, Halfedge_index h) const { return m_metric.exact_face(mesh, h); }
-  template <class FlatEdges>
-  bool sine_in_plane(const Mesh& mesh, const Word& a, const Word& b, Index steps, FlatEdges& flat_edges,
-                     CGAL::Sign& sine) const
-  {
-    return m_metric.sine_in_plane(mesh, a, b, steps, flat_edges, sine);
-  }
+  Exact_square squared_length(const Mesh& mesh, Halfedge_index h) const { return m_metric.squared_length(mesh, h); }
 
 private:
   Metric m_metric;

@@ -36,7 +36,7 @@ using namespace archetypes_test;
 namespace {
 
 using Traits = FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
-using Model = FG::Intrinsic_triangulation<Surface, Traits>;
+using Model = FG::Intrinsic_triangulation<Surface, Traits, Metric_with_squares<FG::Default_metric<Surface>>>;
 using Archetype = Triangulation_of_mesh_archetype<
     FG::Intrinsic_triangulation<Surface, Traits, Metric_archetype<typename Model::Metric>>>;
 

@@ -2,6 +2,7 @@
 
 #define BOOST_TEST_MODULE certified_traits
 
+#include "Metric_archetype.h"
 #include "Referee.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
@@ -108,18 +109,8 @@ BOOST_AUTO_TEST_CASE(the_referee_agrees_on_what_is_delaunay)
   BOOST_TEST(ties > 1000);
 }
 
-// The metric of points, which keeps to itself what lies in one plane: so arithmetic with roots decides.
-class Planeless_metric : public Point_metric
-{
-public:
-  using Point_metric::Point_metric;
-
-  template <class... Arguments>
-  bool sine_in_plane(Arguments&&...) const
-  {
-    return false;
-  }
-};
+// A metric of exact squared lengths, of which no points are used: arithmetic with roots decides.
+using Planeless_metric = Metric_with_squares<Point_metric>;
 
 // A grid of which one direction is that of rulings, over a profile that is the same from both ends.
 Mesh_soup extrusion(const Coordinates& ruling, const std::vector<Coordinates>& half)

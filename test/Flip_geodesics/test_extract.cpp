@@ -301,6 +301,25 @@ BOOST_AUTO_TEST_CASE(a_mollified_metric_makes_edges_of_length_zero_usable)
   BOOST_CHECK_EQUAL(Mollified(regular, Embedded(regular.points()), 1e-4).added_length(), 0); // nothing to mend
 }
 
+BOOST_AUTO_TEST_CASE(a_mollified_metric_without_added_length_is_the_other_metric)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(4, 0.2, 1));
+  const Triangulation::Metric embedded(mesh.points());
+  const auto path = [&](const auto& metric) {
+    std::vector<Point> points;
+    const auto result = FG::geodesic_path(mesh, Mesh::Vertex_index(0), Mesh::Vertex_index(50),
+                                          std::back_inserter(points), CGAL::parameters::metric(metric));
+    BOOST_CHECK((result.verdict() == FG::Verdict::PROVEN));
+    return points;
+  };
+  using Mollified = FG::Mollified_metric<Triangulation::Metric>;
+  const std::vector<Point> expected = path(embedded);
+  BOOST_CHECK(expected.size() > 3);
+  BOOST_CHECK(path(Mollified(embedded)) == expected);
+  BOOST_CHECK(path(Mollified(mesh, embedded, 1e-6)) == expected);
+  BOOST_CHECK(path(Mollified(mesh, embedded, 0.5)) != expected);
+}
+
 // The length that is added makes up for what the worst face lacks.
 BOOST_AUTO_TEST_CASE(mollified_lengths)
 {

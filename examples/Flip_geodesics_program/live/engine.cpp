@@ -42,7 +42,7 @@ class Session
 public:
   Session(const std::string& file, std::string bytes)
     : m_mesh(open(Input_text(file, std::move(bytes))))
-    , m_metric(m_mesh, std::nullopt)
+    , m_metric(program_metric(m_mesh, std::nullopt))
     , m_engine(make_certified_engine(m_mesh, m_metric, options(), m_progress))
   {
     m_scene.title = printable(file);

@@ -7,9 +7,11 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>
@@ -120,15 +122,20 @@ struct Metric_point<Metric, std::void_t<typename Metric::Point_3>>
  * \cgalModels{IntrinsicMetric}
  */
 template <class Metric>
-class Mollified_metric : private Metric, public internal::Metric_of_lengths<Mollified_metric<Metric>>
+class Mollified_metric : private Metric
 {
   using Base = Metric;
-  using Lengths = internal::Metric_of_lengths<Mollified_metric>;
 
 public:
-  using Mesh = typename Base::Mesh;                            ///< the mesh, numbered
-  using Kernel = typename Base::Kernel;                        ///< that of the other metric
-  using Point_3 = typename internal::Metric_point<Base>::type; ///< that of the other metric, `void` if it has no points
+  using Mesh = typename Base::Mesh;       ///< the mesh, numbered
+  using Kernel = typename Base::Kernel;   ///< that of the other metric
+  using Point_3 = typename Base::Point_3; ///< that of the other metric, `void` if it has no points
+
+  /// Adds nothing, so that lengths and faces are those of the other metric.
+  explicit Mollified_metric(const Metric& metric)
+    : Base(metric)
+  {
+  }
 
   /// Computes the length to be added for a factor of 1e-5. Linear in the mesh. The exceptions are those of the other
   /// constructor.
@@ -156,12 +163,18 @@ public:
     const Mesh indexed(mesh);
     m_added = needed_length(indexed, factor * mean_length(indexed));
     if constexpr(!std::is_empty<Place>::value)
-      m_least_stretch =
-          (std::min)(1., internal::least_stretch_of_faces(static_cast<const Base&>(*this), *this, indexed));
+      m_least_stretch = (std::min)(1., internal::least_stretch_of_faces(base(), *this, indexed));
   }
 
-  /// Returns the length added to every edge, which is zero if none was needed.
+  /// Returns the length added to every edge, which is zero if none was needed. The metric is then the other one.
   double added_length() const { return m_added; }
+
+  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
+  /// finite or out of range \throws Degenerate_face_error if the length is zero
+  double length(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    return m_added == 0 ? Base::length(mesh, h) : internal::length_by_weight(*this, mesh, h);
+  }
 
   /// Returns the length of halfedge `h` without any check, for searches that only pass by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) + m_added; }
@@ -187,26 +200,23 @@ public:
   /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  /// The vector between the points of two vertices. Only over `Embedded_metric`.
-  std::array<double, 3> vector(const Mesh& mesh, Vertex_index v, Vertex_index w) const
-  {
-    return Base::vector(mesh, v, w);
-  }
-
-  /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
+  /// Returns the geometry of an input face by its lengths, from `h` on, with the exceptions of `length()`.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    const auto [a, b, c] = Lengths::face_lengths(mesh, h);
+    if(m_added == 0)
+      return internal::face_geometry(base(), mesh, h, traits);
+    const auto [a, b, c] = internal::face_lengths(*this, mesh, h);
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
 
   using Base::is_rounded; ///< returns whether the other metric rounds numbers of the mesh, so that nothing is certified
-  using Lengths::exact_face;
-  using Lengths::length;
-  using Lengths::sine_in_plane;
 
 private:
+  friend struct internal::Internals<Mollified_metric>;
+
+  const Base& base() const { return *this; }
+
   double checked_weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double weight = Base::weight(mesh, h);
@@ -264,10 +274,9 @@ private:
  * \cgalModels{IntrinsicMetric}
  */
 template <class Metric>
-class Weighted_metric : private Metric, public internal::Metric_of_lengths<Weighted_metric<Metric>>
+class Weighted_metric : private Metric
 {
   using Base = Metric;
-  using Lengths = internal::Metric_of_lengths<Weighted_metric>;
 
   struct Base_place
   {
@@ -275,9 +284,9 @@ class Weighted_metric : private Metric, public internal::Metric_of_lengths<Weigh
   };
 
 public:
-  using Mesh = typename Base::Mesh;                            ///< the mesh, numbered
-  using Kernel = typename Base::Kernel;                        ///< that of the other metric
-  using Point_3 = typename internal::Metric_point<Base>::type; ///< that of the other metric, `void` if it has no points
+  using Mesh = typename Base::Mesh;       ///< the mesh, numbered
+  using Kernel = typename Base::Kernel;   ///< that of the other metric
+  using Point_3 = typename Base::Point_3; ///< that of the other metric, `void` if it has no points
 
   /*!
    * Reads all weights. Linear in the mesh if it is a `Surface_mesh`.
@@ -301,6 +310,10 @@ public:
 
   /// Returns the weight at vertex `v`.
   double vertex_weight(Vertex_index v) const { return (*m_weights)[static_cast<std::size_t>(v.idx())]; }
+
+  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
+  /// finite or out of range \throws Degenerate_face_error if the length is zero
+  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
   /// Returns the length of halfedge `h` without any check, for searches that only pass by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(mesh, h); }
@@ -330,10 +343,14 @@ public:
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
   using Base::is_rounded; ///< returns whether the other metric rounds numbers of the mesh, so that nothing is certified
-  using Lengths::exact_face;
-  using Lengths::face_geometry;
-  using Lengths::length;
-  using Lengths::sine_in_plane;
+
+  /// Returns the geometry of an input face by its lengths, from `h` on, with the exceptions of `length()`.
+  /// \throws Degenerate_face_error if the lengths violate the triangle inequality
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  {
+    return internal::face_geometry_by_lengths(*this, mesh, h, traits);
+  }
 
 private:
   // Equal from both ends, since sums do not depend on the order.
@@ -391,6 +408,42 @@ private:
   std::shared_ptr<const std::vector<double>> m_weights; // by vertex
   double m_least_stretch = 0;
 };
+
+namespace internal {
+
+template <class Base>
+struct Internals<Mollified_metric<Base>>
+{
+  using Metric = Mollified_metric<Base>;
+  using Mesh = typename Metric::Mesh;
+
+  static constexpr bool has_exact_faces = true;
+  static constexpr bool has_usable_faces = false;
+
+  static Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_index h)
+  {
+    return metric.added_length() == 0 ? internal::exact_face(metric.base(), mesh, h)
+                                      : Internals_of_lengths::exact_face(metric, mesh, h);
+  }
+
+  template <class... Arguments>
+  static bool sine_in_plane(const Metric& metric, Arguments&... arguments)
+  {
+    return metric.added_length() == 0 && internal::sine_in_plane(metric.base(), arguments...);
+  }
+
+  static std::array<double, 3> vector(const Metric& metric, const Mesh& mesh, Vertex_index v, Vertex_index w)
+  {
+    return Internals<Base>::vector(metric.base(), mesh, v, w);
+  }
+};
+
+template <class Metric>
+struct Internals<Weighted_metric<Metric>> : Internals_of_lengths
+{
+};
+
+} // namespace internal
 
 } // namespace Flip_geodesics
 } // namespace CGAL

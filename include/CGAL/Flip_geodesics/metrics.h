@@ -8,7 +8,9 @@
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
+#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 
@@ -35,9 +37,7 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-// The data with which `sine_in_plane()` computes; callers include the definition, since most users of a metric do not
-// need it.
-class Flat_edges;
+// Callers include the definition, since most users of a metric do not need it.
 template <class Mesh, class PlaceOf>
 class Planar_sine;
 
@@ -146,7 +146,11 @@ public:
   }
 
   /// The coordinates of a point: doubles, or those near rational numbers with a bound of the error.
+#ifdef DOXYGEN_RUNNING
+  using Place = unspecified_type;
+#else
   using Place = std::conditional_t<is_rational, internal::Approximate_place, std::array<double, 3>>;
+#endif
 
   /// The length of halfedge `h` whatever it is, for a search that only passes by. Zero only if the points are equal.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
@@ -185,16 +189,6 @@ public:
     }
   }
 
-  /// The vector from one vertex to another; each coordinate is rounded once.
-  std::array<double, 3> vector(const Mesh& mesh, Vertex_index v, Vertex_index w) const
-  {
-    if constexpr(is_rational)
-      return internal::rounded_vector(precise_place(mesh, v), precise_place(mesh, w),
-                                      [&](const auto& use) { return use(point(mesh, v), point(mesh, w)); });
-    else
-      return difference(place(mesh, v), place(mesh, w));
-  }
-
   /// A lower bound of the distance on the surface: the distance through space.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
@@ -224,31 +218,6 @@ public:
                                             point(mesh, mesh.tail(hp)));
   }
 
-  /// Returns the exact face of a halfedge. Coordinates are taken as they are, or as the doubles they round to, see
-  /// `is_rounded()`.
-  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-    const std::array<Exact_place, 3> places = {exact_place(mesh, mesh.tail(h)), exact_place(mesh, mesh.tail(hn)),
-                                               exact_place(mesh, mesh.tail(hp))};
-    std::array<internal::Integer, 9> coordinates;
-    internal::to_integers(places.data(), places.size(), coordinates.data());
-    return internal::exact_face_from_points(coordinates);
-  }
-
-  /*!
-   * The sign of the sine of the wedge from the direction of one word clockwise over `steps` input corners to that of
-   * another, exactly, if the faces lie unfolded in one plane of space, or bend along parallel edges only.
-   * `flat_edges` keeps what is found out of edges.
-   * \return do they?
-   */
-  bool sine_in_plane(const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,
-                     internal::Flat_edges& flat_edges, Sign& sine) const
-  {
-    const auto place_of = [&](Vertex_index v) { return exact_place(mesh, v); };
-    return internal::Planar_sine<Mesh, decltype(place_of)>(mesh, place_of, flat_edges)(a, b, steps, sine);
-  }
-
   /// Returns whether a coordinate of the mesh is rounded: it is not a double, and its type does not give the exact
   /// value as a fraction. Then nothing is certified, since decisions refer to the rounded coordinates. Linear in the
   /// mesh when it is first called, if the number type of the kernel allows such coordinates.
@@ -264,6 +233,18 @@ public:
   }
 
 private:
+  friend struct internal::Internals<Embedded_metric>;
+
+  // The vector from one vertex to another; each coordinate is rounded once.
+  std::array<double, 3> vector(const Mesh& mesh, Vertex_index v, Vertex_index w) const
+  {
+    if constexpr(is_rational)
+      return internal::rounded_vector(precise_place(mesh, v), precise_place(mesh, w),
+                                      [&](const auto& use) { return use(point(mesh, v), point(mesh, w)); });
+    else
+      return difference(place(mesh, v), place(mesh, w));
+  }
+
   bool is_point_rounded(const Mesh& mesh, Vertex_index v) const
   {
     decltype(auto) p = point(mesh, v);
@@ -325,50 +306,37 @@ private:
 
 namespace internal {
 
-/* The common base of metrics of lengths: faces are defined by three lengths, and points are not known. */
-template <class Metric>
-class Metric_of_lengths
+template <class TriangleMesh, class VertexPointMap>
+struct Internals<Embedded_metric<TriangleMesh, VertexPointMap>>
 {
-public:
-  template <class Mesh>
-  double length(const Mesh& mesh, Input_halfedge_index h) const
+  using Metric = Embedded_metric<TriangleMesh, VertexPointMap>;
+  using Mesh = typename Metric::Mesh;
+
+  static constexpr bool has_exact_faces = true;
+  static constexpr bool has_usable_faces = false;
+
+  /* Coordinates are taken as they are, or as the doubles to which they round, see `Metric::is_rounded()`. */
+  static Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_index h)
   {
-    const double length = metric().weight(mesh, h);
-    if(!is_usable_length(length))
-      throw_unusable_length(length, mesh.tail(h), mesh.tail(twin_index(h)));
-    return length;
+    const auto place = [&](Input_halfedge_index g) { return metric.exact_place(mesh, mesh.tail(g)); };
+    const Input_halfedge_index hn = mesh.next(h);
+    const std::array<typename Metric::Exact_place, 3> places = {place(h), place(hn), place(mesh.next(hn))};
+    std::array<Integer, 9> coordinates;
+    to_integers(places.data(), places.size(), coordinates.data());
+    return exact_face_from_points(coordinates);
   }
 
-  template <class Mesh, class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  static bool sine_in_plane(const Metric& metric, const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b,
+                            Index steps, Flat_edges& flat_edges, Sign& sine)
   {
-    const auto [a, b, c] = face_lengths(mesh, h);
-    check_triangle_inequality(mesh, h, a, b, c);
-    return traits.construct_face_from_lengths_object()(a, b, c);
+    const auto place_of = [&](Vertex_index v) { return metric.exact_place(mesh, v); };
+    return Planar_sine<Mesh, decltype(place_of)>(mesh, place_of, flat_edges)(a, b, steps, sine);
   }
 
-  template <class Mesh>
-  Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
+  static std::array<double, 3> vector(const Metric& metric, const Mesh& mesh, Vertex_index v, Vertex_index w)
   {
-    return exact_face_from_lengths(face_lengths(mesh, h));
+    return metric.vector(mesh, v, w);
   }
-
-  template <class Mesh>
-  bool sine_in_plane(const Mesh&, const Edge_sequence&, const Edge_sequence&, Index, Flat_edges&, Sign&) const
-  {
-    return false; // lengths do not determine which faces lie in one plane
-  }
-
-protected:
-  template <class Mesh>
-  std::array<double, 3> face_lengths(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-    return {length(mesh, h), length(mesh, hn), length(mesh, hp)};
-  }
-
-private:
-  const Metric& metric() const { return static_cast<const Metric&>(*this); }
 };
 
 } // namespace internal
@@ -383,7 +351,7 @@ private:
  * \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edges of the mesh as keys and numbers as values
  */
 template <class TriangleMesh, class EdgeLengthMap>
-class Edge_length_metric : public internal::Metric_of_lengths<Edge_length_metric<TriangleMesh, EdgeLengthMap>>
+class Edge_length_metric
 {
   static_assert(internal::is_property_map<EdgeLengthMap>());
 
@@ -393,6 +361,7 @@ class Edge_length_metric : public internal::Metric_of_lengths<Edge_length_metric
 public:
   using Mesh = Numbered_mesh<TriangleMesh>; ///< the mesh, numbered
   using Kernel = Simple_cartesian<double>;  ///< in which finished curves are measured
+  using Point_3 = void;                     ///< `void`, since lengths do not determine points
 
   /// Constructs the metric of given lengths.
   /// \param mesh the mesh, which must outlive the metric
@@ -408,6 +377,10 @@ public:
   struct Place
   {
   };
+
+  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
+  /// finite or out of range \throws Degenerate_face_error if the length is zero
+  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
   /// Returns the length of halfedge `h` without any check, for searches that only pass by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
@@ -425,12 +398,24 @@ public:
   double distance_lower_bound(Place, Place) const { return 0; }
 
   /// The squared length of halfedge `h`, exactly. Only if the type of lengths is exact and rational.
+#ifdef DOXYGEN_RUNNING
+  unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
+#else
   template <class Number = Length, std::enable_if_t<internal::is_rational_number<Number>, int> = 0>
   auto squared_length(const Mesh& mesh, Input_halfedge_index h) const
   {
     using Square = std::conditional_t<std::is_integral<Number>::value, internal::Integer, Number>; // may overflow
     const Square length(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
     return Square(length * length);
+  }
+#endif
+
+  /// Returns the geometry of an input face by its lengths, from `h` on, with the exceptions of `length()`.
+  /// \throws Degenerate_face_error if the lengths violate the triangle inequality
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  {
+    return internal::face_geometry_by_lengths(*this, mesh, h, traits);
   }
 
   /// Returns whether a length is rounded: it is not a double, and its type does not give the exact value as a fraction.
@@ -453,6 +438,15 @@ private:
   EdgeLengthMap m_lengths;
   internal::Known_rounding m_is_rounded;
 };
+
+namespace internal {
+
+template <class TriangleMesh, class EdgeLengthMap>
+struct Internals<Edge_length_metric<TriangleMesh, EdgeLengthMap>> : Internals_of_lengths
+{
+};
+
+} // namespace internal
 
 } // namespace Flip_geodesics
 } // namespace CGAL

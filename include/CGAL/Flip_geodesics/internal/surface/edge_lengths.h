@@ -8,13 +8,13 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 
 #include <array>
 #include <cstddef>
 #include <sstream>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,25 +57,12 @@ template <class Metric>
 inline constexpr bool has_places_in_space = std::is_same<typename Metric::Place, std::array<double, 3>>::value ||
                                             std::is_same<typename Metric::Place, Approximate_place>::value;
 
-/* Does a metric decide by itself whether it makes the vectors of a face? */
-template <class Metric, class Input_mesh, class = void>
-struct Decides_usable_faces : std::false_type
-{
-};
-
-template <class Metric, class Input_mesh>
-struct Decides_usable_faces<Metric, Input_mesh,
-                            std::void_t<decltype(std::declval<const Metric&>().is_usable_face(
-                                std::declval<const Input_mesh&>(), Input_halfedge_index()))>> : std::true_type
-{
-};
-
 /* Returns whether a metric makes the vectors of a face, without throwing an exception. */
 template <class Metric, class Input_mesh>
 bool is_usable_face(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
 {
-  if constexpr(Decides_usable_faces<Metric, Input_mesh>::value) {
-    return metric.is_usable_face(mesh, h);
+  if constexpr(Internals<Metric>::has_usable_faces) {
+    return Internals<Metric>::is_usable_face(metric, mesh, h);
   } else {
     const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
     const double a = metric.weight(mesh, h), b = metric.weight(mesh, hn), c = metric.weight(mesh, hp);
@@ -99,6 +86,34 @@ void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, d
 {
   if(!satisfy_triangle_inequality(a, b, c))
     throw_triangle_inequality(mesh, h);
+}
+
+/* Returns the length of an edge for a metric that defines its weight. \throws the exceptions of IntrinsicMetric */
+template <class Metric, class Input_mesh>
+double length_by_weight(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
+{
+  const double length = metric.weight(mesh, h);
+  if(!is_usable_length(length))
+    throw_unusable_length(length, mesh.tail(h), mesh.tail(twin_index(h)));
+  return length;
+}
+
+/* Returns the lengths of the sides of a face, from `h` on. */
+template <class Metric, class Input_mesh>
+std::array<double, 3> face_lengths(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
+{
+  const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+  return {metric.length(mesh, h), metric.length(mesh, hn), metric.length(mesh, hp)};
+}
+
+/* Returns the geometry of the face with these lengths. \throws Degenerate_face_error, Invalid_coordinate_error */
+template <class Metric, class Input_mesh, class Traits>
+typename Traits::Face_geometry face_geometry_by_lengths(const Metric& metric, const Input_mesh& mesh,
+                                                        Input_halfedge_index h, const Traits& traits)
+{
+  const auto [a, b, c] = face_lengths(metric, mesh, h);
+  check_triangle_inequality(mesh, h, a, b, c);
+  return traits.construct_face_from_lengths_object()(a, b, c);
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_places.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 
 #include <CGAL/enum.h>
@@ -22,7 +23,7 @@ namespace internal {
 
 class Flat_edges;
 
-/* Has a metric the optional member `squared_length()`? */
+/* Detects the optional member of IntrinsicMetric. */
 template <class Metric, class = void>
 struct Has_squared_lengths : std::false_type
 {
@@ -35,25 +36,9 @@ struct Has_squared_lengths<Metric, std::void_t<decltype(std::declval<const Metri
 {
 };
 
-/* Has a metric of the package, or one that forwards to it, faces of its own in exact numbers? No other class has a
- * member with this result. */
-template <class Metric, class = void>
-struct Makes_exact_faces : std::false_type
-{
-};
-
-template <class Metric>
-struct Makes_exact_faces<Metric, std::void_t<decltype(std::declval<const Metric&>().exact_face(
-                                     std::declval<const typename Metric::Mesh&>(), Input_halfedge_index()))>>
-  : std::is_same<std::decay_t<decltype(std::declval<const Metric&>().exact_face(
-                     std::declval<const typename Metric::Mesh&>(), Input_halfedge_index()))>,
-                 Exact_face>
-{
-};
-
 /* Are the faces of a metric known in exact numbers? */
 template <class Metric>
-inline constexpr bool has_exact_faces = Has_squared_lengths<Metric>::value || Makes_exact_faces<Metric>::value;
+inline constexpr bool has_exact_faces = Has_squared_lengths<Metric>::value || Internals<Metric>::has_exact_faces;
 
 /* The exact squared lengths of a face from h on. */
 template <class Metric, class Mesh>
@@ -105,20 +90,72 @@ Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_ind
   if constexpr(Has_squared_lengths<Metric>::value)
     return exact_face_from_squares(squared_lengths(metric, mesh, h).numerators);
   else
-    return metric.exact_face(mesh, h);
+    return Internals<Metric>::exact_face(metric, mesh, h);
 }
 
-/* The sign of the sine of a wedge by points, see `Embedded_metric::sine_in_plane()`. Returns false if the metric has
- * none. */
+/*
+ * The sign of the sine of the wedge from the direction of one edge sequence clockwise over `steps` input corners to that
+ * of another, exactly, if the faces lie unfolded in one plane of space, or bend along parallel edges only. `flat_edges`
+ * caches results for edges. Returns whether the faces lie so, which is false if the metric has no points.
+ */
 template <class Metric, class Mesh>
 bool sine_in_plane(const Metric& metric, const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,
                    Flat_edges& flat_edges, Sign& sine)
 {
-  if constexpr(Makes_exact_faces<Metric>::value)
-    return metric.sine_in_plane(mesh, a, b, steps, flat_edges, sine);
+  if constexpr(Internals<Metric>::has_exact_faces)
+    return Internals<Metric>::sine_in_plane(metric, mesh, a, b, steps, flat_edges, sine);
   else
     return false;
 }
+
+/* Metrics of the library's own use have public members for it. */
+template <class Metric>
+struct Internals_of_members
+{
+  static constexpr bool has_exact_faces = true;
+  static constexpr bool has_usable_faces = true;
+
+  template <class... Arguments>
+  static Exact_face exact_face(const Metric& metric, const Arguments&... arguments)
+  {
+    return metric.exact_face(arguments...);
+  }
+  template <class... Arguments>
+  static bool sine_in_plane(const Metric& metric, Arguments&... arguments)
+  {
+    return metric.sine_in_plane(arguments...);
+  }
+  template <class... Arguments>
+  static auto vector(const Metric& metric, const Arguments&... arguments)
+  {
+    return metric.vector(arguments...);
+  }
+  template <class... Arguments>
+  static bool is_usable_face(const Metric& metric, const Arguments&... arguments)
+  {
+    return metric.is_usable_face(arguments...);
+  }
+};
+
+/* The exact faces of metrics whose faces are defined by lengths in double. Lengths do not determine which faces lie in
+ * one plane. */
+struct Internals_of_lengths
+{
+  static constexpr bool has_exact_faces = true;
+  static constexpr bool has_usable_faces = false;
+
+  template <class Metric, class Mesh>
+  static Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_index h)
+  {
+    return exact_face_from_lengths(face_lengths(metric, mesh, h));
+  }
+
+  template <class... Arguments>
+  static bool sine_in_plane(Arguments&&...)
+  {
+    return false;
+  }
+};
 
 } // namespace internal
 } // namespace Flip_geodesics

@@ -266,7 +266,7 @@ public:
 
   std::array<double, 3> vector(const Mesh& mesh, Vertex_index v, Vertex_index w) const
   {
-    return m_metric.vector(below(mesh), mesh.surface().below(v), mesh.surface().below(w));
+    return Internals<Metric>::vector(m_metric, below(mesh), mesh.surface().below(v), mesh.surface().below(w));
   }
 
   double length(const Mesh& mesh, Input_halfedge_index h) const
@@ -332,6 +332,12 @@ private:
 
   Metric m_metric;
   std::shared_ptr<Flat_edges> m_flat_edges;
+};
+
+template <class TriangleMesh, class Metric>
+struct Internals<Covering_metric<TriangleMesh, Metric>> : Internals_of_members<Covering_metric<TriangleMesh, Metric>>
+{
+  static constexpr bool has_exact_faces = internal::has_exact_faces<Metric>;
 };
 
 } // namespace internal

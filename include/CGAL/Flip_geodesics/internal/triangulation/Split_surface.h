@@ -357,7 +357,7 @@ struct Split_place
  * A metric below that has no exact faces is taken to have faces of its rounded lengths.
  */
 template <class TriangleMesh, class Metric>
-class Split_metric : public Metric_of_lengths<Split_metric<TriangleMesh, Metric>>
+class Split_metric
 {
   using Surface = Split_surface<TriangleMesh>;
 
@@ -393,6 +393,7 @@ public:
                  p.z() + w[1] * (q.z() - p.z()) + w[2] * (r.z() - p.z()));
   }
 
+  double length(const Mesh& mesh, Input_halfedge_index h) const { return length_by_weight(*this, mesh, h); }
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const Split_side* const side = new_edge(mesh, h);
@@ -436,7 +437,7 @@ public:
                                                {{side->tail_weights, next->tail_weights, last->tail_weights}});
     } else {
       for(const Input_halfedge_index s : {h, side->next, side->previous})
-        this->length(mesh, s);
+        length(mesh, s);
       return traits.construct_face_2_object()(part(mesh, *side).vectors(place_in_part(mesh, *side)), face_layout_error);
     }
   }
@@ -484,8 +485,7 @@ private:
     if constexpr(has_exact_faces<Metric>)
       return internal::exact_face(m_metric, input, h);
     else
-      return exact_face_from_lengths(std::array<double, 3>{
-          m_metric.length(input, h), m_metric.length(input, input.next(h)), m_metric.length(input, input.previous(h))});
+      return exact_face_from_lengths(face_lengths(m_metric, input, h));
   }
 
   // The record of a side of an edge that is not there below, the same from both sides; null for other edges.
@@ -556,6 +556,11 @@ private:
 
   Metric m_metric;
   std::shared_ptr<std::vector<Exact_subface>> m_parts; // of faces, three sides of the surface each
+};
+
+template <class TriangleMesh, class Metric>
+struct Internals<Split_metric<TriangleMesh, Metric>> : Internals_of_members<Split_metric<TriangleMesh, Metric>>
+{
 };
 
 } // namespace internal

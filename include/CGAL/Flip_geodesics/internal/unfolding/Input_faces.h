@@ -143,7 +143,8 @@ private:
     } else {
       const auto& metric = m_triangulation.metric();
       const auto& input = m_triangulation.input();
-      return corner(metric.vector(input, p, q), metric.vector(input, p, r));
+      using Of_metric = Internals<typename Triangulation::Metric>;
+      return corner(Of_metric::vector(metric, input, p, q), Of_metric::vector(metric, input, p, r));
     }
   }
 
