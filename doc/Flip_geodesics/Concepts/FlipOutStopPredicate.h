@@ -11,12 +11,6 @@
  * therefore never exceeded, not even by a step in which a curve collapses. If the predicate rejects the step, its flips
  * are rolled back.
  *
- * A predicate with state, such as `Time_stop_predicate` with its start time, may have a const member function
- * `restarted()` that returns a predicate of the same type in its initial state. The functions that shorten several
- * curves separately, possibly in several threads, then evaluate a restarted copy for each curve. These are
- * `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()`. Without this member, they use one predicate
- * for all curves.
- *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Never_stop_predicate}
  * \cgalHasModels{CGAL::Flip_geodesics::Length_ratio_stop_predicate}
@@ -37,4 +31,10 @@ public:
   /// keeps the curve of the step unchanged from now on, while other curves continue to be shortened. All other values
   /// except `Stop_decision::CONTINUE` end the shortening.
   Stop_decision operator()(const Shortening_step& step) const;
+
+  /// Optional. Returns a predicate of the same type without the state of this one, such as the time at which
+  /// `Time_stop_predicate` was constructed. `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()`
+  /// shorten several curves, one after the other or in several threads. They call this member when they begin with a
+  /// curve, and evaluate the result for this curve. If it is missing, one predicate is evaluated for all curves.
+  FlipOutStopPredicate restarted() const;
 };

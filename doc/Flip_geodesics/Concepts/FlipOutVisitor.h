@@ -49,6 +49,10 @@ public:
   /// once in a thousand steps of at most a microsecond each.
   bool go_further();
 
+  /// Optional. Called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of complete
+  /// rows, from 0 to 1. If it is missing, progress is not reported.
+  void on_progress(double fraction);
+
   /// Observes that the edge of halfedge `h` was flipped. It is called before the step moves its curve. The flips of a
   /// rejected step are rolled back without a call, which `triangulation.log_position()` reveals.
   template <class Triangulation>

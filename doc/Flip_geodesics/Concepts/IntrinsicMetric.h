@@ -10,7 +10,8 @@
  * The argument `mesh` of its members is the mesh as `Intrinsic_triangulation::input()` gives it, numbered by
  * consecutive integers.
  *
- * Curves of a metric are certified if it has the optional member `squared_length()`, or is one of the models below.
+ * Curves of a metric are certified if it has the optional member `squared_length()`, or is one of the models below. A
+ * class that derives from one of these is a metric of its own, and is certified only if it has `squared_length()`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}
@@ -56,12 +57,12 @@ public:
   /// one vertex it differs by no more than the edge's weight.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
-  /// The type of points, only where vertices have points in space; points are written as this, see `point_in_space()`.
-  /// It has `x()`, `y()` and `z()`, and is constructed from three of them. Without points there is no such type, or it
-  /// is `void`.
+  /// Optional. The type of points, if vertices have points in space; points are written as this, see
+  /// `point_in_space()`. It has `x()`, `y()` and `z()`, and is constructed from three of them. A metric without this
+  /// type, or with `void`, has no points, and functions that write points cannot be used.
   typedef unspecified_type Point_3;
 
-  /// The point of vertex `v`, where there is a type of points.
+  /// Optional, required with `Point_3`. The point of vertex `v`.
   Point_3 point(const Mesh& mesh, Vertex_index v) const;
 
   /// Optional. The exact squared length of the edge of a halfedge, the same for both halfedges of the edge. Its type is an

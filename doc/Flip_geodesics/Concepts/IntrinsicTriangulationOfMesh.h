@@ -64,7 +64,9 @@ public:
   /// one.
   Index crossings(Edge_index e) const;
 
-  /// Returns the input edges that a halfedge crosses, from its tail to its head.
+  /// Returns the input edges that a halfedge crosses, from its tail to its head. Algorithms that accept models of
+  /// `IntrinsicTriangulation` treat a class with this member as a model of the present concept: they report that
+  /// coordinates are rounded, and measure finished curves.
   Edge_sequence edge_sequence(Halfedge_index h) const;
 
   /// Returns the number of input edges that start strictly inside the wedge from halfedge `from` clockwise to halfedge

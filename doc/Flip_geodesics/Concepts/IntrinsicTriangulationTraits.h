@@ -161,6 +161,19 @@ public:
   Compute_length compute_length_object() const;
 
   /// @}
+  /// \name Parts of faces
+  /// @{
+
+  /// Optional. `Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& w)
+  /// const`: the triangle of three points in a face. Each `w[i]` consists of nonnegative weights of the tails of `h`,
+  /// `hn` and `hp`, whose sum need not be 1. Called for the parts of an input face that is divided at points. If the
+  /// type is missing or `void`, such parts are made by `Construct_face_2`, with rounding errors.
+  typedef unspecified_type Construct_subface;
+
+  /// Optional, required with `Construct_subface`. A functor of this type.
+  Construct_subface construct_subface_object() const;
+
+  /// @}
   /// \name Limit of work
   /// @{
 
