@@ -148,7 +148,7 @@ public:
     {
       if constexpr(internal::is_rational_number<Coordinate> && !std::is_floating_point<NT>::value) {
         const internal::Rational exact = internal::to_rational(x);
-        return internal::converted<NT>(exact.numerator) / internal::converted<NT>(exact.denominator);
+        return internal::from_rational<NT>(exact);
       } else {
         return NT(CGAL::to_double(x));
       }

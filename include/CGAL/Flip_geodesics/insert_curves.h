@@ -189,7 +189,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. A
  * divided face or split edge remains as one of its parts; the other parts are new. New vertices on an edge lie on the
  * segment between its ends, at a parameter that is rounded to `double`, and new vertices in a face are affine
- * combinations of its corners. With a kernel with exact constructions they lie exactly there, and a part of a face is
+ * combinations of its corners. With a kernel with exact constructions they lie exactly there, crossings lie on both
+ * curves exactly, barycentric coordinates in an exact number type are not rounded inside faces, and a part of a face is
  * degenerate only if the face is.
  *
  * Rounded coordinates do not separate vertices that are too close to each other. Therefore a point is moved to an edge

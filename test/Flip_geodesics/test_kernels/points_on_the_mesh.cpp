@@ -11,10 +11,14 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/boost_mp.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -257,6 +261,51 @@ BOOST_AUTO_TEST_CASE(a_mesh_with_curves_is_exact)
     result.collect_garbage();
     check_surface(result);
   }
+}
+
+template <class K>
+void check_crossing_inside_a_face()
+{
+  using Exact_mesh = CGAL::Surface_mesh<typename K::Point_3>;
+  using Number = typename K::FT;
+  using Weights = std::array<double, 3>;
+  using Rounded_location = std::pair<typename Exact_mesh::Face_index, Weights>;
+  using Exact_location = std::pair<typename Exact_mesh::Face_index, std::array<Number, 3>>;
+  Exact_mesh mesh;
+  const Number third = Number(1) / Number(3), seventh = Number(1) / Number(7);
+  const auto a = mesh.add_vertex({third, Number(0), seventh}), b = mesh.add_vertex({Number(5), seventh, third}),
+             c = mesh.add_vertex({Number(1), Number(4), Number(2) * seventh});
+  const typename K::Point_3 centroid = CGAL::centroid(mesh.point(a), mesh.point(b), mesh.point(c));
+  const auto f = mesh.add_face(a, b, c);
+  const Weights ends[2][2] = {{{{0.7, 0.3, 0}}, {{0, 0.4, 0.6}}}, {{{0.2, 0.8, 0}}, {{0.9, 0, 0.1}}}};
+  std::vector<std::vector<Rounded_location>> curves;
+  for(const auto& [from, to] : ends)
+    curves.push_back({{f, from}, {f, to}});
+  const auto report = FG::insert_curves(mesh, curves);
+  BOOST_TEST(report.new_vertices == 5u);
+  // The crossing is the last vertex, and the only one inside.
+  const typename Exact_mesh::Vertex_index crossing(static_cast<typename Exact_mesh::size_type>(7));
+  BOOST_TEST(!mesh.is_border(crossing));
+  std::size_t straight = 0; // pairs of ends
+  for(const auto p : mesh.vertices())
+    for(const auto q : mesh.vertices())
+      if(p < q && p > c && q < crossing && CGAL::collinear(mesh.point(p), mesh.point(crossing), mesh.point(q)))
+        ++straight;
+  BOOST_TEST(straight == 2u);
+  Exact_mesh with_centroid;
+  const auto g =
+      with_centroid.add_face(with_centroid.add_vertex(mesh.point(a)), with_centroid.add_vertex(mesh.point(b)),
+                             with_centroid.add_vertex(mesh.point(c)));
+  FG::insert_curves(with_centroid, std::vector<Exact_location>{{g, {{third, third, third}}}});
+  BOOST_TEST((with_centroid.point(typename Exact_mesh::Vertex_index(3)) == centroid));
+}
+
+// Neither the crossing of two curves nor exact weights are rounded, whatever the exact number type.
+BOOST_AUTO_TEST_CASE(points_inside_faces_are_exact_for_each_number_type)
+{
+  check_crossing_inside_a_face<CGAL::Exact_predicates_exact_constructions_kernel>();
+  check_crossing_inside_a_face<CGAL::Simple_cartesian<CGAL::Gmpq>>();
+  check_crossing_inside_a_face<CGAL::Simple_cartesian<boost::multiprecision::cpp_rational>>();
 }
 
 } // namespace points_on_the_mesh

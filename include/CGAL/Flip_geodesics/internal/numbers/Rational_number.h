@@ -62,6 +62,19 @@ constexpr bool is_exact_integer()
          !std::is_convertible<Category, Field_tag>::value;
 }
 
+/* Returns whether all operations of a number type are exact, including division. */
+template <class NT>
+constexpr bool is_exact_field()
+{
+  using Structure = Algebraic_structure_traits<NT>;
+  if constexpr(std::is_arithmetic<NT>::value)
+    return false;
+  else if constexpr(boost::multiprecision::is_number<NT>::value)
+    return boost::multiprecision::number_category<NT>::value == boost::multiprecision::number_kind_rational;
+  else
+    return Structure::Is_exact::value && std::is_convertible<typename Structure::Algebraic_category, Field_tag>::value;
+}
+
 template <class NT>
 constexpr Rational_kind rational_kind()
 {
@@ -130,6 +143,26 @@ Rational to_rational(const NT& x)
     const Integer denominator = to_integer(below);
     return denominator < 0 ? Rational{-to_integer(above), -denominator} : Rational{to_integer(above), denominator};
   }
+}
+
+/* Returns an integer in another number type. */
+template <class NT>
+NT converted(const Integer& n)
+{
+  constexpr int digits = 24;
+  if(n < 0)
+    return NT(-converted<NT>(Integer(-n)));
+  if(n < (1 << digits))
+    return NT(static_cast<double>(n));
+  const NT upper = converted<NT>(Integer(n >> digits));
+  return upper * NT(static_cast<double>(1 << digits)) + NT(static_cast<double>(n % (1 << digits)));
+}
+
+/* Returns a fraction in another number type, which has division. */
+template <class NT>
+NT from_rational(const Rational& x)
+{
+  return NT(converted<NT>(x.numerator) / converted<NT>(x.denominator));
 }
 
 /*

@@ -120,19 +120,6 @@ inline Integer without_squares(Integer n)
   return n;
 }
 
-/* The same integer in another number type. */
-template <class NT>
-NT converted(const Integer& n)
-{
-  constexpr int digits = 24;
-  if(n < 0)
-    return NT(-converted<NT>(Integer(-n)));
-  if(n < (1 << digits))
-    return NT(static_cast<double>(n));
-  const NT upper = converted<NT>(Integer(n >> digits));
-  return upper * NT(static_cast<double>(1 << digits)) + NT(static_cast<double>(n % (1 << digits)));
-}
-
 /*
  * Squared lengths L, and S = 4 area of each face in units of the area unit. Flips stay in the field of the input's
  * numbers, and the numbers of an edge are independent of the flips that led to it. For exact numbers only: rounded

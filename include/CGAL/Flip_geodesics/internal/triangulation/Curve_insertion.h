@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Face_arrangement.h>
@@ -76,14 +77,16 @@ public:
     return result;
   }
 
-  /* The node at a point of a face, by weights that are not negative and not all zero. */
-  std::size_t add_point(Face f, const std::array<double, 3>& weights)
+  /* The node at a point of a face, by weights that are not negative and not all zero. For a point inside the face they
+   * are those given, which may be exact. */
+  template <class Weights>
+  std::size_t add_point(Face f, const std::array<double, 3>& weights, const Weights& given)
   {
     face_record(f);
     const auto zeros = std::count(weights.begin(), weights.end(), 0.0);
     std::array<Halfedge, 3> sides = sides_of(f);
     if(zeros == 0)
-      return add_inside(f, {{Exact(weights[0]), Exact(weights[1]), Exact(weights[2])}});
+      return add_inside(f, {{exact(given[0]), exact(given[1]), exact(given[2])}});
     for(std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       if(zeros == 2 && weights[i] != 0)
@@ -254,6 +257,17 @@ private:
     face_record(f).inner_nodes.push_back(m_nodes.size());
     face_record(f).is_arranged = false;
     return add_node(node);
+  }
+
+  template <class Weight>
+  static Exact exact(const Weight& x)
+  {
+    if constexpr(std::is_same<Weight, Exact>::value)
+      return x;
+    else if constexpr(is_rational_number<Weight>)
+      return from_rational<Exact>(to_rational(x));
+    else
+      return Exact(CGAL::to_double(x));
   }
 
   // The node of an edge at weights of the source and the target of a halfedge, or one so close that it is the same.
@@ -531,6 +545,8 @@ private:
   {
     if constexpr(std::is_same<Number, Exact>::value)
       return x;
+    else if constexpr(is_exact_field<Number>())
+      return from_rational<Number>(to_rational(x));
     else
       return Number(CGAL::to_double(x));
   }
