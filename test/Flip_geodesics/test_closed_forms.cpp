@@ -11,8 +11,8 @@
 #include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/derived_metrics.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/Simple_cartesian.h>

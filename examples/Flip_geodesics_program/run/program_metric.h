@@ -5,7 +5,6 @@
 
 #include "program_mesh.h"
 
-#include <CGAL/Flip_geodesics/derived_metrics.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <optional>

@@ -270,17 +270,22 @@ Surface_point surface_point_on_edge(const Triangulation& triangulation, Input_ha
   return {left, right, (std::max)(least_weight, 1 - from_right), crossed};
 }
 
-/* Whether a metric has points in space. */
+/* The point type of a metric, `void` if it has no points. */
 template <class Metric, class = void>
-struct Has_points : std::false_type
+struct Metric_point
 {
+  using type = void;
 };
 
 template <class Metric>
-struct Has_points<Metric, std::void_t<typename Metric::Point_3>>
-  : std::bool_constant<!std::is_void<typename Metric::Point_3>::value>
+struct Metric_point<Metric, std::void_t<typename Metric::Point_3>>
 {
+  using type = typename Metric::Point_3;
 };
+
+/* Whether a metric has points in space. */
+template <class Metric>
+using Has_points = std::negation<std::is_void<typename Metric_point<Metric>::type>>;
 
 } // namespace internal
 

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTRINSIC_EDGE_PATH_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/derived_metrics.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>

@@ -4,7 +4,7 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
-#include <CGAL/Flip_geodesics/derived_metrics.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 
 using namespace Flip_geodesics_test;
 

@@ -9,8 +9,8 @@
 
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
-#include <CGAL/Flip_geodesics/derived_metrics.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/shortest_paths_by_class.h>
 
 #include <CGAL/Simple_cartesian.h>

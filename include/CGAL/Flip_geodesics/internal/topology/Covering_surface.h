@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_COVERING_SURFACE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/derived_metrics.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
