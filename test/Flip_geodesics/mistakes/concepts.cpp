@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Does not compile, since the traits, the triangulation or the network lack a member of its concept.
+// Does not compile, since the traits, the metric, the triangulation or the network lack a member of its concept.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -45,6 +45,9 @@ struct Traits_without_functor : Base
 #if defined(OF_TRAITS)
 using Traits = OF_TRAITS<FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>;
 FG::Intrinsic_triangulation<Mesh, Traits> triangulation{Mesh()};
+#elif defined(OF_METRIC)
+using Metric = Incomplete<FG::Default_metric<Mesh>>;
+FG::Intrinsic_triangulation<Mesh, FG::Default_traits<FG::Default_metric<Mesh>>, Metric> triangulation{Mesh()};
 #elif defined(OF_NETWORK)
 void use(Incomplete<Network>& network) { FG::shorten(network); }
 #else

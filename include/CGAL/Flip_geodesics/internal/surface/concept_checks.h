@@ -112,6 +112,29 @@ constexpr bool are_triangulation_traits()
   return true;
 }
 
+/* The same for IntrinsicMetric, for traits that faces are made with unless the metric has exact squared lengths. */
+template <class Metric, class Traits, bool HAS_SQUARED_LENGTHS>
+constexpr bool is_intrinsic_metric()
+{
+  CGAL_FLIP_GEODESICS_HAS_TYPE(Metric, "IntrinsicMetric", Mesh);
+  CGAL_FLIP_GEODESICS_HAS_TYPE(Metric, "IntrinsicMetric", Kernel);
+  CGAL_FLIP_GEODESICS_HAS_TYPE(Metric, "IntrinsicMetric", Place);
+  using Mesh = const typename Metric::Mesh&;
+  using Place = const typename Metric::Place&;
+  using H = Input_halfedge_index;
+  CGAL_FLIP_GEODESICS_HAS(const Metric, "IntrinsicMetric", length(std::declval<Mesh>(), H()));
+  CGAL_FLIP_GEODESICS_HAS(const Metric, "IntrinsicMetric", weight(std::declval<Mesh>(), H()));
+  CGAL_FLIP_GEODESICS_HAS(const Metric, "IntrinsicMetric",
+                          weight(std::declval<Mesh>(), H(), std::declval<Place>(), std::declval<Place>()));
+  CGAL_FLIP_GEODESICS_HAS(const Metric, "IntrinsicMetric", place(std::declval<Mesh>(), Vertex_index()));
+  CGAL_FLIP_GEODESICS_HAS(const Metric, "IntrinsicMetric",
+                          distance_lower_bound(std::declval<Place>(), std::declval<Place>()));
+  if constexpr(!HAS_SQUARED_LENGTHS)
+    CGAL_FLIP_GEODESICS_HAS(const Metric, "IntrinsicMetric",
+                            face_geometry(std::declval<Mesh>(), H(), std::declval<const Traits&>()));
+  return true;
+}
+
 /* The same for CurveNetwork. */
 template <class Network>
 constexpr bool is_curve_network()
