@@ -18,8 +18,8 @@ namespace Flip_geodesics {
  *
  * States how certain the claim of a function is. A function for geodesics claims that a curve is locally shortest; one
  * for shortest paths that no path between the same ends is shorter; one for homotopy classes that no path of the class
- * is shorter; and one for distances that no path is shorter than the distance. The section \ref Flip_geodesicsVerdicts
- * states the assumptions.
+ * is shorter; and one for distances that no path is shorter than the distance. The section
+ * \ref Flip_geodesicsAssumptions lists the assumptions.
  */
 enum class Verdict {
   PROVEN, ///< the claim holds exactly
