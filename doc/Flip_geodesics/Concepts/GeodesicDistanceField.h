@@ -33,7 +33,7 @@ public:
   /// edge, the weight of the opposite vertex is exactly zero.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const;
 
-  /// Returns `true` only if all points of a face with a finite distance have the same nearest source. This member is
-  /// optional: if it exists, `voronoi_boundaries()` does not search such faces for boundaries.
+  /// Optional. Returns `true` only if all points of a face with a finite distance have the same nearest source.
+  /// `voronoi_boundaries()` does not search such faces for boundaries. If it is missing, all faces are searched.
   bool has_one_source(face_descriptor face) const;
 };
