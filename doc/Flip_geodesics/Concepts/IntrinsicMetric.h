@@ -4,14 +4,15 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The lengths of a mesh's edges and the shapes of its faces, from wherever they come. A model is copyable, and cheaply
- * so: a triangulation keeps a copy.
+ * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces, whatever
+ * their source. A model is cheap to copy, and a triangulation keeps a copy.
  *
- * The argument `mesh` of its members is the mesh as `Intrinsic_triangulation::input()` gives it, numbered by
+ * The argument `mesh` of the members is the mesh returned by `Intrinsic_triangulation::input()`, which is numbered by
  * consecutive integers.
  *
- * Curves of a metric are certified if it has the optional member `squared_length()`, or is one of the models below. A
- * class that derives from one of these is a metric of its own, and is certified only if it has `squared_length()`.
+ * Curves are certified with respect to a metric if the metric has the optional member `squared_length()` or is one of
+ * the models below. A class that is derived from one of them is a different metric, and curves are certified only if
+ * the class has `squared_length()`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}
@@ -28,60 +29,63 @@ public:
   /// `CGAL::Flip_geodesics::Numbered_mesh` of the mesh's type, that of `Intrinsic_triangulation::input()`.
   typedef unspecified_type Mesh;
 
-  /// A \cgal kernel. The measurement of finished curves lays faces out by
-  /// `Intrinsic_triangulation_traits<Kernel, double>`.
+  /// A \cgal kernel. Finished curves are measured with `Intrinsic_triangulation_traits<Kernel, double>`.
   typedef unspecified_type Kernel;
 
-  /// The length of the edge of a halfedge, rounded; positive, and the same for both halfedges of the edge.
-  /// \throws Degenerate_face_error, Invalid_coordinate_error if there is no usable length
+  /// Returns the length of the edge of a halfedge, rounded. The length is positive and equal for both halfedges of the
+  /// edge.
+  /// \throws Degenerate_face_error if the edge has length zero
+  /// \throws Invalid_coordinate_error if the length is not a usable number
   double length(const Mesh& mesh, Input_halfedge_index h) const;
 
-  /// The same without a check, for a search of edge paths that only passes by: zero where the edge has no length, and
-  /// whatever there is where it has no usable one.
+  /// Returns the length of the edge of a halfedge without checking it, for searches of edge paths. The result is zero
+  /// for an edge of length zero, and arbitrary if the length is not a usable number.
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
-  /// What a lower bound needs to know of a vertex, such as the coordinates of its point; default constructible, and
-  /// copied freely. An empty class says that the only bound is zero. A `std::array<double, 3>` is taken for the
-  /// coordinates of a point: from these, `add_straightened_path()` lays faces out to find its path.
+  /// The data of a vertex from which lower bounds are computed, such as the coordinates of its point. Default
+  /// constructible and cheap to copy. With an empty class, the only bound is zero. A `std::array<double, 3>` is
+  /// interpreted as the coordinates of a point, from which `add_straightened_path()` unfolds faces.
   typedef unspecified_type Place;
 
-  /// `weight(mesh, h)`, but for rounding errors, where the places of the halfedge's two ends are at hand: searches for
-  /// edge paths call it most often.
+  /// Returns `weight(mesh, h)` up to rounding errors, given the places of the two ends of the halfedge. This is the
+  /// overload that searches for edge paths call most often.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const;
 
-  /// The place of vertex `v`.
+  /// Returns the data of vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const;
 
-  /// A lower bound of the length of all paths on the surface between two vertices, across faces as well as along edges.
-  /// Bounds and verdicts of shortest paths rest on it. It is 0 from a vertex to itself. From the two ends of an edge to
-  /// one vertex it differs by no more than the edge's weight.
+  /// Returns a lower bound of the length of all paths on the surface between two vertices, across faces as well as
+  /// along edges. Bounds and verdicts of shortest paths depend on it. The bound is 0 from a vertex to itself, and the
+  /// bounds from the two ends of an edge to the same vertex differ by at most the weight of the edge.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
-  /// Optional. The type of points, if vertices have points in space; points are written as this, see
-  /// `point_in_space()`. It has `x()`, `y()` and `z()`, and is constructed from three of them. A metric without this
-  /// type, or with `void`, has no points, and functions that write points cannot be used.
+  /// Optional. The type of points, if vertices have points in space; see `point_in_space()`. It has the members `x()`,
+  /// `y()` and `z()` and is constructible from three coordinates. If the type is missing or `void`, the metric does not
+  /// have points, and functions that write points cannot be used.
   typedef unspecified_type Point_3;
 
-  /// Optional, required with `Point_3`. The point of vertex `v`.
+  /// Optional. Returns the point of vertex `v`; required if `Point_3` is present and not `void`.
   Point_3 point(const Mesh& mesh, Vertex_index v) const;
 
-  /// Optional. The exact squared length of the edge of a halfedge, the same for both halfedges of the edge. Its type is an
-  /// exact number type with rational values: `Gmpq`, `mpq_class`, `Exact_rational`, `cpp_rational`, `Lazy_exact_nt` of
-  /// one of these, or an integer of any size. `length()` is its root, rounded. With this member, faces are laid out and
-  /// all decisions taken from exact squared lengths, `Certified_intrinsic_triangulation_traits` is the default, and
-  /// certificates refer to the exact metric. Three of them make a face if they satisfy the triangle inequality, of which
-  /// equality is allowed.
+  /// Optional. Returns the exact squared length of the edge of a halfedge, which is equal for both halfedges of the
+  /// edge. Its type is an exact number type with rational values: `Gmpq`, `mpq_class`, `Exact_rational`,
+  /// `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer of any size; `length()` is the rounded root. With
+  /// this member, faces are constructed and all predicates evaluated from exact squared lengths,
+  /// `Certified_intrinsic_triangulation_traits` are the default, and certificates refer to the exact metric. The three
+  /// lengths of a face must satisfy the triangle inequality; equality is allowed.
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 
-  /// The geometry of the face on the left of `h`, from `h` on, made by one of the functors of `traits`. Not called for a
-  /// metric that has `squared_length()`, which need not have this member.
-  /// \throws Degenerate_face_error, Invalid_coordinate_error if the face has no usable shape
+  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed by one of the functors of
+  /// `traits`. It is not called for a metric with `squared_length()`, which need not have this member.
+  /// \throws Degenerate_face_error if an edge of the face has length zero or its lengths violate the triangle
+  /// inequality
+  /// \throws Invalid_coordinate_error if a coordinate or length is not a usable number
   /// \pre `h` is not on the border
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const;
 
-  /// Optional. Returns whether numbers that define the metric, such as coordinates or lengths, are rounded to double by
-  /// it. Then no curve is certified and no distance confirmed, since decisions refer to the rounded numbers. A metric
-  /// without this member is defined by the doubles that `length()` returns.
+  /// Optional. Returns whether the metric rounds the numbers that define it, such as coordinates or lengths, to
+  /// double. In this case, curves are not certified and distances not confirmed, since predicates refer to the rounded
+  /// numbers. A metric without this member is defined by the doubles that `length()` returns.
   bool is_rounded(const Mesh& mesh) const;
 };

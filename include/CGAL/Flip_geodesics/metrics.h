@@ -157,7 +157,7 @@ public:
   using Place = std::conditional_t<is_rational, internal::Approximate_place, std::array<double, 3>>;
 #endif
 
-  /// The length of halfedge `h` whatever it is, for a search that only passes by. Zero only if the points are equal.
+  /// Returns the length of halfedge `h` without checking it, for searches. It is zero only if the points are equal.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = std::sqrt(squared_norm(vector(mesh, h)));
@@ -167,8 +167,8 @@ public:
     return length;
   }
 
-  /// The same, where the places of the two ends are at hand. If these are near rational numbers, it errs by some units
-  /// in the last place of the coordinates, or by \f$2^{-40}\f$ of the length if that is less.
+  /// Returns the length of halfedge `h`, given the places of its two ends. For rational coordinates, the error is some
+  /// units in the last place of the coordinates, or \f$2^{-40}\f$ of the length if that is less.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     if constexpr(is_rational) {
@@ -180,7 +180,7 @@ public:
     }
   }
 
-  /// Where vertex `v` is.
+  /// Returns the coordinates of vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const
   {
     if constexpr(is_rational) {
@@ -194,7 +194,7 @@ public:
     }
   }
 
-  /// A lower bound of the distance on the surface: the distance through space.
+  /// Returns a lower bound of the distance on the surface: the distance in space.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(is_rational)
@@ -490,7 +490,8 @@ inline double least_stretch(std::array<double, 3> before, std::array<double, 3> 
   const double least_square_of_product = (area_before * area_before - area_product_error) / (shape.area * shape.area);
   const double difference = most_squares * most_squares - 4 * (std::max)(least_square_of_product, 0.0);
   const double most = 0.5 * (most_squares + std::sqrt((std::max)(difference, 0.0)));
-  return most > 0 ? (1 - stretch_rounding) * std::scalbn(1 / std::sqrt(most), exponent) : 0; // NaN without an area
+  // `most` is NaN if the face is degenerate.
+  return most > 0 ? (1 - stretch_rounding) * std::scalbn(1 / std::sqrt(most), exponent) : 0;
 }
 
 /*
@@ -768,7 +769,7 @@ private:
   {
     if(!(weight > 0 && weight <= (std::numeric_limits<double>::max)()))
       throw Invalid_parameter_error("the weight of " + std::string(name) + " " + std::to_string(element) +
-                                        " is no positive number",
+                                        " is not a positive number",
                                     {static_cast<std::size_t>(element)});
     return weight;
   }
