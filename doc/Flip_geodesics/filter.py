@@ -14,7 +14,7 @@ from pathlib import Path
 
 DOC = Path(__file__).resolve().parent
 HEADERS = DOC.parents[1] / 'include'
-MANUAL = DOC / 'Flip_geodesics.txt'
+BIBLIOGRAPHY = DOC / 'Glossary.txt'
 
 
 def chapters():
@@ -32,7 +32,7 @@ def figures():
 
 @lru_cache(maxsize=None)
 def references():
-    return set(re.findall(r'^- \[(\w+)\] ', MANUAL.read_text(), re.M))
+    return set(re.findall(r'^- \[(\w+)\] ', BIBLIOGRAPHY.read_text(), re.M))
 
 
 @lru_cache(maxsize=None)
