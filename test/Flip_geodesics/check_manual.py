@@ -102,6 +102,15 @@ def check_pages_of_repository(root):
                 problems.append(f'{name}: {target} is missing')
 
 
+def check_first_program(root):
+    """README.md and the chapter Getting Started print the same program."""
+    listings = [re.search(pattern, (root / name).read_text(), re.S)
+                for name, pattern in (('README.md', r'```cpp\n(.*?)```'),
+                                      ('doc/Flip_geodesics/Getting_started.txt', r'\\code\{\.cpp\}\n(.*?)\\endcode'))]
+    if None in listings or listings[0][1] != listings[1][1]:
+        problems.append('README.md and Getting_started.txt do not have the same program')
+
+
 def main():
     folder = Path(sys.argv[1])
     pages = {page.name: page.read_text() for page in sorted(folder.glob('*.html')) if '_source' not in page.name}
@@ -123,6 +132,7 @@ def main():
         check_headers(name, text)
     check_figures(pages)
     check_pages_of_repository(Path(__file__).parents[2])
+    check_first_program(Path(__file__).parents[2])
     print('\n'.join(problems))
     sys.exit(1 if problems else 0)
 
