@@ -5,14 +5,11 @@ import math
 
 import numpy as np
 import vtk
+from figure_colors import INK, SURFACE, WHITE
 from figure_light import Stage, light, points_of, unit
 from PIL import Image
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
-# One meaning for each color, from a set that the colour-blind can tell apart [Okabe and Ito]: where curves start (with
-# dashes), what comes out, what stays fixed, and a second result beside the first.
-START, RESULT, FIXED, SECOND = '#e08a00', '#0067b0', '#c8102e', '#00855f'
-SURFACE, INK, WHITE = '#e9e6df', '#4a4f57', '#ffffff'
 OVERSAMPLING = 2
 
 

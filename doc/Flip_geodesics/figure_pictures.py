@@ -3,7 +3,7 @@
 
 import math
 
-from figure_drawing import FIXED, RESULT, SECOND, SURFACE, WHITE
+from figure_colors import FIXED, RESULT, SECOND, SURFACE, WHITE
 from PIL import Image, ImageDraw
 
 

@@ -29,8 +29,8 @@ root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics_program/page')]
 
 from figure_browser import Browser  # noqa: E402
-from figure_drawing import FIXED, INK, RESULT, SECOND, START, WHITE, Panel  # noqa: E402
-from figure_drawing import size_of, to_image, write_picture  # noqa: E402
+from figure_colors import FIXED, INK, RESULT, SECOND, START, WHITE  # noqa: E402
+from figure_drawing import Panel, size_of, to_image, write_picture  # noqa: E402
 from figure_light import frame, unit  # noqa: E402
 from figure_pictures import checker, compass  # noqa: E402
 from figure_tools import Graph, Tools, read_obj, read_off, read_ply, read_vtp  # noqa: E402

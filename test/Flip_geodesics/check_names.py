@@ -5,8 +5,9 @@
     check_names.py SOURCE_DIR
 
 A function that the manual or a comment of a header names between backticks, with parentheses behind it, is a name in the
-code of the headers or of a concept's page. Functions of other libraries are named with their namespace. No word stands
-twice in a row, and no two groups of the reference have the same brief.
+code of the headers or of a concept's page, and so is one that a drawing of the manual names in the monospaced font.
+Functions of other libraries are named with their namespace. No word stands twice in a row, and no two groups of the
+reference have the same brief.
 """
 
 import re
@@ -18,15 +19,18 @@ SPAN = re.compile(r'`([^`\n]+(?:\n[^`\n]+)?)`')  # maybe over the end of a line
 CALL = re.compile(r'(?<![\w:])((?:\w+::)*)(\w+)\(')
 OTHERS = re.compile(r'(?:std|boost|Eigen|CGAL::(?!Flip_geodesics::).*)::$|CGAL::$')
 LANGUAGE = {'for', 'sizeof', 'static_cast'}
+DRAWN_CODE = re.compile(r'<tspan [^>]*Mono[^>]*>([^<]*)<')
 GROUP = re.compile(r'\\defgroup (\w+) [^\n]*\n((?:/// [^\\][^\n]*\n)+)')
 
 
 def prose(path):
-    """The comments of a header, or a page of the manual without its code; line breaks stay."""
+    """The comments of a header, a page without its code, or the names in a drawing; line breaks stay."""
     text = path.read_text()
     if path.suffix == '.h':
         return ''.join(re.sub(r'^ *(?:///<?|/\*!|/\*|\*/|\*|//)|\*/', ' ', line) + '\n'
                        for line in text.split('\n') if re.match(r' *(/?\*|//)', line) or '///<' in line)
+    if path.suffix == '.svg':
+        return '\n'.join(f'`{code}`' for code in DRAWN_CODE.findall(text))
     text = re.sub(r'^```.*?^```', '', text, flags=re.MULTILINE | re.DOTALL)
     return '\n'.join(line for line in text.split('\n') if not line.startswith('    '))
 
@@ -55,6 +59,7 @@ def main(source):
     manual = source / 'doc/Flip_geodesics'
     concepts = sorted((manual / 'Concepts').glob('*.h'))
     pages = sorted(manual.glob('*.txt')) + sorted(manual.glob('*.md')) + [source / 'README.md']
+    pages += sorted((manual / 'fig').glob('*.svg'))
     known = set(re.findall(r'\w+', ' '.join(COMMENT.sub(' ', h.read_text()) for h in headers)))
     for page in concepts:  # functors stand in their comments
         known.update(re.findall(r'\w+', page.read_text()))
