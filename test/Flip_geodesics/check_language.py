@@ -22,7 +22,7 @@ WORDS = [(better, re.compile(expression)) for better, expression in [
     ('verified', r'\bbeliev\w+'),
     ('requires, queries', r'\bask(?:s|ed|ing)\b'),
     ('determines, has', r'\bknows\b'),
-    ('returns, states', r'\b(?:says|said)\b'),
+    ('returns, states', r'\bsays\b'),
     ('degenerate', r'\bwithout (?:an )?area\b|\bedges? of (?:zero length|length zero)\b'),
     ('coincident', r'\bvertices in one place\b'),
     ('If or When', r'(?<=[.;:] )Where\b'),
