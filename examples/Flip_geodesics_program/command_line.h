@@ -240,13 +240,14 @@ private:
     add_text("--format", "NAME", m_options.format, "off, obj, ply, stl or ts [by the extension]");
     const std::string command = name;
     CLI::Option* const repair =
-        command == "repair" ? nullptr : add("--repair", m_options.is_repaired, "repair the mesh first");
+        command == "repair" || command == "info" ? nullptr : add("--repair", m_options.is_repaired, "repair the mesh first");
     CLI::Option* const weld = add("--weld", "TOLERANCE", m_options.weld, {0, 1, false, true},
                                   "merge points this close in the repair, relative to the box [0]");
     if(repair != nullptr)
       weld->needs(repair);
     add("--force", m_options.is_replacing_input, "let a result replace a file that is read");
     add("-q,--quiet", m_options.is_quiet, "print neither table nor progress");
+    add_text("--json", "FILE", m_options.results.json, "all results as JSON; - for standard output");
     add_text("--output-format", "NAME", m_options.output_format, "format of a mesh written to -, standard output");
   }
 
@@ -388,6 +389,20 @@ private:
     add_threads();
     add_files_of_curves();
 
+    begin("loops", "Compute closed geodesics around the handles and holes of a surface",
+          "  flip_geodesics loops torus.off --mesh loops.vtp\n"
+          "  flip_geodesics loops torus.off --handles --stats loops.csv\n"
+          "  flip_geodesics loops torus.off --cut-graph --cut disk.off");
+    m_group = "Curves [a basis of the homology]";
+    add("--handles", m_options.are_handles, "handle loops, and then tunnel loops, of the solid inside");
+    add("--cut-graph", m_options.is_cut_graph, "curves that cut each component open to a disk");
+    choose({"--handles", "--cut-graph"}, false);
+    add_arithmetic();
+    add_stop_length();
+    exclude("--cut-graph", {"--stop-length"});
+    add_threads();
+    add_files_of_curves();
+
     begin("network", "Shorten curves together: networks, boundaries of regions, seams",
           "  flip_geodesics network bunny.off --network curves.txt --stop-length 0.9 --mesh curves.ply\n"
           "  flip_geodesics network bunny.off --segmentation labels.seg --mesh boundaries.ply\n"
@@ -506,11 +521,34 @@ private:
     add_draw()->required();
     add_files_of_curves();
 
+    begin("certify", "Certify that given curves are locally shortest",
+          "  flip_geodesics certify bunny.off --draw curves.polylines.txt\n"
+          "  flip_geodesics certify bunny.off --draw edges.txt --stats verdicts.csv\n"
+          "  flip_geodesics certify bunny.off --draw curves.polylines.txt --quiet --json -");
+    m_group = "Curves through all edges that they cross";
+    add_draw()->required();
+    add_files_of_curves();
+
     begin("repair", "Make a triangle mesh of any polygons: triangulate, orient, split, stitch, remove",
           "  flip_geodesics repair polygons.obj --output mesh.off\n"
           "  flip_geodesics repair scan.stl --weld 1e-9 --output scan.ply\n"
           "  flip_geodesics repair - --format off --output - --output-format off");
-    add_output(m_options.results.repaired, ".off, .obj, .ply, .stl or .vtp");
+    add_output(m_options.results.output, ".off, .obj, .ply, .stl or .vtp");
+
+    begin("flatten", "Cut a connected surface open and flatten it conformally, as texture coordinates",
+          "  flip_geodesics flatten bunny.off --output flat.obj\n"
+          "  flip_geodesics flatten bunny.off --network seams.txt --output flat.glb\n"
+          "  flip_geodesics flatten textured.obj --seams --output flat.obj");
+    m_group = "Curves to cut along, shortened first [the cut graph]";
+    add_text("--network", "FILE", m_options.network, "a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
+    add("--seams", m_options.has_seams, "the texture seams of an OBJ file");
+    choose({"--network", "--seams"}, false);
+    add_output(m_options.results.output, ".obj or .glb, with texture coordinates");
+
+    begin("info", "Print components, borders, genus, size and defects of a mesh",
+          "  flip_geodesics info bunny.off\n"
+          "  flip_geodesics info scan.stl --weld 1e-9\n"
+          "  flip_geodesics info bunny.off --quiet --json -");
 
     begin("view", "Write a page for a browser that computes curves through points set on the mesh",
           "  flip_geodesics view bunny.off --output bunny.html\n"

@@ -19,12 +19,15 @@
 #include "readable.h"
 #include "run/curve_engine.h"
 #include "run/field_curves.h"
+#include "run/flattened_mesh.h" // flattens by Eigen under CGAL_EIGEN3_ENABLED
 #include "run/inserted_curves.h"
 #include "run/landmarks.h"
 #include "run/machine_memory.h"
+#include "run/mesh_info.h"
 #include "run/other_ways.h"
 #include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
 #include "run/progress.h"
+#include "run/surface_loops.h"
 #include "run/traced_curves.h"
 #include "run/watcher.h"
 
@@ -71,7 +74,8 @@ std::vector<std::string> names_of_results(const Options& options)
           names.page,
           names.live,
           names.map,
-          names.repaired,
+          names.json,
+          names.output,
           options.meshes.subdivision,
           options.meshes.insertion,
           options.meshes.cut};
@@ -120,21 +124,77 @@ std::size_t most_memory(const Options& options)
   return static_cast<std::size_t>(most / usable_threads(options.threads));
 }
 
-// What becomes of the curves, and a line for people above them.
-int run(const Options& options, const Input_mesh& input, const Program_metric& metric, const std::string& title,
-        Progress& progress)
+// What all commands share: the mesh, where the results go, and how far the run has come.
+struct Run
 {
-  const Mesh& mesh = input;
-  progress.enter("reading curves");
-  const std::vector<Network_request> requests = read_requests(options, input);
+  const Options& options;
+  const Input_mesh& input;
+  std::string title; // a line for people
+  Progress& progress;
+  std::unique_ptr<Outputs> outputs = {};
+
+  void open()
+  {
+    outputs = make_outputs(options);
+    if(!options.is_quiet)
+      for(const std::string& remark : input.remarks())
+        std::cerr << "flip_geodesics: " << remark << '\n';
+  }
+
+  // Completes the files, and prints the table of the curves, if there are any to be had, and lines for people.
+  int finish(const std::string& lines, bool has_curves = true)
+  {
+    progress.enter("writing");
+    std::vector<std::string> remarks = input.remarks();
+    std::istringstream in(lines);
+    for(std::string line; std::getline(in, line);)
+      remarks.push_back(line);
+    outputs->close(input, remarks);
+    if(!options.is_quiet) {
+      std::ostream& out = summary_stream(options);
+      out << title;
+      if(has_curves)
+        outputs->print_summary(out);
+      out << lines;
+    }
+    return outputs->has_failed() ? incomplete : success;
+  }
+};
+
+// The curves that are asked for, in files or as those of the surface.
+std::vector<Network_request> requests_of(const Run& run)
+{
+  run.progress.enter("reading curves");
+  if(run.options.command != "loops")
+    return read_requests(run.options, run.input);
+  if(run.options.is_cut_graph)
+    return {cut_graph_request()};
+  run.progress.enter("searching for loops");
+  return surface_loops(run.input, run.options.are_handles);
+}
+
+int run_engine(Run run)
+{
+  const Options& options = run.options;
+  const Mesh& mesh = run.input;
+  Progress& progress = run.progress;
+  const Program_metric metric = program_metric(mesh, options.mollify);
+  if(options.mollify) {
+    std::ostringstream line;
+    line << metric.added_length() << " added to the length of every edge\n";
+    run.title += line.str();
+  }
+  const std::vector<Network_request> requests = requests_of(run);
   if(requests.size() != 1 && options.meshes.is_any_wanted())
     throw Bad_input("--insert, --cut and the command refine take one curve, or a network of several");
   std::size_t number_of_curves = 0;
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();
   std::optional<Landmarks> landmarks;
-  if(options.landmarks)
+  if(options.landmarks) {
     landmarks = make_landmarks(static_cast<std::size_t>(*options.landmarks), options.threads, mesh, metric, progress);
+    run.title += landmarks->remark;
+  }
   progress.expect_curves(number_of_curves);
   const Run_options run_options = {search_method(options.search),
                                    options.stop_length,
@@ -152,72 +212,54 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   };
   const std::unique_ptr<Curve_engine> engine = make_engine();
   for(const Network_request& request : requests)
-    if(!request.tree_source && !request.curves.front().is_pair)
+    if(!request.has_no_given_curves() && !request.curves.front().is_pair)
       engine->check(request);
 
-  const std::unique_ptr<Outputs> outputs = make_outputs(options);
-  if(!options.is_quiet)
-    for(const std::string& remark : input.remarks())
-      std::cerr << "flip_geodesics: " << remark << '\n';
+  run.open();
+  Outputs& outputs = *run.outputs;
   const auto write = [&](const Network_request&, const std::vector<Curve_result>& results) {
     progress.enter("writing");
-    outputs->write(results, engine->record());
+    outputs.write(results, engine->record());
     if(engine->map())
-      outputs->write(*engine->map());
-    outputs->write(engine->meshes());
+      outputs.write(*engine->map());
+    outputs.write(engine->meshes());
   };
   if(options.threads > 1 && requests.size() > 1) {
     run_in_parallel(requests, usable_threads(options.threads), make_engine, write);
   } else {
     for(const Network_request& request : requests) {
-      engine->set_most_recorded_points(outputs->most_recorded_points());
+      engine->set_most_recorded_points(outputs.most_recorded_points());
       write(request, engine->run(request));
     }
   }
-  progress.enter("writing");
-  outputs->close(mesh);
-  if(!options.is_quiet) {
-    std::ostream& out = summary_stream(options);
-    outputs->print_summary(out << title << (landmarks ? landmarks->remark : ""));
-    out << engine->tree_results() << engine->mesh_results();
-  }
-  return outputs->has_failed() ? incomplete : success;
+  return run.finish(engine->tree_results() + engine->mesh_results());
 }
 
-// Curves that `compute()` gives at once, of no triangulation.
+// Curves that `compute(lines)` gives at once, of no triangulation, with lines for people.
 template <class Compute>
-int run_at_once(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress,
-                const Compute& compute)
+int run_at_once(Run& run, const Compute& compute)
 {
-  const std::unique_ptr<Outputs> outputs = make_outputs(options);
-  if(!options.is_quiet)
-    for(const std::string& remark : input.remarks())
-      std::cerr << "flip_geodesics: " << remark << '\n';
-  const std::vector<Curve_result> results = compute();
-  progress.enter("writing");
+  run.open();
+  std::string lines;
+  const std::vector<Curve_result> results = compute(lines);
+  run.progress.enter("writing");
   for(const Curve_result& result : results)
-    outputs->write({result}, std::nullopt);
-  outputs->write(meshes_along(input, results, options.meshes, progress));
-  outputs->close(input);
-  if(!options.is_quiet)
-    outputs->print_summary(summary_stream(options) << title);
-  return outputs->has_failed() ? incomplete : success;
+    run.outputs->write({result}, std::nullopt);
+  run.outputs->write(meshes_along(run.input, results, run.options.meshes, run.progress));
+  return run.finish(lines);
 }
 
-int run_field(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+int run_field(Run run)
 {
+  const Options& options = run.options;
   Field_request request = {{}, options.isolines, options.spacing, options.has_voronoi, options.tolerance};
   for(long long source : options.sources)
-    request.sources.push_back(input.vertex(source, "--source"));
-  std::string remarks;
-  const int status = run_at_once(options, input, title, progress, [&] {
-    Field_curves found = field_curves(input, request, progress);
-    remarks = std::move(found.remarks);
+    request.sources.push_back(run.input.vertex(source, "--source"));
+  return run_at_once(run, [&](std::string& lines) {
+    Field_curves found = field_curves(run.input, request, run.progress);
+    lines = std::move(found.remarks);
     return std::move(found.curves);
   });
-  if(!options.is_quiet)
-    summary_stream(options) << remarks;
-  return status;
 }
 
 Trace_request trace_request(const std::string& text, const Input_mesh& input)
@@ -235,51 +277,61 @@ Trace_request trace_request(const std::string& text, const Input_mesh& input)
   return result;
 }
 
-int run_other_ways(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+int run_other_ways(Run run)
 {
   constexpr double megabyte = 1e6;
+  const Options& options = run.options;
   Ways_request request = {
-      {}, static_cast<std::size_t>(options.ways.value_or(1)), read_obstacles(options, input), std::nullopt};
-  for(const Network_request& network : read_requests(options, input))
+      {}, static_cast<std::size_t>(options.ways.value_or(1)), read_obstacles(options, run.input), std::nullopt};
+  for(const Network_request& network : requests_of(run))
     request.pairs.push_back(network.curves.front());
   if(options.most_memory)
     request.most_memory = *options.most_memory * megabyte;
-  std::string others;
-  const int status = run_at_once(options, input, title, progress, [&] {
-    Ways ways = other_ways(input, request, progress);
-    others = ways.others;
+  return run_at_once(run, [&](std::string& lines) {
+    Ways ways = other_ways(run.input, request, run.progress);
+    lines = ways.others;
     return ways.curves;
   });
-  if(!options.is_quiet)
-    summary_stream(options) << others;
-  return status;
 }
 
-int run_traces(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+int run_traces(Run run)
 {
   std::vector<Trace_request> requests;
-  for(const std::string& text : options.traces)
-    requests.push_back(trace_request(text, input));
-  return run_at_once(options, input, title, progress, [&] { return traced_curves(input, requests, progress); });
+  for(const std::string& text : run.options.traces)
+    requests.push_back(trace_request(text, run.input));
+  return run_at_once(run, [&](std::string&) { return traced_curves(run.input, requests, run.progress); });
 }
 
-int run_drawn(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+int run_drawn(Run run)
 {
-  const std::vector<Network_request> requests = read_requests(options, input);
-  return run_at_once(options, input, title, progress, [&] { return drawn_curves(input, requests, progress); });
+  const std::vector<Network_request> requests = requests_of(run);
+  const auto compute = run.options.command == "cut" ? drawn_curves : certified_curves;
+  return run_at_once(run, [&](std::string&) { return compute(run.input, requests, run.progress); });
 }
 
-// The live page or the repaired mesh alone, for which no curves are given.
-int run_without_curves(const Options& options, const Input_mesh& input, const std::string& title)
+// The commands that compute no curves.
+int run_without_curves(Run run)
 {
-  const std::unique_ptr<Outputs> outputs = make_outputs(options);
-  outputs->close(input);
-  if(!options.is_quiet) {
-    for(const std::string& remark : input.remarks())
-      std::cerr << "flip_geodesics: " << remark << '\n';
-    summary_stream(options) << title;
+  const std::string& command = run.options.command;
+  std::string lines;
+  std::optional<Mesh_info> info;
+  if(command == "info") {
+    info = mesh_info(run.input, run.input.repairs());
+    lines = describe(*info, run.input);
   }
-  return outputs->has_failed() ? incomplete : success;
+  Result_meshes meshes;
+  if(command == "flatten") {
+    const bool is_cut_given = !run.options.network.empty() || run.options.has_seams;
+    Flattened_mesh flattened =
+        flattened_mesh(run.input, is_cut_given ? requests_of(run).front() : cut_graph_request(), run.progress);
+    meshes.flattened = std::move(flattened.mesh);
+    lines = flattened.report;
+  }
+  run.open();
+  if(info)
+    run.outputs->write(*info);
+  run.outputs->write(meshes);
+  return run.finish(lines, false);
 }
 
 // Runs the command.
@@ -298,20 +350,18 @@ int run(const Options& options)
   title << name_of_input(options.mesh) << ": " << counted(mesh.number_of_vertices(), "vertex", "vertices") << ", "
         << counted(mesh.number_of_faces(), "triangle", "triangles") << ", read in "
         << readable_time(stopwatch.seconds()) << '\n';
-  if(options.command == "trace")
-    return run_traces(options, input, title.str(), progress);
-  if(options.command == "cut")
-    return run_drawn(options, input, title.str(), progress);
-  if(options.command == "distance")
-    return run_field(options, input, title.str(), progress);
-  if(options.command == "repair" || options.command == "view")
-    return run_without_curves(options, input, title.str());
+  const std::string& name = options.command;
+  if(name == "trace")
+    return run_traces({options, input, title.str(), progress});
+  if(name == "cut" || name == "certify")
+    return run_drawn({options, input, title.str(), progress});
+  if(name == "distance")
+    return run_field({options, input, title.str(), progress});
+  if(name == "repair" || name == "view" || name == "info" || name == "flatten")
+    return run_without_curves({options, input, title.str(), progress});
   if(options.ways || !options.obstacles.empty())
-    return run_other_ways(options, input, title.str(), progress);
-  const Program_metric metric = program_metric(mesh, options.mollify);
-  if(options.mollify)
-    title << metric.added_length() << " added to the length of every edge\n";
-  return run(options, input, metric, title.str(), progress);
+    return run_other_ways({options, input, title.str(), progress});
+  return run_engine({options, input, title.str(), progress});
 }
 
 // What is left of standard output goes out.

@@ -36,6 +36,12 @@ inline Mesh::Halfedge_index mesh_halfedge(Input_halfedge_index h)
   return Mesh::Halfedge_index(static_cast<Mesh::size_type>(h.idx()));
 }
 
+/// The positions of the corners of a flattened mesh in the plane, at the targets of halfedges.
+inline Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> texture_of(Mesh& mesh)
+{
+  return mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:texture").first;
+}
+
 /// The diagonal of the box about all vertices.
 inline double size_of(const Mesh& mesh)
 {

@@ -15,7 +15,8 @@ namespace program {
 /// The names of the other files that are written; empty for those that are not wanted.
 struct Result_names
 {
-  std::string polylines, stats, viewer, page, live, map, repaired;
+  std::string polylines, stats, viewer, page, live, map, json;
+  std::string output; ///< the mesh of repair and flatten
   std::optional<double> tubes; ///< the radius of curves for a viewer; 0 for lines
 };
 
@@ -27,7 +28,8 @@ struct Options
   bool is_repaired = false;
   double weld = 0; ///< the tolerance of the repair
   std::string from, to, pairs, edges, loop, network, segmentation, points, bezier, draw;
-  bool is_snapped = false, has_seams = false, has_free_junctions = false, is_shortest = false, has_voronoi = false;
+  bool is_snapped = false, has_seams = false, has_free_junctions = false, is_shortest = false, has_voronoi = false,
+       are_handles = false, is_cut_graph = false;
   int rounds = 5;
   std::optional<long long> landmarks, ways, random, source;
   std::vector<long long> sources;

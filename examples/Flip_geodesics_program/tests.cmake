@@ -253,6 +253,36 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                         "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
   file(WRITE ${program_dir}/half_textured.obj
        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n")
+  flip_geodesics_add_program_test(loops 0 "2 curves: 2 LOCALLY_SHORTEST.*certificates: 2 PROVEN" loops torus.off --mesh
+                                  loops.vtp --stats loops.csv)
+  flip_geodesics_add_program_test(handles 0 "handle loop 0.*tunnel loop 0.*2 LOCALLY_SHORTEST" loops torus.off --handles)
+  flip_geodesics_add_program_test(handles_of_disk 2 "the loops of the surface: " loops seam.obj --handles)
+  flip_geodesics_add_program_test(no_loops 0 "0 curves:" loops seam.obj)
+  flip_geodesics_add_program_test(cut_graph 0 "LOCALLY_SHORTEST" loops torus.off --cut-graph --cut disk.off)
+  flip_geodesics_add_program_test(cut_graph_cuts 0 "components  1\n[^\n]*genus 0, 1 border\n" info disk.off)
+  set_tests_properties(program_cut_graph_cuts PROPERTIES DEPENDS program_cut_graph)
+  flip_geodesics_add_program_test(info 0 "576 triangles, genus 1, 0 borders\ndefects     none" info torus.off)
+  flip_geodesics_add_program_test(info_defects 0 "defects .*\n  1 polygon of more than three" info
+                                  pyramid.off)
+  flip_geodesics_add_program_test(info_near_borders 0 "nearly coincide with others and stay open" info seam.off)
+  flip_geodesics_add_program_test(info_json 0 "\"components\":.{\"vertices\":288,.*\"genus\":1}.*\"defects\":" info
+                                  torus.off --quiet --json -)
+  flip_geodesics_add_program_test(certify_written 0 "2 LOCALLY_SHORTEST" path torus.off --pairs pairs.txt --mesh
+                                  certified.polylines.txt)
+  flip_geodesics_add_program_test(certify 0 "2 GIVEN\ncertificates: 2 PROVEN" certify torus.off --draw
+                                  certified.polylines.txt)
+  set_tests_properties(program_certify PROPERTIES DEPENDS program_certify_written)
+  flip_geodesics_add_program_test(certify_bent 1 "path.txt line 1.: it is not locally shortest: BENT_JOINT at point"
+                                  certify torus.off --draw path.txt --stats bent.csv)
+  flip_geodesics_add_program_test(certify_gap 1 "gap.txt line 2.: " certify torus.off --draw gap.txt)
+  if(TARGET CGAL::Eigen3_support)
+    flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
+    flip_geodesics_add_program_test(flatten_along 0 "flattened" flatten quad_seam.obj --repair --seams --output flat.glb)
+    flip_geodesics_add_program_test(flatten_no_disk 2 "cannot be flattened: the cut surface is no disk" flatten torus.off
+                                    --network joined_network.txt --output x.obj)
+  endif()
+  flip_geodesics_add_program_test(flatten_format 2 "x.ply: the extension .*--output. use one of obj glb" flatten
+                                  torus.off --output x.ply)
   flip_geodesics_add_program_test(segmentation 0 "LOCALLY_SHORTEST" network torus.off --segmentation parts.seg)
   flip_geodesics_add_program_test(segmentation_stop 0 "LENGTH_LIMIT" network torus.off --segmentation parts.seg
                                   --stop-length 0.97)

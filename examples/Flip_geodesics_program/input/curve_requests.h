@@ -27,13 +27,25 @@ struct Curve_request
   std::optional<CGAL::Flip_geodesics::Spline_kind> spline;    ///< of the points, if they are control points
 };
 
-/// Curves that are shortened together, with the vertices where they are fixed; or instead the source of a tree.
+/// Curves that are shortened together, with the vertices where they are fixed; or instead the source of a tree, or a
+/// request for the cut graph of the surface.
 struct Network_request
 {
   std::vector<Curve_request> curves;
   std::vector<Vertex_index> fixed_vertices;
   std::optional<Vertex_index> tree_source;
+  bool is_cut_graph = false;
+
+  bool has_no_given_curves() const { return tree_source.has_value() || is_cut_graph; }
 };
+
+/// The cut graph of the surface.
+inline Network_request cut_graph_request()
+{
+  Network_request request;
+  request.is_cut_graph = true;
+  return request;
+}
 
 } // namespace program
 

@@ -6,6 +6,8 @@
 #include "output/output_file.h"
 #include "program_mesh.h"
 
+#include <CGAL/Flip_geodesics/IO/GLB.h>
+#include <CGAL/Flip_geodesics/IO/OBJ.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -51,6 +53,16 @@ public:
   {
     const Silent_errors silent; // what goes wrong is seen by the state of the file
     m_file.write([&](std::ostream& out) { write(out, mesh); });
+  }
+
+  /// Writes a mesh with its texture coordinates, in the format obj or glb.
+  void write_textured(Mesh mesh)
+  {
+    namespace IO = CGAL::Flip_geodesics::IO;
+    const IO::Texture texture(texture_of(mesh));
+    m_file.write([&](std::ostream& out) {
+      m_format == "glb" ? IO::write_GLB(out, mesh, texture) : IO::write_OBJ(out, mesh, texture);
+    });
   }
 
   void close() { m_file.close(); }

@@ -3,6 +3,7 @@
 #include "output/program_output.h"
 
 #include "input/input_text.h"
+#include "output/json_file.h"
 #include "output/live_file.h"
 #include "output/mesh_file.h"
 #include "output/page_file.h"
@@ -32,7 +33,9 @@ public:
     , m_subdivision(options.meshes.subdivision, result_format(options, options.meshes.subdivision))
     , m_insertion(options.meshes.insertion, result_format(options, options.meshes.insertion))
     , m_cut(options.meshes.cut, result_format(options, options.meshes.cut))
-    , m_repaired(options.results.repaired, result_format(options, options.results.repaired))
+    , m_output(options.results.output, result_format(options, options.results.output))
+    , m_json(options.results.json, options.command)
+    , m_is_repair(options.command == "repair")
   {
     m_scene.title = name_of_input(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));
   }
@@ -44,6 +47,7 @@ public:
     for(std::size_t i = 0; i < run.size(); ++i, ++m_curve) {
       m_polylines.write(m_curve, run[i]);
       m_stats.write(m_curve, run[i]);
+      m_json.write(m_curve, run[i]);
       m_summary.add(m_curve, run[i], i > 0);
       if(m_viewer.is_wanted() || m_page.is_wanted())
         m_scene.curves.push_back(scene_curve(run[i]));
@@ -66,16 +70,21 @@ public:
     write(meshes.subdivision, m_subdivision);
     write(meshes.insertion, m_insertion);
     write(meshes.cut, m_cut);
+    if(meshes.flattened) {
+      m_output.write_textured(*meshes.flattened);
+      m_output.close();
+    }
   }
 
-  void close(const Mesh& mesh) override
+  void write(const Mesh_info& info) override { m_json.write(info); }
+
+  void close(const Mesh& mesh, const std::vector<std::string>& remarks) override
   {
     m_map.close();
     m_stats.close(); // which has lines of curves that failed
-    if(m_repaired.is_wanted()) {
-      m_repaired.write(mesh);
-      m_repaired.close();
-    }
+    m_json.close(mesh, m_scene.title, remarks);
+    if(m_is_repair)
+      write(mesh, m_output);
     if(m_has_curve || !m_has_failed) {
       m_polylines.close();
       m_viewer.write(mesh, m_scene);
@@ -113,7 +122,9 @@ private:
   Page_file m_page;
   Live_file m_live;
   Map_file m_map;
-  Mesh_file m_subdivision, m_insertion, m_cut, m_repaired;
+  Mesh_file m_subdivision, m_insertion, m_cut, m_output;
+  Json_file m_json;
+  bool m_is_repair;
   Scene m_scene;
   std::size_t m_run = 0, m_most_recorded_points = 1000000; // 16 megabytes on the page
   Run_summary m_summary;

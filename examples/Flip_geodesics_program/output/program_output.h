@@ -6,11 +6,13 @@
 #include "program_mesh.h"
 #include "program_options.h"
 #include "run/curve_engine.h"
+#include "run/mesh_info.h"
 
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
 
 // Where the results go, for those who compute: without the writers, which are compiled by themselves.
@@ -29,8 +31,10 @@ public:
   virtual void write(const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) = 0;
   virtual void write(const Result_meshes& meshes) = 0;
 
-  /// Completes the files.
-  virtual void close(const Mesh& mesh) = 0;
+  virtual void write(const Mesh_info& info) = 0;
+
+  /// Completes the files. \param remarks lines about the mesh and the results
+  virtual void close(const Mesh& mesh, const std::vector<std::string>& remarks) = 0;
 
   /// Prints the table of the curves.
   virtual void print_summary(std::ostream& out) const = 0;

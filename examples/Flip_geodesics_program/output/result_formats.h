@@ -67,12 +67,14 @@ inline void check_formats_of_results(const Options& options)
   check_result_format(options, "--subdivision", options.meshes.subdivision, meshes);
   check_result_format(options, "--insert", options.meshes.insertion, meshes);
   check_result_format(options, "--cut", options.meshes.cut, meshes);
-  check_result_format(options, "--output", names.repaired, meshes);
+  check_result_format(options, "--output", names.output,
+                      options.command == "flatten" ? std::vector<std::string>{"obj", "glb"} : meshes);
   check_extension("--page", names.page, true);
   check_extension("--output", names.live, true);
   check_extension("--polylines", names.polylines, false);
   check_extension("--stats", names.stats, false);
   check_extension("--map", names.map, false);
+  check_extension("--json", names.json, false);
 }
 
 } // namespace program

@@ -74,6 +74,7 @@ struct Run_options
 struct Result_meshes
 {
   std::optional<Mesh> subdivision, insertion, cut;
+  std::optional<Mesh> flattened; ///< with `texture_of()`
 };
 
 /*!

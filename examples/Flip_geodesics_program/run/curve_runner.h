@@ -19,8 +19,10 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/geodesic_loops.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
@@ -78,7 +80,7 @@ public:
 
   void check(const Network_request& request) override
   {
-    if(!request.curves.empty() && !request.curves.front().points.empty())
+    if(request.has_no_given_curves() || !request.curves.front().points.empty())
       return;
     namespace FG = CGAL::Flip_geodesics;
     m_progress.enter("looking for curves that cross");
@@ -148,9 +150,9 @@ private:
     const Surface_request left = surface_request(m_triangulation, request);
     const bool is_contracted = m_triangulation.input().is_contracted();
     std::vector<Curve_result> computed, results;
-    if(left.request.tree_source || !left.request.curves.empty())
+    if(left.request.has_no_given_curves() || !left.request.curves.empty())
       computed = compute_lines(left.request);
-    if(left.request.tree_source) {
+    if(left.request.has_no_given_curves()) {
       if(is_contracted)
         put_on_mesh(m_triangulation, computed, m_map);
       return computed;
@@ -196,8 +198,8 @@ private:
     std::vector<Curve_result> results;
     for(const Curve_request& curve : request.curves)
       results.push_back(make_result(curve));
-    if(request.tree_source)
-      results.assign(1, tree_result(*request.tree_source));
+    if(request.has_no_given_curves())
+      results.assign(1, whole_result(request));
     for(Curve_result& result : results)
       result.error = why.substr(0, why.find('\n'));
     return results;
@@ -290,6 +292,8 @@ private:
     if(request.tree_source) {
       grow(network, *request.tree_source, results);
       certify(network, results);
+    } else if(request.is_cut_graph) {
+      cut_to_disks(network, results);
     } else if(is_shortest_pair(request)) {
       find_shortest(network, request.curves.front(), results.front());
     } else {
@@ -381,7 +385,7 @@ private:
   // May the curve's legs be pulled straight each by itself? Then they can cross, and no triangulation has them all.
   bool may_have_free_legs(const Network_request& request) const
   {
-    return !request.tree_source && !request.curves.front().points.empty() && !request.curves.front().is_drawn &&
+    return !request.has_no_given_curves() && !request.curves.front().points.empty() && !request.curves.front().is_drawn &&
            !m_options.meshes.is_any_wanted() && !m_options.stop_length;
   }
 
@@ -512,6 +516,28 @@ private:
       results.back().source = m_triangulation.tail(h);
       results.back().target = v;
       results.back().length = results.back().initial_length = m_triangulation.length(h);
+    }
+  }
+
+  // Adds the cut graph of the surface and shortens it.
+  void cut_to_disks(Network& network, std::vector<Curve_result>& results)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    m_progress.enter("searching for the cut graph");
+    FG::add_cut_graph(network);
+    const double search_s = stopwatch.seconds();
+    m_progress.enter("shortening", "steps");
+    Progress_visitor visitor(m_progress);
+    const FG::Shortening_report report =
+        FG::shorten_cut_graph(network, CGAL::parameters::visitor(std::ref(visitor)));
+    for(std::size_t c = 0; c < report.curves.size(); ++c) {
+      results.emplace_back();
+      results.back().name = "cut " + std::to_string(c);
+      results.back().is_closed = network.is_closed(Curve_index(static_cast<Index>(c)));
+      note(report, report.curves[c], results.back());
+      results.back().search_s = search_s;
+      results.back().shorten_s = stopwatch.seconds() - search_s;
     }
   }
 

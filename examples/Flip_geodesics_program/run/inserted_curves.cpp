@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
+#include <CGAL/Flip_geodesics/certify_curve.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/insert_curves.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
@@ -17,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,14 +33,14 @@ using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 using Marks = Mesh::Property_map<Mesh::Edge_index, bool>;
 
-Curve_result drawn_curve(Triangulation& triangulation, const Curve_request& request)
+// The polyline of a request as it is, with its length.
+Curve_result result_along(const Triangulation& triangulation, const Curve_request& request,
+                          std::vector<FG::Surface_location> polyline)
 {
   Curve_result result;
   result.name = request.name;
   result.is_closed = request.is_closed;
   result.is_pulled_tight = false;
-  result.status = "DRAWN";
-  std::vector<FG::Surface_location> polyline = FG::complete_polyline(triangulation, request.points, request.is_closed);
   if(request.is_closed)
     polyline.push_back(polyline.front());
   result.initial_segments = polyline.size() - 1;
@@ -51,6 +53,31 @@ Curve_result drawn_curve(Triangulation& triangulation, const Curve_request& requ
           CGAL::squared_distance(result.points[result.points.size() - 2].in_space, result.points.back().in_space));
   }
   result.initial_length = result.length;
+  return result;
+}
+
+Curve_result drawn_curve(Triangulation& triangulation, const Curve_request& request)
+{
+  Curve_result result =
+      result_along(triangulation, request, FG::complete_polyline(triangulation, request.points, request.is_closed));
+  result.status = "DRAWN";
+  return result;
+}
+
+Curve_result certified_curve(const Mesh& mesh, const Triangulation& triangulation, const Curve_request& request)
+{
+  const auto certificate = FG::certify_curve(mesh, request.points, request.is_closed);
+  Curve_result result = result_along(triangulation, request, request.points);
+  result.status = "GIVEN";
+  result.certificate = to_string(certificate.verdict);
+  if(!certificate.is_locally_shortest()) {
+    std::ostringstream why;
+    why << "it is not locally shortest: " << result.certificate << " at point " << certificate.number << ", by "
+        << certificate.bend << " radians";
+    if(certificate.vertex != Mesh::null_vertex())
+      why << " at vertex " << certificate.vertex.idx();
+    result.error = why.str();
+  }
   return result;
 }
 
@@ -114,6 +141,27 @@ std::vector<Curve_result> drawn_curves(const Mesh& mesh, const std::vector<Netwo
         throw Bad_input(curve.name + ": " + with_advice_to_repair(error));
       }
     }
+  return results;
+}
+
+std::vector<Curve_result> certified_curves(const Mesh& mesh, const std::vector<Network_request>& requests,
+                                           Progress& progress)
+{
+  const Triangulation triangulation(mesh);
+  progress.enter("certifying", "curves", requests.size());
+  std::vector<Curve_result> results;
+  for(const Network_request& request : requests) {
+    const Curve_request& curve = request.curves.front();
+    try {
+      results.push_back(certified_curve(mesh, triangulation, curve));
+    } catch(const FG::Error& error) {
+      results.emplace_back();
+      results.back().name = curve.name;
+      results.back().is_pulled_tight = false;
+      results.back().error = with_advice_to_repair(error);
+    }
+    progress.add_steps(1);
+  }
   return results;
 }
 

@@ -18,6 +18,10 @@ namespace program {
 std::vector<Curve_result> drawn_curves(const Mesh& mesh, const std::vector<Network_request>& requests,
                                        Progress& progress);
 
+/// The polylines of requests, certified as they are, with an error for each that is not locally shortest.
+std::vector<Curve_result> certified_curves(const Mesh& mesh, const std::vector<Network_request>& requests,
+                                           Progress& progress);
+
 /// The mesh with the curves as edges, and cut open along them, as far as these are wanted. Curves may cross.
 Result_meshes meshes_along(const Mesh& mesh, const std::vector<Curve_result>& curves,
                            const Mesh_result_options& options, Progress& progress);

@@ -45,12 +45,12 @@ inline Curve_result make_result(const Curve_request& request)
   return result;
 }
 
-/// The same for a tree.
-inline Curve_result tree_result(Vertex_index source)
+/// The same for a tree or a cut graph.
+inline Curve_result whole_result(const Network_request& request)
 {
   Curve_result result;
-  result.name = "the tree";
-  result.source = source;
+  result.name = request.tree_source ? "the tree" : "the cut graph";
+  result.source = request.tree_source.value_or(Vertex_index());
   return result;
 }
 
@@ -101,6 +101,7 @@ Surface_request surface_request(const Triangulation& triangulation, const Networ
 {
   namespace FG = CGAL::Flip_geodesics;
   Surface_request result;
+  result.request.is_cut_graph = request.is_cut_graph;
   for(Curve_request curve : request.curves) {
     result.places.push_back(put_on_surface(triangulation, curve));
     if(!result.places.back())

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "run/flattened_mesh.h"
+
+#include "advice.h"
+#include "bad_input.h"
+#include "readable.h"
+
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Flip_geodesics/Conformal_flattening.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/cut_graph.h>
+#include <CGAL/Flip_geodesics/geodesic_loops.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
+#include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
+#endif
+
+#include <sstream>
+#include <utility>
+
+namespace program {
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
+
+void cut_open(Network& network, const Network_request& cut)
+{
+  if(cut.is_cut_graph) {
+    FG::add_cut_graph(network);
+    FG::shorten_cut_graph(network);
+    return;
+  }
+  for(const Curve_request& curve : cut.curves)
+    network.add_curve(FG::halfedges_through(network.triangulation(), curve.vertices, curve.is_closed),
+                      curve.is_closed);
+  for(const Vertex_index v : cut.fixed_vertices)
+    network.fix_nodes_at(v);
+  FG::order_overlapping_curves(network);
+  FG::shorten(network);
+}
+
+} // namespace
+
+Flattened_mesh flattened_mesh(const Mesh& mesh, const Network_request& cut, Progress& progress)
+try {
+  Triangulation triangulation(mesh);
+  Network network(triangulation);
+  progress.enter("cutting");
+  cut_open(network, cut);
+  progress.enter("refining");
+  FG::refine(network);
+  progress.enter("flattening");
+  const FG::Conformal_flattening<Triangulation> flattening(network);
+  auto subdivision = FG::common_subdivision(triangulation, mesh);
+  flattening.carry_to(subdivision, texture_of(subdivision.mesh()));
+  std::ostringstream report;
+  report << counted(static_cast<std::size_t>(network.number_of_curves()), "cut", "cuts") << "; "
+         << readable(subdivision.mesh().number_of_vertices()) << " vertices, flattened in "
+         << counted(static_cast<std::size_t>(flattening.iterations()), "step", "steps") << "; angle sums within "
+         << flattening.angle_error() << " radians, positions within " << flattening.layout_error() << " of the size\n";
+  return {std::move(subdivision.mesh()), report.str()};
+} catch(const FG::Error& error) {
+  throw Bad_input("the mesh cannot be flattened: " + with_advice_to_repair(error));
+}
+
+#else
+
+Flattened_mesh flattened_mesh(const Mesh&, const Network_request&, Progress&)
+{
+  throw Bad_input("the program was compiled without Eigen, with which surfaces are flattened; install it and compile");
+}
+
+#endif
+
+} // namespace program
