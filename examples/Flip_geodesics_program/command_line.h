@@ -140,7 +140,8 @@ private:
     using Type = Value;
   };
 
-  static constexpr Range any = {-std::numeric_limits<double>::infinity()};
+  static constexpr const char* m_points =
+      "Points are `v`, x,y,z in space, a,b,t on an edge, a,b,c,t,u in a face";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 
@@ -253,7 +254,7 @@ private:
 
   void add_ends()
   {
-    m_group = "Curves: one kind of them. Points are `v`, x,y,z in space, a,b,t on an edge, a,b,c,t,u in a face";
+    m_group = std::string("Curves: one kind of them. ") + m_points;
     CLI::Option* const from = add_text("--from", "POINT", m_options.from, "source of one path");
     CLI::Option* const to = add_text("--to", "POINT", m_options.to, "target of one path");
     from->needs(to);
@@ -474,12 +475,12 @@ private:
       exclude(name, {"--kernel", "--mollify", "--refuse-zero-edges", "--search", "--landmarks"});
     add_files_of_curves();
 
-    begin("trace", "Trace straightest geodesics from vertices",
+    begin("trace", "Trace straightest geodesics from points",
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --mesh straight.vtp\n"
-          "  flip_geodesics trace bunny.off --trace 0,1.57,20 --trace 0,4.71,20 --polylines straight.txt\n"
+          "  flip_geodesics trace bunny.off --trace 0,1.57,20 --trace 0,1,2,0.3,0.3,4.71,20 --polylines straight.txt\n"
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
-    m_group = "Curves";
-    add_text("--trace", "VERTEX,ANGLE,LENGTH", m_options.traces, "a curve: its start, direction in radians, and length")
+    m_group = m_points;
+    add_text("--trace", "POINT,ANGLE,LENGTH", m_options.traces, "a curve: its start, direction in radians, and length")
         ->allow_extra_args(false)
         ->required();
     add_files_of_curves();
@@ -488,8 +489,10 @@ private:
           "  flip_geodesics distance bunny.off --source 0,500,900 --isolines 0.1,0.2,0.3 --mesh isolines.vtp\n"
           "  flip_geodesics distance bunny.off --source 0 --spacing 0.1 --polylines isolines.txt\n"
           "  flip_geodesics distance bunny.off --source 0,500 --voronoi --cut cells.off");
-    m_group = "Curves";
-    add_list("--source", "VERTEX,...", m_options.sources, any, "sources of the distances")->required();
+    m_group = m_points;
+    add_text("--source", "POINT", m_options.sources, "a source of the distances, or vertices v,v,...; may be repeated")
+        ->allow_extra_args(false)
+        ->required();
     add_list("--isolines", "DISTANCE,...", m_options.isolines, positive, "curves at these distances from the nearest");
     add("--spacing", "DISTANCE", m_options.spacing, positive, "curves at all multiples of this distance");
     add("--voronoi", m_options.has_voronoi, "curves on which the nearest source changes");
@@ -499,12 +502,12 @@ private:
     choose({"--isolines", "--spacing", "--voronoi"}, true, false);
     add_files_of_curves();
 
-    begin("log", "Compute the tree of geodesics from a vertex and its logarithmic map",
+    begin("log", "Compute the tree of geodesics from a point and its logarithmic map",
           "  flip_geodesics log bunny.off --source 0 --map map.csv\n"
           "  flip_geodesics log bunny.off --source 0 --shortest --map map.csv --mesh tree.ply\n"
           "  flip_geodesics log bunny.off --source 0 --kernel double --stats tree.csv");
-    m_group = "Curves";
-    add("--source", "VERTEX", m_options.source, any, "source of the tree")->required();
+    m_group = m_points;
+    add_text("--source", "POINT", m_options.sources, "source of the tree")->required()->expected(1);
     add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest");
     add_arithmetic();
     add_files_of_curves();

@@ -8,7 +8,6 @@
 #include "advice.h"
 #include "bad_input.h"
 #include "command_line.h"
-#include "decimal_numbers.h"
 #include "file_name.h"
 #include "input/program_input.h"
 #include "output/program_output.h"
@@ -252,29 +251,13 @@ int run_at_once(Run& run, const Compute& compute)
 int run_field(Run run)
 {
   const Options& options = run.options;
-  Field_request request = {{}, options.isolines, options.spacing, options.has_voronoi, options.tolerance};
-  for(long long source : options.sources)
-    request.sources.push_back(run.input.vertex(source, "--source"));
+  const Field_request request = {read_sources(options, run.input), options.isolines, options.spacing,
+                                 options.has_voronoi, options.tolerance};
   return run_at_once(run, [&](std::string& lines) {
     Field_curves found = field_curves(run.input, request, run.progress);
     lines = std::move(found.remarks);
     return std::move(found.curves);
   });
-}
-
-Trace_request trace_request(const std::string& text, const Input_mesh& input)
-{
-  const std::size_t first = text.find(','), second = first == std::string::npos ? first : text.find(',', first + 1);
-  long long source = 0;
-  Trace_request result = {Vertex_index(), 0, 0};
-  if(second == std::string::npos || parse_number(text.substr(0, first), source) != nullptr ||
-     parse_number(text.substr(first + 1, second - first - 1), result.angle) != nullptr ||
-     parse_number(text.substr(second + 1), result.length) != nullptr)
-    throw Bad_input("--trace " + printable(text) + ": give a vertex, an angle and a length as VERTEX,ANGLE,LENGTH");
-  if(!(result.length >= 0))
-    throw Bad_input("--trace " + printable(text) + ": the length must not be negative");
-  result.source = input.vertex(source, "--trace");
-  return result;
 }
 
 int run_other_ways(Run run)
@@ -296,9 +279,7 @@ int run_other_ways(Run run)
 
 int run_traces(Run run)
 {
-  std::vector<Trace_request> requests;
-  for(const std::string& text : run.options.traces)
-    requests.push_back(trace_request(text, run.input));
+  const std::vector<Trace_request> requests = read_traces(run.options, run.input);
   return run_at_once(run, [&](std::string&) { return traced_curves(run.input, requests, run.progress); });
 }
 

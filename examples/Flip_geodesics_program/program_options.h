@@ -31,10 +31,10 @@ struct Options
   bool is_snapped = false, has_seams = false, has_free_junctions = false, is_shortest = false, has_voronoi = false,
        are_handles = false, is_cut_graph = false;
   int rounds = 5;
-  std::optional<long long> landmarks, ways, random, source;
-  std::vector<long long> sources;
+  std::optional<long long> landmarks, ways, random;
+  std::vector<std::string> sources;
   std::string obstacles;           ///< their file
-  std::vector<std::string> traces; ///< each three numbers
+  std::vector<std::string> traces; ///< each a point and two numbers
   std::vector<double> isolines;
   double spacing = 0, tolerance = 0; ///< zero for none and for the default
   long long seed = 1;

@@ -175,8 +175,22 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   path torus.off --from 0 --to 0,100,0.5)
   flip_geodesics_add_program_test(far_end 2 "--to: a point has a coordinate beyond 1e60" path torus.off --from 0 --to
                                   1e70,0,0)
-  flip_geodesics_add_program_test(shortest_between_points 2 "--from, --to: shortest paths are computed between vertices"
-                                  shortest torus.off --from 0 --to 0.1,0.2,0.3)
+  flip_geodesics_add_program_test(shortest_between_points 0 "1 WITHIN_ROUNDING\ncertificates: 1 PROVEN" shortest
+                                  torus.off --from 0 --to 0.1,0.2,0.3 --cut shortest_cut.off)
+  flip_geodesics_add_program_test(shortest_pairs_of_points 0 "4 WITHIN_ROUNDING" shortest torus.off --pairs pairs.csv
+                                  --polylines shortest_points.out)
+  flip_geodesics_add_program_test(shortest_between_locations_of_vertices 0 " 2.77034 " shortest torus.off --from 0,1,0
+                                  --to 150)
+  flip_geodesics_add_program_test(ways_between_points 0 "3 WITHIN_ROUNDING.*ways     3 of --from, --to, confirmed" shortest
+                                  torus.off --from 13,14,0.5 --to 1.5,0,0.1 --ways 3)
+  flip_geodesics_add_program_test(ways_between_points_past_hole 0 "2 WITHIN_ROUNDING" shortest torus.off --from
+                                  13,14,0.5 --to 1.5,0,0.1 --ways 2 --avoid hole.txt)
+  flip_geodesics_add_program_test(tree_from_point 0 "288 LOCALLY_SHORTEST.*paths +288 from the source" log torus.off
+                                  --source 0,12,13,0.3,0.3 --map point_map.csv)
+  flip_geodesics_add_program_test(trace_from_points 0 "from point 0,1,0.25 at 0.5\n.*3 LENGTH" trace torus.off --trace
+                                  0,1,0.25,0.5,2 --trace 0,12,13,0.3,0.3,1,2 --trace 1.5,0,0,0,1)
+  flip_geodesics_add_program_test(distance_from_points 0 "between vertex 5 and point 0,1,0.25" distance torus.off --source
+                                  5,100 --source 0,1,0.25 --source 1.5,0,0.1 --voronoi --isolines 0.2)
   flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt)
   flip_geodesics_add_program_test(crossing_page 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt
                                   --page crossing.html)
@@ -314,11 +328,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   set_tests_properties(program_cut_along_isolines_is_open PROPERTIES DEPENDS program_cut_along_isolines)
   flip_geodesics_add_program_test(trace 0 "LENGTH +from vertex 0 at 0.5\n.*2 curves: 2 LENGTH" trace torus.off --trace
                                   0,0.5,2 --trace 7,-1e-1,3 --polylines traces.txt --stats traces.csv --mesh traces.vtp)
-  flip_geodesics_add_program_test(trace_without_length 2 "give a vertex, an angle and a length" trace torus.off --trace
+  flip_geodesics_add_program_test(trace_without_length 2 "give a point, an angle and a length" trace torus.off --trace
                                   0,1)
-  flip_geodesics_add_program_test(trace_no_number 2 "give a vertex, an angle and a length" trace torus.off --trace
+  flip_geodesics_add_program_test(trace_no_number 2 "give a point, an angle and a length" trace torus.off --trace
                                   0,a,1)
-  flip_geodesics_add_program_test(trace_too_much 2 "give a vertex, an angle and a length" trace torus.off --trace
+  flip_geodesics_add_program_test(trace_too_much 2 "'0,1' is not a point" trace torus.off --trace
                                   0,1,2,3)
   flip_geodesics_add_program_test(trace_negative 2 "must not be negative" trace torus.off --trace 0,1,-2)
   flip_geodesics_add_program_test(trace_of_no_vertex 2 "--trace: vertex 288 does not exist" trace torus.off --trace

@@ -115,12 +115,6 @@ inline Curve_request make_pair_request(Vertex_index s, Vertex_index t, const std
   return pair;
 }
 
-/// The tree from a vertex.
-inline Network_request tree_request(const Input_mesh& mesh, long long source)
-{
-  return {{}, {}, mesh.vertex(source, "--source")};
-}
-
 /// `count` pairs of different vertices of one component, the same ones for the same mesh and seed on any machine.
 inline std::vector<Curve_request> random_pairs(const Mesh& mesh, std::size_t count, std::uint64_t seed)
 {

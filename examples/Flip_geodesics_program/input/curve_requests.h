@@ -33,10 +33,25 @@ struct Network_request
 {
   std::vector<Curve_request> curves;
   std::vector<Vertex_index> fixed_vertices;
-  std::optional<Vertex_index> tree_source;
+  std::optional<CGAL::Flip_geodesics::Surface_location> tree_source;
   bool is_cut_graph = false;
 
   bool has_no_given_curves() const { return tree_source.has_value() || is_cut_graph; }
+};
+
+/// A point of the surface, and what the user calls it.
+struct Named_point
+{
+  CGAL::Flip_geodesics::Surface_location at;
+  std::string name;
+};
+
+/// A straightest geodesic that is wanted.
+struct Trace_request
+{
+  Named_point source;
+  double angle; ///< of its direction at the source, as `Polar_coordinates` have it, or from the halfedge of the source
+  double length;
 };
 
 /// The cut graph of the surface.

@@ -127,6 +127,28 @@ private:
   std::optional<Surface_projector> m_project;
 };
 
+/// A point, called as the user does.
+inline Named_point read_named_point(Point_reader& read_point, const std::string& word, const std::string& name)
+{
+  return {read_point(word, name), (word.find(',') == std::string::npos ? "vertex " : "point ") + printable(word)};
+}
+
+/// The points of words: one each, or all vertices of a list of whole numbers with commas between.
+inline std::vector<Named_point> read_named_points(const Input_mesh& mesh, const std::vector<std::string>& words,
+                                                  const std::string& name)
+{
+  Point_reader read_point(mesh);
+  std::vector<Named_point> result;
+  for(const std::string& word : words) {
+    const bool is_list = word.find_first_not_of("0123456789,+-") == std::string::npos;
+    for(std::size_t start = 0, end = 0; end < word.size(); start = end + 1) {
+      end = is_list ? (std::min)(word.find(',', start), word.size()) : word.size();
+      result.push_back(read_named_point(read_point, word.substr(start, end - start), name));
+    }
+  }
+  return result;
+}
+
 /// The next point of a line, which a comma may separate from the one after it; empty at the end of the line.
 inline std::string_view next_point(Text_scanner& words)
 {

@@ -45,8 +45,8 @@ std::vector<program::Network_request> program::read_requests(const Options& opti
     return {read_segmentation(mesh, read_text(options.segmentation), options.has_free_junctions)};
   if(options.has_seams)
     return {read_seams(mesh, mesh.text())};
-  if(options.source)
-    return {tree_request(mesh, *options.source)};
+  if(options.command == "log")
+    return {{{}, {}, Point_reader(mesh)(options.sources.front(), "--source")}};
   const std::vector<Curve_request> curves =
       options.random
           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), static_cast<std::uint64_t>(options.seed))
@@ -58,10 +58,32 @@ std::vector<program::Network_request> program::read_requests(const Options& opti
       : !options.loop.empty()   ? read_curves(mesh, read_text(options.loop), true)
                                 : read_ends(mesh, options.from, options.to);
   std::vector<Network_request> requests;
-  for(const Curve_request& curve : curves) {
-    if(options.command == "shortest" && !curve.is_pair)
-      throw Bad_input(curve.name + ": shortest paths are computed between vertices alone; give the nearest vertices");
+  for(const Curve_request& curve : curves)
     requests.push_back({{curve}, {}, {}});
+  return requests;
+}
+
+std::vector<program::Named_point> program::read_sources(const Options& options, const Input_mesh& mesh)
+{
+  return read_named_points(mesh, options.sources, "--source");
+}
+
+std::vector<program::Trace_request> program::read_traces(const Options& options, const Input_mesh& mesh)
+{
+  Point_reader read_point(mesh);
+  std::vector<Trace_request> requests;
+  for(const std::string& text : options.traces) {
+    const std::string name = "--trace " + printable(text);
+    const std::size_t last = text.rfind(','), middle = last == std::string::npos ? 0 : text.rfind(',', last - 1);
+    Trace_request request = {};
+    if(last == std::string::npos || middle == std::string::npos || middle == 0 ||
+       parse_number(text.substr(middle + 1, last - middle - 1), request.angle) != nullptr ||
+       parse_number(text.substr(last + 1), request.length) != nullptr)
+      throw Bad_input(name + ": give a point, an angle and a length as POINT,ANGLE,LENGTH");
+    if(!(request.length >= 0))
+      throw Bad_input(name + ": the length must not be negative");
+    request.source = read_named_point(read_point, text.substr(0, middle), "--trace");
+    requests.push_back(request);
   }
   return requests;
 }

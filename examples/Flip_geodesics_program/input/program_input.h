@@ -21,6 +21,12 @@ Input_mesh read_input_mesh(const Options& options);
 /// The independent runs: one curve each, or all curves of a network. \throws Bad_input
 std::vector<Network_request> read_requests(const Options& options, const Input_mesh& mesh);
 
+/// The points of `--source`. \throws Bad_input
+std::vector<Named_point> read_sources(const Options& options, const Input_mesh& mesh);
+
+/// The straightest geodesics of `--trace`. \throws Bad_input
+std::vector<Trace_request> read_traces(const Options& options, const Input_mesh& mesh);
+
 /// What paths must not cross; nothing if there is no file of it. \throws Bad_input
 Obstacles read_obstacles(const Options& options, const Input_mesh& mesh);
 

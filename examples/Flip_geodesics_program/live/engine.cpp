@@ -142,12 +142,11 @@ private:
     std::string sources, spacing, has_tree;
     std::getline(std::getline(std::getline(words, sources, '|'), spacing, '|'), has_tree);
     Field_request field;
-    for(const double source : read_numbers(sources, "sources"))
-      field.sources.push_back(read_vertex(m_mesh, source, "sources"));
+    field.sources = read_named_points(m_mesh, {sources}, "sources");
     field.spacing = read_numbers(spacing, "spacing").front();
     add(scene, field_curves(m_mesh, field, m_progress).curves, std::nullopt);
     if(has_tree == "1")
-      run(scene, {{}, {}, field.sources.front()}, 0);
+      run(scene, {{}, {}, field.sources.front().at}, 0);
   }
 
   void run(Scene& scene, const Network_request& request, std::size_t most_points)

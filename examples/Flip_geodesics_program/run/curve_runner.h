@@ -6,6 +6,7 @@
 #include "advice.h"
 #include "bad_input.h"
 #include "run/curve_engine.h"
+#include "run/inserted_curves.h"
 #include "run/mesh_results.h"
 #include "run/progress.h"
 #include "run/shortening_recorder.h"
@@ -28,9 +29,13 @@
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <new>
@@ -176,7 +181,9 @@ private:
     std::vector<Curve_result> results;
     for(const Curve_request& curve : request.curves)
       results.push_back(make_result(curve));
-    if(may_have_free_legs(request))
+    if(is_shortest_between_points(request))
+      find_shortest_between_points(request.curves.front(), results.front());
+    else if(may_have_free_legs(request))
       run_free_legs(request.curves.front(), results.front());
     else
       run_network(request, results);
@@ -310,6 +317,12 @@ private:
     m_triangulation.rollback();
   }
 
+  // Is the shortest of all paths between two points wanted that are not both vertices?
+  bool is_shortest_between_points(const Network_request& request) const
+  {
+    return m_options.is_shortest && !request.has_no_given_curves() && !request.curves.front().points.empty();
+  }
+
   // Is the shortest of all paths between two vertices wanted?
   bool is_shortest_pair(const Network_request& request) const
   {
@@ -339,8 +352,36 @@ private:
     result.shorten_s = stopwatch.seconds() - result.search_s;
   }
 
-  // Records how flips alone pull the curve tight that is known by now. Results stay as they are, so that they are the
-  // same with and without a page.
+  // The library makes the points vertices of a triangulation of its own.
+  void find_shortest_between_points(const Curve_request& request, Curve_result& result)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    m_progress.enter("looking for the shortest path", "steps");
+    Progress_visitor visitor(m_progress);
+    std::vector<std::pair<Mesh::Face_index, std::array<double, 3>>> path;
+    const FG::Shortest_path_report report =
+        FG::shortest_path(m_mesh, request.points[0], request.points[1], std::back_inserter(path),
+                          CGAL::parameters::metric(m_metric), CGAL::parameters::geom_traits(Traits()),
+                          CGAL::parameters::search_limit(window_limit(m_mesh.number_of_vertices(), m_options.most_memory)),
+                          CGAL::parameters::visitor(std::ref(visitor)))
+            .report;
+    note(report.shortening, report.shortening.curves.front(), result);
+    result.status = to_string(report.verdict);
+    result.length = report.length;
+    result.are_zero_edges_contracted = report.shortening.curves.front().are_zero_edges_contracted;
+    result.shorten_s = stopwatch.seconds();
+    result.initial_segments = path.size() - 1;
+    for(const auto& at : path) {
+      const FG::Surface_point p = FG::surface_point(m_triangulation, FG::surface_location(m_triangulation, m_mesh, at));
+      result.points.push_back({p, FG::point_in_space(m_triangulation, p), &at == &path.front() || &at == &path.back()});
+    }
+    note_ends(result);
+    m_meshes = meshes_along(m_mesh, {result}, m_options.meshes, m_progress);
+  }
+
+  // Records how flips alone pull the curve tight that is known by now. Results stay as they are, so that they are the same
+  // with and without a page.
   void record_flips_alone(const Network_request& request, const std::vector<Curve_result>& results)
   {
     std::vector<Curve_result> others = {make_result(request.curves.front())};
@@ -385,8 +426,8 @@ private:
   // May the curve's legs be pulled straight each by itself? Then they can cross, and no triangulation has them all.
   bool may_have_free_legs(const Network_request& request) const
   {
-    return !request.has_no_given_curves() && !request.curves.front().points.empty() && !request.curves.front().is_drawn &&
-           !m_options.meshes.is_any_wanted() && !m_options.stop_length;
+    return !request.has_no_given_curves() && !request.curves.front().points.empty() &&
+           !request.curves.front().is_drawn && !m_options.is_shortest && !m_options.meshes.is_any_wanted() && !m_options.stop_length;
   }
 
   void run_free_legs(const Curve_request& request, Curve_result& result)
@@ -472,15 +513,15 @@ private:
     result.search_s = stopwatch.seconds();
   }
 
-  // Grows the tree from a source, with a curve for each of its edges.
-  void grow(Network& network, Vertex_index source, std::vector<Curve_result>& results)
+  // Grows the tree from a source, which becomes a vertex, with a curve for each of its edges.
+  void grow(Network& network, const CGAL::Flip_geodesics::Surface_location& source, std::vector<Curve_result>& results)
   {
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
     m_progress.enter("growing the tree", "steps");
     Progress_visitor visitor(m_progress);
     FG::Geodesic_tree<Triangulation> tree(m_triangulation);
-    const FG::Geodesic_tree_report report = tree.grow(source, std::numeric_limits<double>::infinity(), visitor);
+    const FG::Geodesic_tree_report report = tree.grow(network.insert(source), std::numeric_limits<double>::infinity(), visitor);
     FG::Distances_report shortest;
     shortest.status = report.status;
     if(m_options.is_shortest) {
@@ -490,7 +531,7 @@ private:
     }
     if(m_options.has_map) {
       m_progress.enter("mapping vertices");
-      m_map = FG::logarithmic_map(tree);
+      m_map = map_of_mesh(FG::logarithmic_map(tree));
     }
     m_tree_results = describe_tree(tree, report.flips + shortest.flips);
     if(m_options.is_shortest)
@@ -517,6 +558,17 @@ private:
       results.back().target = v;
       results.back().length = results.back().initial_length = m_triangulation.length(h);
     }
+  }
+
+  // The map without the source if that was inserted.
+  CGAL::Flip_geodesics::Vertex_logarithmic_map map_of_mesh(const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) const
+  {
+    CGAL::Flip_geodesics::Vertex_logarithmic_map result(m_triangulation.input().number_of_vertices());
+    result.total_angle = map.total_angle;
+    result.is_on_border = map.is_on_border;
+    for(Vertex_index v(0); v.idx() < m_triangulation.input().number_of_vertices(); ++v)
+      result[v] = map[v];
+    return result;
   }
 
   // Adds the cut graph of the surface and shortens it.

@@ -125,8 +125,8 @@ Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progre
   const double tolerance = usable_tolerance(mesh, request.tolerance);
   const Triangulation triangulation(mesh);
   Field field(triangulation, mesh);
-  for(Vertex_index source : request.sources)
-    field.add_source(source);
+  for(const Named_point& source : request.sources)
+    field.add_source(source.at);
   progress.enter("computing distances");
   // One source alone has no boundary, and no distance is needed to see that.
   const bool has_boundaries = request.is_diagram && request.sources.size() > 1;
@@ -153,9 +153,9 @@ Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progre
 
   progress.enter("following boundaries");
   const auto add_boundary = [&](const FG::Voronoi_boundary<Mesh>& boundary) {
-    const auto vertex = [&](int side) { return std::to_string(request.sources[boundary.sources[side]].idx()); };
+    const auto name = [&](int side) { return request.sources[boundary.sources[side]].name; };
     result.curves.push_back(
-        curve_result(triangulation, mesh, boundary, "between vertices " + vertex(0) + " and " + vertex(1), "BOUNDARY"));
+        curve_result(triangulation, mesh, boundary, "between " + name(0) + " and " + name(1), "BOUNDARY"));
   };
   if(request.is_diagram && !has_boundaries)
     result.remarks += "no boundary: there is only one source\n";

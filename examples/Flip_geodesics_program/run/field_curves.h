@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_FIELD_CURVES_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_FIELD_CURVES_H
 
+#include "input/curve_requests.h"
 #include "program_mesh.h"
 #include "run/curve_engine.h"
 #include "run/progress.h"
@@ -12,10 +13,10 @@
 
 namespace program {
 
-/// What is wanted of the distances from some vertices.
+/// What is wanted of the distances from some points.
 struct Field_request
 {
-  std::vector<Vertex_index> sources;
+  std::vector<Named_point> sources;
   std::vector<double> levels; ///< of isolines
   double spacing = 0;         ///< isolines at all multiples of this as well, as far as the vertices; none if it is zero
   bool is_diagram = false;    ///< are the boundaries of the Voronoi diagram wanted, too?

@@ -32,7 +32,8 @@ namespace FG = CGAL::Flip_geodesics;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Free_mesh = CGAL::Face_filtered_graph<Mesh>;
 using Slit_mesh = FG::Slit_mesh<Free_mesh>;
-using Path = std::vector<std::pair<Mesh::Face_index, std::array<double, 3>>>;
+using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+using Path = std::vector<Location>;
 
 class Ways_finder
 {
@@ -77,7 +78,7 @@ private:
   }
 
   // Returns why a pair has no paths if one of its ends lies in an obstacle, and else nothing.
-  static std::string obstructed_end(const Free_mesh& free_mesh, const Slit_mesh& slit, const Curve_request& pair)
+  std::string obstructed_end(const Free_mesh& free_mesh, const Slit_mesh& slit, const Curve_request& pair) const
   {
     for(const Vertex_index v : pair.vertices) {
       const std::string vertex = "vertex " + std::to_string(v.idx());
@@ -86,7 +87,26 @@ private:
       if(slit.number_of_copies(mesh_vertex(v)) > 1)
         return vertex + " lies on a wall of --avoid, on both of its sides; choose one beside it";
     }
+    for(const FG::Surface_location& at : pair.points)
+      if(!free_mesh.is_in_cc(face_location(at).first))
+        return "an end lies in an obstacle of --avoid, or on its boundary; choose another one";
     return {};
+  }
+
+  Location face_location(const FG::Surface_location& at) const
+  {
+    return FG::face_location(m_triangulation, m_mesh, FG::surface_point(m_triangulation, at));
+  }
+
+  template <class View, class Paths>
+  auto find(const View& view, const Curve_request& pair, Paths& paths) const
+  {
+    const auto between = [&](const auto& s, const auto& t) {
+      return FG::shortest_paths_by_class(view, s, t, m_request.number, std::back_inserter(paths),
+                                         CGAL::parameters::search_limit(covering_limit()));
+    };
+    return pair.points.empty() ? between(mesh_vertex(pair.vertices[0]), mesh_vertex(pair.vertices[1]))
+                               : between(face_location(pair.points[0]), face_location(pair.points[1]));
   }
 
   template <class View>
@@ -96,9 +116,7 @@ private:
     const std::size_t first = m_ways.curves.size();
     try {
       std::vector<Path> paths;
-      const auto found = FG::shortest_paths_by_class(view, mesh_vertex(pair.vertices[0]), mesh_vertex(pair.vertices[1]),
-                                                     m_request.number, std::back_inserter(paths),
-                                                     CGAL::parameters::search_limit(covering_limit()));
+      const auto found = find(view, pair, paths);
       for(std::size_t i = 0; i < paths.size(); ++i)
         m_ways.curves.push_back(way(pair, i, found.report, paths[i]));
       if(paths.size() < m_request.number && found.status() == FG::Class_search_status::COVERING_LIMIT)
@@ -123,8 +141,10 @@ private:
   {
     Curve_result result;
     result.name = pair.name;
-    result.source = pair.vertices[0];
-    result.target = pair.vertices[1];
+    if(pair.points.empty()) {
+      result.source = pair.vertices[0];
+      result.target = pair.vertices[1];
+    }
     return result;
   }
 
@@ -164,8 +184,12 @@ private:
     if(++m_number_of_notes > most_lines)
       return;
     std::ostringstream line;
-    line << "ways     " << report.paths.size() << " from " << pair.vertices[0].idx() << " to " << pair.vertices[1].idx()
-         << (report.is_confirmed() ? ", confirmed; " : ", not confirmed; ");
+    line << "ways     " << report.paths.size();
+    if(pair.points.empty())
+      line << " from " << pair.vertices[0].idx() << " to " << pair.vertices[1].idx();
+    else
+      line << " of " << pair.name;
+    line << (report.is_confirmed() ? ", confirmed; " : ", not confirmed; ");
     const double bound = report.lower_bound_of_others();
     if(std::isinf(bound))
       line << "no other exists\n";

@@ -50,7 +50,6 @@ inline Curve_result whole_result(const Network_request& request)
 {
   Curve_result result;
   result.name = request.tree_source ? "the tree" : "the cut graph";
-  result.source = request.tree_source.value_or(Vertex_index());
   return result;
 }
 
@@ -110,7 +109,7 @@ Surface_request surface_request(const Triangulation& triangulation, const Networ
   for(Vertex_index v : request.fixed_vertices)
     result.request.fixed_vertices.push_back(FG::internal::vertex_on_surface(triangulation, v));
   if(request.tree_source)
-    result.request.tree_source = FG::internal::vertex_on_surface(triangulation, *request.tree_source);
+    result.request.tree_source = FG::internal::points_on_surface(triangulation, {*request.tree_source}).front();
   return result;
 }
 
@@ -135,7 +134,7 @@ void put_on_mesh(const Triangulation& triangulation, std::vector<Curve_result>& 
 {
   for(Curve_result& result : tree)
     result.are_zero_edges_contracted = true;
-  for(Vertex_index v(0); map && v.idx() < triangulation.number_of_vertices(); ++v)
+  for(Vertex_index v(0); map && v.idx() < triangulation.input().number_of_vertices(); ++v)
     (*map)[v] = (*map)[CGAL::Flip_geodesics::internal::vertex_on_surface(triangulation, v)];
 }
 

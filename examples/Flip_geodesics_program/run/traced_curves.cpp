@@ -6,9 +6,9 @@
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
-#include <cstddef>
 #include <sstream>
 #include <string>
 
@@ -22,7 +22,7 @@ using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 // Where angles start: at the border, or else where those of a tree's polar coordinates do.
 FG::Input_halfedge_index zero_halfedge(const Triangulation& triangulation, const Mesh& mesh, Vertex_index source)
 {
-  for(const auto h : CGAL::halfedges_around_source(Mesh::Vertex_index(static_cast<unsigned>(source.idx())), mesh))
+  for(const auto h : CGAL::halfedges_around_source(mesh_vertex(source), mesh))
     if(mesh.is_border(mesh.opposite(h)))
       return triangulation.input().index(h);
   return triangulation.input().outgoing(source);
@@ -33,16 +33,18 @@ Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
 {
   Curve_result result;
   std::ostringstream name;
-  name << "from vertex " << request.source.idx() << " at " << request.angle;
+  name << "from " << request.source.name << " at " << request.angle;
   result.name = name.str();
-  result.source = request.source;
   result.is_pulled_tight = false;
+  FG::Input_halfedge_index zero = request.source.at.halfedge;
+  if(const FG::Surface_point p = FG::surface_point(triangulation, request.source.at); p.is_vertex()) {
+    result.source = p.a;
+    zero = zero_halfedge(triangulation, mesh, p.a);
+  }
   try {
-    if(triangulation.input().outgoing(request.source) == FG::null_index)
-      throw FG::Vertex_out_of_range_error("vertex " + std::to_string(request.source.idx()) + " is in no face");
     const FG::Trace_report trace =
-        tracer.trace(triangulation.location(request.source), zero_halfedge(triangulation, mesh, request.source),
-                     request.angle, FG::Trace_limits<>{request.length}, [&](const FG::Surface_point& p) {
+        tracer.trace(request.source.at, zero, request.angle, FG::Trace_limits<>{request.length},
+                     [&](const FG::Surface_point& p) {
                        result.points.push_back({p, point_in_space(triangulation, p), p.is_inside_face()});
                      });
     result.status = to_string(trace.status);

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_TRACED_CURVES_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_TRACED_CURVES_H
 
+#include "input/curve_requests.h"
 #include "program_mesh.h"
 #include "run/curve_engine.h"
 #include "run/progress.h"
@@ -10,14 +11,6 @@
 #include <vector>
 
 namespace program {
-
-/// A straightest geodesic that is wanted.
-struct Trace_request
-{
-  Vertex_index source;
-  double angle; ///< of its direction at the source, as `Polar_coordinates` have it
-  double length;
-};
 
 /// Traces them, in the order of the requests. Their statuses are the names of `Trace_status`.
 std::vector<Curve_result> traced_curves(const Mesh& mesh, const std::vector<Trace_request>& requests,

@@ -20,7 +20,7 @@ std::string describe_tree(const Tree& tree, std::size_t flips)
 {
   Vertex_index farthest = tree.source();
   std::size_t number_of_paths = 0;
-  for(Vertex_index v(0); v.idx() < tree.triangulation().number_of_vertices(); ++v) {
+  for(Vertex_index v(0); v.idx() < tree.triangulation().input().number_of_vertices(); ++v) {
     if(v == tree.source() || !tree.is_reached(v))
       continue;
     ++number_of_paths;
@@ -28,8 +28,9 @@ std::string describe_tree(const Tree& tree, std::size_t flips)
       farthest = v;
   }
   std::ostringstream out;
-  out << "paths    " << readable(number_of_paths) << " from vertex " << tree.source().idx()
-      << ", the longest to vertex " << farthest.idx() << ", " << tree.distance(farthest) << " long\nflips    "
+  const bool is_inserted = tree.triangulation().is_inserted(tree.source());
+  out << "paths    " << readable(number_of_paths) << " from "
+      << (is_inserted ? "the source" : "vertex " + std::to_string(tree.source().idx())) << ", the longest to vertex " << farthest.idx() << ", " << tree.distance(farthest) << " long\nflips    "
       << readable(flips) << '\n';
   return out.str();
 }
