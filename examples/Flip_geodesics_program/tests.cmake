@@ -155,6 +155,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" path torus.off --edges path.txt --mesh path.obj --tubes 0)
   flip_geodesics_add_program_test(tubes 0 "2 LOCALLY_SHORTEST" path torus.off --edges path.txt --mesh tubes.glb --tubes
                                   0.02)
+  add_test(NAME program_materials COMMAND ${CMAKE_COMMAND} -E cat path.obj.mtl WORKING_DIRECTORY ${program_dir})
+  set_tests_properties(program_materials PROPERTIES DEPENDS program_path PASS_REGULAR_EXPRESSION "newmtl curve_a\nKd ")
   flip_geodesics_add_program_test(negative_tubes 2 "--tubes: '-0.02' is out of range" path torus.off --edges path.txt
                                   --mesh t.glb --tubes=-0.02)
   flip_geodesics_add_program_test(tubes_of_nothing 2 "--tubes requires --mesh" path torus.off --edges path.txt --tubes

@@ -67,11 +67,11 @@ def read_ply(path):
             counts[words[1]] = int(words[2])
         if words[0] == 'end_header':
             break
-    points = [tuple(map(float, next(lines).split())) for _ in range(counts['vertex'])]
+    points = [tuple(map(float, next(lines).split()[:3])) for _ in range(counts['vertex'])]  # without their colors
     faces = [tuple(map(int, next(lines).split()[1:4])) for _ in range(counts['face'])]  # without their curves
     curves = {}
     for _ in range(counts['edge']):
-        a, b, curve = map(int, next(lines).split())
+        a, b, curve, *_ = map(int, next(lines).split())
         line = curves.setdefault(curve, [a])
         check(line[-1] == a, f'{path}: the edges of curve {curve} are no chain')
         line.append(b)

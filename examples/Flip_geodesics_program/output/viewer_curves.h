@@ -30,18 +30,19 @@ inline double radius_of_tubes(const Mesh& mesh, const Scene& scene)
 }
 
 /// Calls `write` with what the library's writers of files for viewers take: the mesh, the curves, and tubes, if they
-/// are wanted. \param tubes the radius, 0 for lines; not given, it follows from the mesh
+/// are wanted, and colors. \param tubes the radius, 0 for lines; not given, it follows from the mesh
 template <class Write>
-void with_curves(const Mesh& mesh, const Scene& scene, std::optional<double> tubes, const Write& write)
+void with_curves(const Mesh& mesh, const Scene& scene, std::optional<double> tubes,
+                 const CGAL::Flip_geodesics::IO::Colors& colors, const Write& write)
 {
   constexpr int number_of_sides = 8;
   const auto points = [](const Scene_curve& curve) -> const std::vector<Point_3>& { return curve.points; };
   const auto curves = scene.curves | boost::adaptors::transformed(points);
   const double radius = tubes ? *tubes : radius_of_tubes(mesh, scene);
   if(radius > 0)
-    write(mesh, curves, CGAL::Flip_geodesics::IO::Tubes(radius, number_of_sides));
+    write(mesh, curves, colors, CGAL::Flip_geodesics::IO::Tubes(radius, number_of_sides));
   else
-    write(mesh, curves);
+    write(mesh, curves, colors);
 }
 
 /// The curves alone, as CGAL's demo reads them: a line each, the number of points and the points.

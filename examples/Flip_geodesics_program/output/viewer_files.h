@@ -33,6 +33,7 @@ public:
   Viewer_file(const std::string& name, const std::string& format, std::optional<double> tubes)
     : m_format(format)
     , m_file(name)
+    , m_materials(format == "obj" && is_plain_name(name) ? name + ".mtl" : "")
     , m_tubes(tubes)
   {
     if(tubes && m_format == "polylines")
@@ -43,15 +44,20 @@ public:
 
   void write(const Mesh& mesh, const Scene& scene)
   {
+    namespace IO = CGAL::Flip_geodesics::IO;
     if(!is_wanted())
       return;
     m_file.write([&](std::ostream& out) {
       if(m_format == "polylines")
         write_polylines(out, scene);
       else
-        with_curves(mesh, scene, m_tubes, [&](const auto&... parts) { write(out, parts...); });
+        with_curves(mesh, scene, m_tubes, IO::Colors(m_materials.name().substr(m_materials.name().find_last_of("/\\") + 1)),
+                    [&](const auto&... parts) { write(out, parts...); });
     });
     m_file.close();
+    if(m_materials.is_wanted())
+      m_materials.write([](std::ostream& out) { IO::write_MTL(out); });
+    m_materials.close();
   }
 
 private:
@@ -70,8 +76,14 @@ private:
       IO::write_GLB(out, parts...);
   }
 
+  // Is it the name of a file beside which there can be another one?
+  static bool is_plain_name(const std::string& name)
+  {
+    return !name.empty() && !open_file(name) && !is_special_file(name);
+  }
+
   std::string m_format;
-  Output_file m_file;
+  Output_file m_file, m_materials;
   std::optional<double> m_tubes;
 };
 

@@ -217,14 +217,6 @@ private:
 
   std::size_t number(const Piece& piece) const { return static_cast<std::size_t>(&piece - m_pieces.data()); }
 
-  static Figure_point color(const Shape& shape)
-  {
-    if(shape.curve == Shape::no_curve)
-      return has_corners(shape) ? Figure_point{0.75, 0.76, 0.78} : Figure_point{0.05, 0.05, 0.05};
-    constexpr Figure_point colors[] = {{0.72, 0.04, 0.04}, {0.02, 0.2, 0.6}, {0.0, 0.33, 0.1}, {0.55, 0.25, 0.0}};
-    return colors[shape.curve % 4];
-  }
-
   static std::string name(const Piece& piece) { return "{\"name\":\"" + piece.shape->name() + '"'; }
 
   std::string material(const Piece& piece) const
@@ -233,7 +225,7 @@ private:
     const Figure_point white = {1, 1, 1};
     return name(piece) + ",\"doubleSided\":true,\"pbrMetallicRoughness\":{" +
            (has_picture ? "\"baseColorTexture\":{\"index\":0}," : "") + "\"baseColorFactor\":[" +
-           three(has_picture ? white : color(*piece.shape)) + ",1],\"metallicFactor\":0,\"roughnessFactor\":0.8}}";
+           three(has_picture ? white : material_of(*piece.shape).color) + ",1],\"metallicFactor\":0,\"roughnessFactor\":0.8}}";
   }
 
   static std::string view(std::uint64_t offset, std::uint64_t length, const char* target)

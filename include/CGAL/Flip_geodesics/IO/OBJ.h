@@ -6,7 +6,10 @@
 #include <CGAL/Flip_geodesics/internal/io/Figure.h>
 #include <CGAL/Flip_geodesics/internal/io/figure_of_parts.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,12 +29,17 @@ public:
 
   void write(std::ostream& out) const
   {
+    const bool has_materials = m_figure.colors() != nullptr && !m_figure.colors()->material_library().empty();
+    if(has_materials)
+      out << "mtllib " << m_figure.colors()->material_library() << '\n';
     m_figure.for_each_point([&](const Figure_point& p) { out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; });
     for(const Shape& shape : m_figure.shapes())
       write_texture(out, shape);
     std::size_t first = 1, first_texture = 1;
     for(const Shape& shape : m_figure.shapes()) {
       out << "o " << shape.name() << '\n';
+      if(has_materials)
+        out << "usemtl " << material_of(shape).name << '\n';
       if(shape.for_each_texture)
         write_textured(out, shape, first, first_texture);
       else
@@ -105,7 +113,8 @@ namespace IO {
  * The file has an object `surface`, an object `curve_N` for each curve, with one element `l`, and an object `points`.
  * All vertices come first, in the order of the data. A curve of one point is an element `p`. `CGAL::IO::read_OBJ()`
  * does not support the element `l`, but reads surfaces, tubes and points. With an `IO::Texture`, the corners of faces
- * have texture coordinates, `vt`, if these are finite.
+ * have texture coordinates, `vt`, if these are finite. With the name of a material library in `IO::Colors`, objects
+ * have materials.
  *
  * \param out a stream
  * \param parts the data, as for `write_VTP()`; the named parameter `use_binary_mode` is ignored
@@ -126,6 +135,21 @@ template <class... Parts>
 void write_OBJ(const std::string& file, const Parts&... parts)
 {
   internal::write_parts<internal::Obj_writer>(file, parts...);
+}
+
+/// \ingroup PkgFlipGeodesicsIO
+/// Writes the material library to which an OBJ file with `Colors` refers.
+/// \param out a stream
+/// \throws File_write_error if the stream fails
+inline void write_MTL(std::ostream& out)
+{
+  internal::write_plainly(out, std::numeric_limits<double>::digits10, [](std::ostream& plain) {
+    for(const internal::Material& material : internal::materials) {
+      const std::array<std::uint8_t, 3> color = material.bytes();
+      plain << "newmtl " << material.name << "\nKd " << color[0] / 255. << ' ' << color[1] / 255. << ' '
+            << color[2] / 255. << '\n';
+    }
+  });
 }
 
 } // namespace IO

@@ -35,8 +35,8 @@ public:
     check_writable(figure);
     check_values(figure, m_is_binary);
     for(const Value_kind& kind : figure.value_kinds())
-      if(kind.name == "x" || kind.name == "y" || kind.name == "z")
-        throw Invalid_parameter_error("values have the name \"" + kind.name + "\" of a coordinate");
+      if(is_taken(kind.name))
+        throw Invalid_parameter_error("values have the name \"" + kind.name + "\" of a coordinate or a color");
   }
 
   void write(std::ostream& out) const
@@ -51,6 +51,12 @@ public:
   }
 
 private:
+  bool is_taken(const std::string& name) const
+  {
+    return name == "x" || name == "y" || name == "z" ||
+           (m_figure.colors() != nullptr && (name == "red" || name == "green" || name == "blue"));
+  }
+
   static bool is_tube(const Shape& shape)
   {
     return shape.kind == Shape::Kind::TRIANGLES && shape.curve != Shape::no_curve;
@@ -74,16 +80,28 @@ private:
     for(std::size_t i = 0; i < kinds.size(); ++i)
       m_figure.for_each_value(i, [&](double x) { values[i].push_back(x); });
     std::size_t vertex = 0;
-    m_figure.for_each_point([&](const Figure_point& p) {
-      number(p[0], " ");
-      number(p[1], " ");
-      number(p[2], kinds.empty() ? "\n" : " ");
-      for(std::size_t i = 0; i < kinds.size(); ++i)
-        for(std::size_t k = 0; k < kinds[i].components; ++k)
-          number(values[i][kinds[i].components * vertex + k],
-                 i + 1 < kinds.size() || k + 1 < kinds[i].components ? " " : "\n");
-      ++vertex;
-    });
+    const bool has_colors = m_figure.colors() != nullptr;
+    for(const Shape& shape : m_figure.shapes())
+      shape.for_each_point([&](const Figure_point& p) {
+        number(p[0], " ");
+        number(p[1], " ");
+        number(p[2], kinds.empty() && !has_colors ? "\n" : " ");
+        for(std::size_t i = 0; i < kinds.size(); ++i)
+          for(std::size_t k = 0; k < kinds[i].components; ++k)
+            number(values[i][kinds[i].components * vertex + k],
+                   has_colors || i + 1 < kinds.size() || k + 1 < kinds[i].components ? " " : "\n");
+        if(has_colors)
+          write_color(number, shape);
+        ++vertex;
+      });
+  }
+
+  static void write_color(const Number_writer& number, const Shape& shape)
+  {
+    const std::array<std::uint8_t, 3> color = material_of(shape).bytes();
+    number(color[0], " ");
+    number(color[1], " ");
+    number(color[2], "\n");
   }
 
   void write_header(std::ostream& out) const
@@ -96,9 +114,12 @@ private:
     for(const Value_kind& kind : m_figure.value_kinds())
       for(const std::string& name : property_names(kind))
         out << "property double " << name << '\n';
-    out << "element face " << m_figure.number_of_triangles() << "\nproperty list uchar int vertex_indices\n"
+    const char* const colors =
+        m_figure.colors() != nullptr ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "";
+    out << colors << "element face " << m_figure.number_of_triangles() << "\nproperty list uchar int vertex_indices\n"
         << (m_has_tubes ? "property int curve\n" : "") << "element edge " << edges
-        << "\nproperty int vertex1\nproperty int vertex2\nproperty int curve\nend_header\n";
+        << "\nproperty int vertex1\nproperty int vertex2\nproperty int curve\n"
+        << colors << "end_header\n";
   }
 
   void write_faces(const Number_writer& number, const Shape& shape, std::size_t first) const
@@ -113,12 +134,15 @@ private:
     });
   }
 
-  static void write_edges(const Number_writer& number, const Shape& shape, std::size_t first)
+  void write_edges(const Number_writer& number, const Shape& shape, std::size_t first) const
   {
+    const bool has_colors = m_figure.colors() != nullptr;
     for(std::size_t i = 1; i < shape.number_of_points; ++i) {
       number(static_cast<std::int32_t>(first + i - 1), " ");
       number(static_cast<std::int32_t>(first + i), " ");
-      number(static_cast<std::int32_t>(shape.curve), "\n");
+      number(static_cast<std::int32_t>(shape.curve), has_colors ? " " : "\n");
+      if(has_colors)
+        write_color(number, shape);
     }
   }
 
@@ -138,7 +162,7 @@ namespace IO {
  * Edges have the number of their curve as property `curve`. If the data contain tubes, faces have this property as
  * well, and it is -1 for those of a surface. Values at vertices are properties of the vertices with the given names. A
  * vector has three properties, whose names end in `_x`, `_y` and `_z`, and an array has one for each position. MeshLab
- * colors a surface by the property `quality`.
+ * colors a surface by the property `quality`. With `IO::Colors`, vertices and edges have colors.
  *
  * \param out a stream
  * \param parts the data, as for `write_VTP()`
@@ -146,7 +170,8 @@ namespace IO {
  * \throws File_write_error as `write_VTP()` does, and if the data have more than 2147483647 points
  * \throws Invalid_coordinate_error as `write_VTP()` does
  * \throws Invalid_mesh_error as `write_VTP()` does
- * \throws Invalid_parameter_error as `write_VTP()` does, and if values have the name of a coordinate
+ * \throws Invalid_parameter_error as `write_VTP()` does, and if values have the name of a coordinate or, with
+ *         `IO::Colors`, of a color
  */
 template <class... Parts>
 void write_PLY(std::ostream& out, const Parts&... parts)

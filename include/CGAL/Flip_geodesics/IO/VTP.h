@@ -78,7 +78,7 @@ private:
     std::vector<Array> arrays;
   };
 
-  static constexpr std::uint64_t bytes_of_number = 8; // all are Float64 or Int64
+  static constexpr std::uint64_t bytes_of_number = 8; // all but colors are Float64 or Int64
 
   static std::size_t index(Shape::Kind kind) { return static_cast<std::size_t>(kind); }
 
@@ -131,15 +131,30 @@ private:
   void add_curve_numbers()
   {
     m_groups.push_back({"CellData", " Scalars=\"curve\"", {}});
+    const std::size_t cells = m_cells[0] + m_cells[1] + m_cells[2];
     m_groups.back().arrays.push_back(
-        {"type=\"Int64\" Name=\"curve\"", bytes_of_number * (m_cells[0] + m_cells[1] + m_cells[2]),
-         [this](const Number_writer& number) {
-           for(Shape::Kind kind : {Shape::Kind::POINTS, Shape::Kind::LINE, Shape::Kind::TRIANGLES})
-             m_figure.for_each_shape(kind, [&](const Shape& shape, std::size_t) {
-               for(std::size_t i = 0; i < number_of_cells(shape); ++i)
-                 number(shape.curve, "\n");
-             });
+        {"type=\"Int64\" Name=\"curve\"", bytes_of_number * cells, [this](const Number_writer& number) {
+           for_each_cell([&](const Shape& shape) { number(shape.curve, "\n"); });
          }});
+    if(m_figure.colors() == nullptr)
+      return;
+    m_groups.back().arrays.push_back(
+        {"type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", 3 * cells, [this](const Number_writer& number) {
+           for_each_cell([&](const Shape& shape) {
+             for(const std::uint8_t component : material_of(shape).bytes())
+               number(component, "\n");
+           });
+         }});
+  }
+
+  template <class Function>
+  void for_each_cell(const Function& function) const
+  {
+    for(Shape::Kind kind : {Shape::Kind::POINTS, Shape::Kind::LINE, Shape::Kind::TRIANGLES})
+      m_figure.for_each_shape(kind, [&](const Shape& shape, std::size_t) {
+        for(std::size_t i = 0; i < number_of_cells(shape); ++i)
+          function(shape);
+      });
   }
 
   // Adds the corners of all cells of a kind, and the end of each cell.
@@ -230,6 +245,7 @@ namespace IO {
  *          those without points are omitted, but counted. A curve of one point is written as a point;
  *        - `Tubes`, to draw curves as tubes;
  *        - `Vertex_values`, values at the vertices of the mesh;
+ *        - `Colors`, to color the surface and the curves;
  *        - and at the end, an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin

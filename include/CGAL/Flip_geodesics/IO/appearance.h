@@ -56,6 +56,34 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
+ * Requests that `write_PLY()`, `write_OBJ()` and `write_VTP()` write the colors that `write_GLB()` always writes. The
+ * object is passed among the data. The surface is light gray, points are black, and curve \f$i\f$ has color \f$i\f$
+ * modulo 4 of red, blue, green and brown.
+ *
+ * - In PLY, vertices and edges have the properties `red`, `green` and `blue`.
+ * - In VTP, cells have an array `color` of three bytes.
+ * - In OBJ, objects refer to the materials of a library, which `write_MTL()` writes.
+ */
+class Colors
+{
+public:
+  /// Sets the name of the material library.
+  /// \param material_library the name of a file beside the OBJ file; if it is empty, OBJ files have no colors
+  explicit Colors(std::string material_library = {})
+    : m_material_library(std::move(material_library))
+  {
+  }
+
+  /// Returns the name of the material library.
+  const std::string& material_library() const { return m_material_library; }
+
+private:
+  std::string m_material_library;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsIO
+ *
  * Passes texture coordinates of the corners of faces to `write_OBJ()` and `write_GLB()`, among the data.
  *
  * The image is the unit square, with its first row at the top. A face has no texture if one of its corners has a

@@ -63,6 +63,40 @@ struct Shape
   }
 };
 
+/* A color and its name; the components are linear, from 0 to 1. */
+struct Material
+{
+  const char* name;
+  Figure_point color;
+
+  /* Returns the components as sRGB [IEC 61966-2-1], from 0 to 255. */
+  std::array<std::uint8_t, 3> bytes() const
+  {
+    std::array<std::uint8_t, 3> result;
+    for(std::size_t i = 0; i < result.size(); ++i) {
+      const double x = color[i];
+      const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+      result[i] = static_cast<std::uint8_t>(std::lround(255 * encoded));
+    }
+    return result;
+  }
+};
+
+/* The colors of surfaces, points and curves. */
+inline constexpr std::array<Material, 6> materials = {{{"surface", {0.75, 0.76, 0.78}},
+                                                {"points", {0.05, 0.05, 0.05}},
+                                                {"curve_a", {0.72, 0.04, 0.04}},
+                                                {"curve_b", {0.02, 0.2, 0.6}},
+                                                {"curve_c", {0.0, 0.33, 0.1}},
+                                                {"curve_d", {0.55, 0.25, 0.0}}}};
+
+inline const Material& material_of(const Shape& shape)
+{
+  if(shape.curve == Shape::no_curve)
+    return materials[shape.kind == Shape::Kind::TRIANGLES ? 0 : 1];
+  return materials[2 + static_cast<std::size_t>(shape.curve) % (materials.size() - 2)];
+}
+
 /* A kind of values at points, each of which consists of the same number of components. */
 struct Value_kind
 {
@@ -126,6 +160,10 @@ public:
           sink(std::numeric_limits<double>::quiet_NaN());
   }
 
+  /* Returns the request for colors; null if there is none. */
+  const IO::Colors* colors() const { return m_colors; }
+  void set_colors(const IO::Colors& colors) { m_colors = &colors; }
+
   /* Returns the name of the image file of the texture; empty if there is none. */
   const std::string& picture() const { return m_picture; }
   void set_picture(const std::string& name) { m_picture = name; }
@@ -133,6 +171,7 @@ public:
 private:
   std::vector<Shape> m_shapes;
   std::vector<Value_kind> m_value_kinds;
+  const IO::Colors* m_colors = nullptr;
   std::string m_picture;
   std::size_t m_number_of_points = 0;
 };

@@ -269,7 +269,7 @@ public:
       (add_values(shape, part, parts), ...);
       m_figure.add(std::move(shape));
     } else
-      static_assert(std::is_same<Part, IO::Tubes>::value || Is_texture<Part>::value || Is_vertex_values<Part>::value ||
+      static_assert(std::is_same<Part, IO::Tubes>::value || std::is_same<Part, IO::Colors>::value || Is_texture<Part>::value || Is_vertex_values<Part>::value ||
                         Is_named_parameters<Part>::value,
                     "what is written is a face graph, a range of points or a range of polylines");
   }
@@ -280,6 +280,8 @@ public:
   {
     if constexpr(std::is_same<Part, IO::Tubes>::value)
       m_tubes = &part;
+    if constexpr(std::is_same<Part, IO::Colors>::value)
+      m_figure.set_colors(part);
     if constexpr(Is_vertex_values<Part>::value)
       m_figure.add_value_kind({part.name, Numbers_of_map<decltype(part.map)>::size});
   }
