@@ -62,8 +62,8 @@ public:
     m_app.formatter(std::make_shared<Formatter>());
     m_app.get_formatter()->column_width(28);
     m_app.footer("\nflip_geodesics COMMAND --help lists the options of a command. Examples:\n"
-                 "  flip_geodesics path bunny.off --from 0 --to 1000 --mesh path.glb\n"
-                 "  flip_geodesics distance bunny.off --source 0,500 --spacing 0.1 --mesh isolines.vtp\n"
+                 "  flip_geodesics path bunny.off --from 0 --to 1000 -o path.glb -o path.json\n"
+                 "  flip_geodesics distance bunny.off --source 0,500 --spacing 0.1 -o isolines.vtp\n"
                  "  flip_geodesics view bunny.off --output bunny.html");
     add_commands_of_triangulations();
     add_commands_of_distances();
@@ -249,7 +249,7 @@ private:
     add("--force", m_options.is_replacing_input, "let a result replace a file that is read");
     add("-q,--quiet", m_options.is_quiet, "print neither table nor progress");
     add_text("--json", "FILE", m_options.results.json, "all results as JSON; - for standard output");
-    add_text("--output-format", "NAME", m_options.output_format, "format of a mesh written to -, standard output");
+    add_text("--output-format", "NAME", m_options.output_format, "format of what --output writes to -, standard output");
   }
 
   void add_ends()
@@ -343,11 +343,12 @@ private:
   void add_files_of_curves()
   {
     m_group = "Results";
-    CLI::Option* const viewer = add_text("-o,--mesh", "FILE", m_options.results.viewer,
-                                         "surface and curves: .obj, .ply, .vtp or .glb; curves: .polylines.txt");
+    CLI::Option* const output =
+        add_outputs("-o,--output,--mesh", "surface and curves: .obj, .ply, .vtp or .glb; curves: .polylines.txt; "
+                                          "also .json, .csv, .html; may be repeated");
     add("--tubes", "RADIUS", m_options.results.tubes, not_negative,
-        "of curves in --mesh, 0 for lines [1/500 of the mesh]")
-        ->needs(viewer);
+        "of curves in --output, 0 for lines [1/500 of the mesh]")
+        ->needs(output);
     add_text("--page", "FILE", m_options.results.page, "page for a browser: surface, curves and flips");
     add_text("--polylines", "FILE", m_options.results.polylines, "line per point, `curve a b t x y z`: (1-t) a + t b");
     add_text("--stats", "FILE", m_options.results.stats, "CSV, a line per curve");
@@ -358,16 +359,16 @@ private:
       exclude("--threads", {"--page"}); // which shows the steps of the curves one after the other
   }
 
-  void add_output(std::string& file, const char* description)
+  CLI::Option* add_outputs(const char* name, const char* description)
   {
     m_group = "Results";
-    add_text("-o,--output", "FILE", file, description)->required();
+    return add_text(name, "FILE", m_options.results.outputs, description)->allow_extra_args(false);
   }
 
   void add_commands_of_triangulations()
   {
     begin("path", "Shorten paths to geodesics, each by itself",
-          "  flip_geodesics path bunny.off --from 0 --to 1000 --mesh path.glb\n"
+          "  flip_geodesics path bunny.off --from 0 --to 1000 -o path.glb -o path.json\n"
           "  flip_geodesics path bunny.off --random 100 --seed 1 --stats paths.csv\n"
           "  flip_geodesics path bunny.off --draw pen.polylines.txt --page paths.html");
     add_pairs();
@@ -380,7 +381,7 @@ private:
     add_files_of_curves();
 
     begin("loop", "Shorten closed curves to geodesics, each by itself",
-          "  flip_geodesics loop bunny.off --loop loops.txt --mesh loops.vtp\n"
+          "  flip_geodesics loop bunny.off --loop loops.txt -o loops.vtp\n"
           "  flip_geodesics loop bunny.off --loop loops.txt --stop-length 0.9 --polylines loops.out\n"
           "  flip_geodesics loop bunny.off --loop loops.txt --page loops.html");
     m_group = "Curves";
@@ -391,7 +392,7 @@ private:
     add_files_of_curves();
 
     begin("loops", "Compute closed geodesics around the handles and holes of a surface",
-          "  flip_geodesics loops torus.off --mesh loops.vtp\n"
+          "  flip_geodesics loops torus.off -o loops.vtp\n"
           "  flip_geodesics loops torus.off --handles --stats loops.csv\n"
           "  flip_geodesics loops torus.off --cut-graph --cut disk.off");
     m_group = "Curves [a basis of the homology]";
@@ -405,8 +406,8 @@ private:
     add_files_of_curves();
 
     begin("network", "Shorten curves together: networks, boundaries of regions, seams",
-          "  flip_geodesics network bunny.off --network curves.txt --stop-length 0.9 --mesh curves.ply\n"
-          "  flip_geodesics network bunny.off --segmentation labels.seg --mesh boundaries.ply\n"
+          "  flip_geodesics network bunny.off --network curves.txt --stop-length 0.9 -o curves.ply\n"
+          "  flip_geodesics network bunny.off --segmentation labels.seg -o boundaries.ply\n"
           "  flip_geodesics network textured.obj --seams --cut pieces.off");
     m_group = "Curves: one kind of them";
     add_networks();
@@ -416,7 +417,7 @@ private:
     add_files_of_curves();
 
     begin("spline", "Compute geodesic Bezier curves and B-splines",
-          "  flip_geodesics spline bunny.off --bezier control_points.txt --mesh curves.obj\n"
+          "  flip_geodesics spline bunny.off --bezier control_points.txt -o curves.obj\n"
           "  flip_geodesics spline bunny.off --bezier control_points.txt --rounds 7 --polylines curves.txt\n"
           "  flip_geodesics spline bunny.off --bezier control_points.txt --page curves.html");
     m_group = "Curves";
@@ -458,9 +459,9 @@ private:
   void add_commands_of_distances()
   {
     begin("shortest", "Compute globally shortest paths, or the shortest ones of several homotopy classes",
-          "  flip_geodesics shortest bunny.off --from 0 --to 1000 --mesh path.glb\n"
+          "  flip_geodesics shortest bunny.off --from 0 --to 1000 -o path.glb\n"
           "  flip_geodesics shortest bunny.off --pairs pairs.txt --landmarks 8 --stats paths.csv\n"
-          "  flip_geodesics shortest torus.off --from 0 --to 150 --ways 4 --avoid walls.txt --mesh ways.vtp");
+          "  flip_geodesics shortest torus.off --from 0 --to 150 --ways 4 --avoid walls.txt -o ways.vtp");
     add_pairs();
     choose({"--from", "--pairs", "--random"}, true);
     m_group = "Homotopy classes and obstacles";
@@ -476,7 +477,7 @@ private:
     add_files_of_curves();
 
     begin("trace", "Trace straightest geodesics from points",
-          "  flip_geodesics trace bunny.off --trace 0,1.57,20 --mesh straight.vtp\n"
+          "  flip_geodesics trace bunny.off --trace 0,1.57,20 -o straight.vtp\n"
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --trace 0,1,2,0.3,0.3,4.71,20 --polylines straight.txt\n"
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
     m_group = m_points;
@@ -486,7 +487,7 @@ private:
     add_files_of_curves();
 
     begin("distance", "Compute isolines of distances and Voronoi diagrams",
-          "  flip_geodesics distance bunny.off --source 0,500,900 --isolines 0.1,0.2,0.3 --mesh isolines.vtp\n"
+          "  flip_geodesics distance bunny.off --source 0,500,900 --isolines 0.1,0.2,0.3 -o isolines.vtp\n"
           "  flip_geodesics distance bunny.off --source 0 --spacing 0.1 --polylines isolines.txt\n"
           "  flip_geodesics distance bunny.off --source 0,500 --voronoi --cut cells.off");
     m_group = m_points;
@@ -504,7 +505,7 @@ private:
 
     begin("log", "Compute the tree of geodesics from a point and its logarithmic map",
           "  flip_geodesics log bunny.off --source 0 --map map.csv\n"
-          "  flip_geodesics log bunny.off --source 0 --shortest --map map.csv --mesh tree.ply\n"
+          "  flip_geodesics log bunny.off --source 0 --shortest --map map.csv -o tree.ply\n"
           "  flip_geodesics log bunny.off --source 0 --kernel double --stats tree.csv");
     m_group = m_points;
     add_text("--source", "POINT", m_options.sources, "source of the tree")->required()->expected(1);
@@ -519,7 +520,7 @@ private:
     begin("cut", "Cut a mesh along polylines as they are drawn, which may cross",
           "  flip_geodesics cut bunny.off --draw pen.polylines.txt --cut pieces.off\n"
           "  flip_geodesics cut bunny.off --draw pen.txt --insert lines.ply\n"
-          "  flip_geodesics cut bunny.off --draw pen.txt --mesh lines.glb --stats lines.csv");
+          "  flip_geodesics cut bunny.off --draw pen.txt -o lines.glb --stats lines.csv");
     m_group = "Curves";
     add_draw()->required();
     add_files_of_curves();
@@ -536,7 +537,7 @@ private:
           "  flip_geodesics repair polygons.obj --output mesh.off\n"
           "  flip_geodesics repair scan.stl --weld 1e-9 --output scan.ply\n"
           "  flip_geodesics repair - --format off --output - --output-format off");
-    add_output(m_options.results.output, ".off, .obj, .ply, .stl or .vtp");
+    add_outputs("-o,--output", ".off, .obj, .ply, .stl or .vtp; may be repeated")->required();
 
     begin("flatten", "Cut a connected surface open and flatten it conformally, as texture coordinates",
           "  flip_geodesics flatten bunny.off --output flat.obj\n"
@@ -546,7 +547,7 @@ private:
     add_text("--network", "FILE", m_options.network, "a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
     add("--seams", m_options.has_seams, "the texture seams of an OBJ file");
     choose({"--network", "--seams"}, false);
-    add_output(m_options.results.output, ".obj or .glb, with texture coordinates");
+    add_outputs("-o,--output", ".obj or .glb, with texture coordinates; may be repeated")->required();
 
     begin("info", "Print components, borders, genus, size and defects of a mesh",
           "  flip_geodesics info bunny.off\n"
@@ -557,7 +558,8 @@ private:
           "  flip_geodesics view bunny.off --output bunny.html\n"
           "  flip_geodesics view polygons.obj --repair --output polygons.html\n"
           "  flip_geodesics view - --format stl --output scan.html");
-    add_output(m_options.results.live, ".html");
+    m_group = "Results";
+    add_text("-o,--output", "FILE", m_options.results.live, ".html")->required();
   }
 
   // Letters to insert, to drop or to exchange until one text is the other [Levenshtein 1966].

@@ -67,17 +67,12 @@ std::vector<std::string> names_of_inputs(const Options& options)
 std::vector<std::string> names_of_results(const Options& options)
 {
   const Result_names& names = options.results;
-  return {names.polylines,
-          names.stats,
-          names.viewer,
-          names.page,
-          names.live,
-          names.map,
-          names.json,
-          names.output,
-          options.meshes.subdivision,
-          options.meshes.insertion,
-          options.meshes.cut};
+  std::vector<std::string> results = names.outputs;
+  for(const std::string& name :
+      {names.polylines, names.stats, names.page, names.live, names.map, names.json, options.meshes.subdivision,
+       options.meshes.insertion, options.meshes.cut})
+    results.push_back(name);
+  return results;
 }
 
 // Standard input is read once.
@@ -105,7 +100,7 @@ void check_names_of_results(const Options& options)
     results.push_back(name);
   }
   if(!options.output_format.empty() && std::none_of(results.begin(), results.end(), is_standard_output))
-    throw Bad_input("--output-format is the format of a mesh on standard output; give - as the name of a result");
+    throw Bad_input("--output-format is the format of a result on standard output; give - as its name");
 }
 
 // The table goes where no result goes.
@@ -364,6 +359,7 @@ int main(int argc, char** argv)
     if(std::find(argv + 1, argv + argc, std::string()) != argv + argc)
       throw Bad_input("an argument is empty; leave its option out or give it a value");
     command_line.parse(argc, argv);
+    sort_outputs(options);
     CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
     return flushed(run(options));
   } catch(const CLI::CallForHelp&) {

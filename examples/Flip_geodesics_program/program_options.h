@@ -15,8 +15,8 @@ namespace program {
 /// The names of the other files that are written; empty for those that are not wanted.
 struct Result_names
 {
-  std::string polylines, stats, viewer, page, live, map, json;
-  std::string output; ///< the mesh of repair and flatten
+  std::string polylines, stats, page, live, map, json;
+  std::vector<std::string> outputs; ///< meshes: the surface with its curves, or what repair and flatten make of it
   std::optional<double> tubes; ///< the radius of curves for a viewer; 0 for lines
 };
 

@@ -159,7 +159,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   set_tests_properties(program_materials PROPERTIES DEPENDS program_path PASS_REGULAR_EXPRESSION "newmtl curve_a\nKd ")
   flip_geodesics_add_program_test(negative_tubes 2 "--tubes: '-0.02' is out of range" path torus.off --edges path.txt
                                   --mesh t.glb --tubes=-0.02)
-  flip_geodesics_add_program_test(tubes_of_nothing 2 "--tubes requires --mesh" path torus.off --edges path.txt --tubes
+  flip_geodesics_add_program_test(tubes_of_nothing 2 "--tubes requires --output" path torus.off --edges path.txt --tubes
                                   1)
   flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" path torus.off --points points.txt --polylines
                                   points.out)
@@ -242,8 +242,19 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   path collapsed.off --repair --from 0 --to 1)
   flip_geodesics_add_program_test(only_repaired 0 "11 vertices, 7 triangles.*repair: 1 polygon" repair pyramid.off
                                   --output repaired.off)
-  flip_geodesics_add_program_test(repaired_alone 2 "--output is not an option of path, but of repair" path torus.off
-                                  --from 0 --to 1 --output x.off)
+  flip_geodesics_add_program_test(output_format_of_curves 2 "x.off: the extension .*--output. use one of obj ply" path
+                                  torus.off --from 0 --to 1 --output x.off)
+  flip_geodesics_add_program_test(outputs 0 "1 curve" path torus.off --from 0 --to 150 -o several.obj -o several.glb -o
+                                  several.json -o several.csv -o several.html --output several.polylines.txt)
+  add_test(NAME program_outputs_exist
+           COMMAND ${CMAKE_COMMAND} -E sha256sum several.obj several.glb several.json several.csv several.html
+                   several.polylines.txt
+           WORKING_DIRECTORY ${program_dir})
+  set_tests_properties(program_outputs_exist PROPERTIES DEPENDS program_outputs)
+  flip_geodesics_add_program_test(two_outputs_of_json 2 "another result in the format json" path torus.off --from 0 --to
+                                  150 -o a.json -o b.json)
+  flip_geodesics_add_program_test(json_to_standard_output 0 "^.\"command\":\"path\",\"curves\":.\n.\"curve\":0,.*\"status\":\"LOCALLY_SHORTEST\""
+                                  path torus.off --from 0 --to 150 -o - --output-format json --quiet)
   flip_geodesics_add_program_test(bad_repaired 2 "x.xyz" repair torus.off --output x.xyz)
   flip_geodesics_add_program_test(loop 0 LOCALLY_SHORTEST loop torus.off --loop loop.txt)
   flip_geodesics_add_program_test(trivial_loop 0 CONTRACTED loop torus.off --loop trivial_loop.txt --mesh none.vtp)

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <list>
 
 namespace program {
 
@@ -26,17 +27,23 @@ public:
   explicit Output_files(const Options& options)
     : m_polylines(options.results.polylines)
     , m_stats(options.results.stats)
-    , m_viewer(options.results.viewer, result_format(options, options.results.viewer), options.results.tubes)
     , m_page(options.results.page)
     , m_live(options.results.live)
     , m_map(options.results.map)
     , m_subdivision(options.meshes.subdivision, result_format(options, options.meshes.subdivision))
     , m_insertion(options.meshes.insertion, result_format(options, options.meshes.insertion))
     , m_cut(options.meshes.cut, result_format(options, options.meshes.cut))
-    , m_output(options.results.output, result_format(options, options.results.output))
     , m_json(options.results.json, options.command)
     , m_is_repair(options.command == "repair")
   {
+    const bool has_curves = !m_is_repair && options.command != "flatten";
+    for(const std::string& name : options.results.outputs) {
+      const std::string format = result_format(options, name);
+      if(has_curves)
+        m_viewers.emplace_back(name, format, options.results.tubes);
+      else
+        m_meshes.emplace_back(name, format);
+    }
     m_scene.title = name_of_input(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));
   }
 
@@ -49,7 +56,7 @@ public:
       m_stats.write(m_curve, run[i]);
       m_json.write(m_curve, run[i]);
       m_summary.add(m_curve, run[i], i > 0);
-      if(m_viewer.is_wanted() || m_page.is_wanted())
+      if(!m_viewers.empty() || m_page.is_wanted())
         m_scene.curves.push_back(scene_curve(run[i]));
       if(!run[i].error.empty())
         std::cerr << "flip_geodesics: curve " << m_curve << " (" << run[i].name << "): " << run[i].error << '\n';
@@ -70,10 +77,11 @@ public:
     write(meshes.subdivision, m_subdivision);
     write(meshes.insertion, m_insertion);
     write(meshes.cut, m_cut);
-    if(meshes.flattened) {
-      m_output.write_textured(*meshes.flattened);
-      m_output.close();
-    }
+    for(Mesh_file& file : m_meshes)
+      if(meshes.flattened) {
+        file.write_textured(*meshes.flattened);
+        file.close();
+      }
   }
 
   void write(const Mesh_info& info) override { m_json.write(info); }
@@ -84,10 +92,12 @@ public:
     m_stats.close(); // which has lines of curves that failed
     m_json.close(mesh, m_scene.title, remarks);
     if(m_is_repair)
-      write(mesh, m_output);
+      for(Mesh_file& file : m_meshes)
+        write(mesh, file);
     if(m_has_curve || !m_has_failed) {
       m_polylines.close();
-      m_viewer.write(mesh, m_scene);
+      for(Viewer_file& file : m_viewers)
+        file.write(mesh, m_scene);
       m_page.write(mesh, m_scene);
     }
     m_live.write(mesh, m_scene.title);
@@ -118,11 +128,12 @@ private:
 
   Polylines_file m_polylines;
   Stats_file m_stats;
-  Viewer_file m_viewer;
+  std::list<Viewer_file> m_viewers;
   Page_file m_page;
   Live_file m_live;
   Map_file m_map;
-  Mesh_file m_subdivision, m_insertion, m_cut, m_output;
+  Mesh_file m_subdivision, m_insertion, m_cut;
+  std::list<Mesh_file> m_meshes; // of repair and flatten
   Json_file m_json;
   bool m_is_repair;
   Scene m_scene;

@@ -28,6 +28,28 @@ inline std::string result_format(const Options& options, const std::string& name
   return are_polylines ? "polylines" : extension(name);
 }
 
+/// Gives those of `--output` that are not meshes to the options for them, by their formats. \throws Bad_input
+inline void sort_outputs(Options& options)
+{
+  Result_names& names = options.results;
+  const bool has_curves = options.command != "repair" && options.command != "flatten";
+  std::vector<std::string> meshes;
+  for(const std::string& name : names.outputs) {
+    const std::string format = result_format(options, name);
+    std::string* const place = format == "json"                              ? &names.json
+                               : has_curves && format == "csv"               ? &names.stats
+                               : has_curves && format == "html"              ? &names.page
+                                                                             : nullptr;
+    if(place == nullptr)
+      meshes.push_back(name);
+    else if(place->empty())
+      *place = name;
+    else
+      throw Bad_input(name_of_result(name) + ": there is another result in the format " + format + "; give one");
+  }
+  names.outputs = meshes;
+}
+
 inline void check_result_format(const Options& options, const std::string& option, const std::string& name,
                                 const std::vector<std::string>& known)
 {
@@ -63,12 +85,15 @@ inline void check_formats_of_results(const Options& options)
 {
   const Result_names& names = options.results;
   const std::vector<std::string> meshes = {"off", "obj", "ply", "stl", "vtp"};
-  check_result_format(options, "--mesh", names.viewer, {"obj", "ply", "vtp", "glb", "polylines"});
+  const std::vector<std::string> of_outputs =
+      options.command == "repair"    ? meshes
+      : options.command == "flatten" ? std::vector<std::string>{"obj", "glb"}
+                                     : std::vector<std::string>{"obj", "ply", "vtp", "glb", "polylines"};
+  for(const std::string& name : names.outputs)
+    check_result_format(options, "--output", name, of_outputs);
   check_result_format(options, "--subdivision", options.meshes.subdivision, meshes);
   check_result_format(options, "--insert", options.meshes.insertion, meshes);
   check_result_format(options, "--cut", options.meshes.cut, meshes);
-  check_result_format(options, "--output", names.output,
-                      options.command == "flatten" ? std::vector<std::string>{"obj", "glb"} : meshes);
   check_extension("--page", names.page, true);
   check_extension("--output", names.live, true);
   check_extension("--polylines", names.polylines, false);

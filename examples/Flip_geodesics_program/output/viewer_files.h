@@ -26,7 +26,6 @@ namespace program {
 class Viewer_file
 {
 public:
-  /// An empty name means that nothing is to be written.
   /// \param format obj, ply, vtp, glb, or polylines for the curves alone
   /// \param tubes the radius of the tubes that curves are, 0 for lines. Not given, it follows from the mesh; curves of
   /// very many points, as trees have, are lines then.
@@ -37,16 +36,12 @@ public:
     , m_tubes(tubes)
   {
     if(tubes && m_format == "polylines")
-      throw Bad_input("--tubes belongs to --mesh with a file .obj, .ply, .vtp or .glb; give one");
+      throw Bad_input("--tubes belongs to --output with a file .obj, .ply, .vtp or .glb; give one");
   }
-
-  bool is_wanted() const { return m_file.is_wanted(); }
 
   void write(const Mesh& mesh, const Scene& scene)
   {
     namespace IO = CGAL::Flip_geodesics::IO;
-    if(!is_wanted())
-      return;
     m_file.write([&](std::ostream& out) {
       if(m_format == "polylines")
         write_polylines(out, scene);
@@ -79,7 +74,7 @@ private:
   // Is it the name of a file beside which there can be another one?
   static bool is_plain_name(const std::string& name)
   {
-    return !name.empty() && !open_file(name) && !is_special_file(name);
+    return !open_file(name) && !is_special_file(name);
   }
 
   std::string m_format;
