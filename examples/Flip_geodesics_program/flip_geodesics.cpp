@@ -163,8 +163,7 @@ std::vector<Network_request> requests_of(const Run& run)
     return read_requests(run.options, run.input);
   if(run.options.is_cut_graph)
     return {cut_graph_request()};
-  run.progress.enter("searching for loops");
-  return surface_loops(run.input, run.options.are_handles);
+  return surface_loops(run.input, run.options.are_handles, run.progress);
 }
 
 int run_engine(Run run)

@@ -352,7 +352,7 @@ def case_progress(folder):
     tree = folder.start('log', 'fine.off', '--source', '0', '--shortest')
     random = folder.start('path', 'torus.off', *ENDLESS)
     pattern = (r'flip_geodesics: [a-z ]+(?:, [\d ]+ steps|, \d+ of 1 curves)?(?:, ([\d ]+) of 500 000 curves)?'
-               r'(?:, ([\d ]+) flips)?, (\d+) s\n')
+               r'(?:, ([\d ]+) flips)?, (\d+) s(?:, \d+ %, about \d+ s left)?\n')
     lines, figures = [], []
     while len(figures) < 2:
         lines.append(random.stderr.readline())
@@ -363,8 +363,8 @@ def case_progress(folder):
     check(all(0 < one < other for one, other in zip(*figures)), 'the figures do not grow:\n' + ''.join(lines))
     line = tree.stderr.readline()
     check(re.fullmatch(r'flip_geodesics: (reading the mesh|reading curves|growing the tree, [\d ]+ steps(, [\d ]+ flips)?|'
-                       r'looking for shorter paths, [\d ]+ flips|taking curves from the tree, [\d ]+ of 280 000 vertices, '
-                       r'[\d ]+ flips), \d+ s\n', line), line)
+                       r'looking for shorter paths, [\d ]+ steps, [\d ]+ flips|taking curves from the tree, [\d ]+ of 280 000 vertices, '
+                       r'[\d ]+ flips), \d+ s(?:, \d+ %, about \d+ s left)?\n', line), line)
     for run in (quiet, tree, random):
         run.terminate()
     check(re.fullmatch(r'flip_geodesics: interrupted[^\n]*\n', quiet.communicate()[1]), 'it is not quiet')

@@ -525,8 +525,8 @@ private:
     FG::Distances_report shortest;
     shortest.status = report.status;
     if(m_options.is_shortest) {
-      m_progress.enter("looking for shorter paths");
-      shortest = FG::make_shortest(tree);
+      m_progress.enter("looking for shorter paths", "steps");
+      shortest = FG::make_shortest(tree, CGAL::parameters::visitor(std::ref(visitor)));
       m_progress.add_flips(shortest.flips);
     }
     if(m_options.has_map) {

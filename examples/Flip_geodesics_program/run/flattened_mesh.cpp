@@ -18,6 +18,7 @@
 #include <CGAL/Flip_geodesics/subdivide.h>
 #endif
 
+#include <functional>
 #include <sstream>
 #include <utility>
 
@@ -31,11 +32,11 @@ namespace FG = CGAL::Flip_geodesics;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 
-void cut_open(Network& network, const Network_request& cut)
+void cut_open(Network& network, const Network_request& cut, Progress_visitor& visitor)
 {
   if(cut.is_cut_graph) {
-    FG::add_cut_graph(network);
-    FG::shorten_cut_graph(network);
+    FG::add_cut_graph(network, CGAL::parameters::visitor(std::ref(visitor)));
+    FG::shorten_cut_graph(network, CGAL::parameters::visitor(std::ref(visitor)));
     return;
   }
   for(const Curve_request& curve : cut.curves)
@@ -44,7 +45,7 @@ void cut_open(Network& network, const Network_request& cut)
   for(const Vertex_index v : cut.fixed_vertices)
     network.fix_nodes_at(v);
   FG::order_overlapping_curves(network);
-  FG::shorten(network);
+  FG::shorten(network, CGAL::parameters::visitor(std::ref(visitor)));
 }
 
 } // namespace
@@ -53,10 +54,11 @@ Flattened_mesh flattened_mesh(const Mesh& mesh, const Network_request& cut, Prog
 try {
   Triangulation triangulation(mesh);
   Network network(triangulation);
-  progress.enter("cutting");
-  cut_open(network, cut);
-  progress.enter("refining");
-  FG::refine(network);
+  Progress_visitor visitor(progress);
+  progress.enter("cutting", "steps");
+  cut_open(network, cut, visitor);
+  progress.enter("refining", "steps");
+  FG::refine(network, FG::Refinement_options(), CGAL::parameters::visitor(std::ref(visitor)));
   progress.enter("flattening");
   const FG::Conformal_flattening<Triangulation> flattening(network);
   auto subdivision = FG::common_subdivision(triangulation, mesh);

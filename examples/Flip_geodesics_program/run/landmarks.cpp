@@ -23,16 +23,17 @@ namespace {
 namespace FG = CGAL::Flip_geodesics;
 using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>, Program_metric>;
 
-FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size_t number, int threads)
+FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size_t number, int threads,
+                                   Progress_visitor& visitor)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(threads > 1)
     return tbb::task_arena(threads).execute(
-        [&] { return FG::Geodesic_landmarks(triangulation, number, CGAL::Parallel_tag()); });
+        [&] { return FG::Geodesic_landmarks(triangulation, number, CGAL::Parallel_tag(), visitor); });
 #else
   static_cast<void>(threads);
 #endif
-  return FG::Geodesic_landmarks(triangulation, number);
+  return FG::Geodesic_landmarks(triangulation, number, CGAL::Sequential_tag(), visitor);
 }
 
 } // namespace
@@ -40,11 +41,12 @@ FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size
 Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, const Program_metric& metric,
                          Progress& progress)
 {
-  progress.enter("making landmarks");
+  progress.enter("making landmarks", "steps");
+  Progress_visitor visitor(progress);
   const Stopwatch stopwatch;
   try {
     const Triangulation triangulation(mesh, metric);
-    FG::Geodesic_landmarks bounds = make_bounds(triangulation, number, usable_threads(threads));
+    FG::Geodesic_landmarks bounds = make_bounds(triangulation, number, usable_threads(threads), visitor);
     const std::string made = counted(bounds.number_of_landmarks(), "landmark", "landmarks");
     return Landmarks{std::move(bounds), made + ", made in " + readable_time(stopwatch.seconds()) + '\n'};
   } catch(const FG::Degenerate_face_error& error) {

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -38,17 +39,26 @@ public:
   void enter(const char* name, const char* steps = nullptr, std::size_t expected = 0)
   {
     m_steps.store(0, std::memory_order_relaxed);
+    m_share.store(0, std::memory_order_relaxed);
+    m_phase_start.store(m_stopwatch.seconds(), std::memory_order_relaxed);
     m_expected_steps.store(expected, std::memory_order_relaxed);
     m_name_of_steps.store(steps, std::memory_order_relaxed);
     m_phase.store(name, std::memory_order_relaxed);
   }
 
-  void expect_curves(std::size_t count) { m_expected_curves.store(count, std::memory_order_relaxed); }
+  void expect_curves(std::size_t count)
+  {
+    m_curves_start.store(m_stopwatch.seconds(), std::memory_order_relaxed);
+    m_expected_curves.store(count, std::memory_order_relaxed);
+  }
   void add_curves(std::size_t count) { m_curves.fetch_add(count, std::memory_order_relaxed); }
   void add_flips(std::size_t count) { m_flips.fetch_add(count, std::memory_order_relaxed); }
+  /// \param share of what began last that is done, from 0 to 1
+  void set_share(double share) { m_share.store(share, std::memory_order_relaxed); }
   void add_steps(std::size_t count) { m_steps.fetch_add(count, std::memory_order_relaxed); }
 
-  /// A line for people, as `reading the mesh, 2 s` or `reading curves off, 131 of 500 curves, 94 413 flips, 4 s`.
+  /// A line for people, as `reading the mesh, 2 s` or `reading curves off, 131 of 500 curves, 94 413 flips, 4 s, 26 %,
+  /// about 11 s left`.
   std::string line() const
   {
     const auto figure = [](const std::atomic<std::size_t>& count) {
@@ -61,13 +71,31 @@ public:
       text += ", " + figure(m_curves) + " of " + figure(m_expected_curves) + " curves";
     if(m_flips.load(std::memory_order_relaxed) > 0)
       text += ", " + figure(m_flips) + " flips";
-    return text + ", " + std::to_string(static_cast<long long>(m_stopwatch.seconds())) + " s";
+    return text + ", " + std::to_string(static_cast<long long>(m_stopwatch.seconds())) + " s" + remainder();
   }
 
 private:
+  // The share that is done and the time left if that goes on as before: of all curves, or of what began last.
+  std::string remainder() const
+  {
+    const auto quotient = [](const std::atomic<std::size_t>& part, const std::atomic<std::size_t>& whole) {
+      return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+    };
+    const bool are_curves = m_expected_curves > 1;
+    const double share = are_curves                ? quotient(m_curves, m_expected_curves)
+                         : m_expected_steps > 0    ? quotient(m_steps, m_expected_steps)
+                                                   : m_share.load();
+    if(!(share > 0 && share < 1))
+      return "";
+    const double passed = m_stopwatch.seconds() - (are_curves ? m_curves_start : m_phase_start);
+    return ", " + std::to_string(std::lround(100 * share)) + " %, about " +
+           std::to_string(std::lround(passed * (1 - share) / share)) + " s left";
+  }
+
   Stopwatch m_stopwatch;
   std::atomic<const char*> m_phase = "starting", m_name_of_steps = nullptr;
   std::atomic<std::size_t> m_steps = 0, m_expected_steps = 0, m_expected_curves = 0, m_curves = 0, m_flips = 0;
+  std::atomic<double> m_share = 0, m_phase_start = 0, m_curves_start = 0;
 };
 
 /// Passes flips and steps on to the progress, some at a time.
@@ -108,6 +136,21 @@ public:
 private:
   Progress& m_progress;
   std::size_t m_flips = 0, m_steps = 0;
+};
+
+/// Passes on the share that is done.
+class Share_visitor : public CGAL::Flip_geodesics::Default_shortening_visitor
+{
+public:
+  explicit Share_visitor(Progress& progress)
+    : m_progress(progress)
+  {
+  }
+
+  void on_progress(double share) { m_progress.set_share(share); }
+
+private:
+  Progress& m_progress;
 };
 
 } // namespace program

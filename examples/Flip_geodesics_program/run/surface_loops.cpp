@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 
+#include <functional>
 #include <string>
 
 namespace program {
@@ -33,16 +34,19 @@ void append(const Triangulation& triangulation, const Loops& loops, const std::s
 
 } // namespace
 
-std::vector<Network_request> surface_loops(const Mesh& mesh, bool are_handles_and_tunnels)
+std::vector<Network_request> surface_loops(const Mesh& mesh, bool are_handles_and_tunnels, Progress& progress)
 try {
   const Triangulation triangulation(mesh);
+  progress.enter("searching for loops", "steps");
+  Progress_visitor visitor(progress);
   std::vector<Network_request> requests;
   if(are_handles_and_tunnels) {
-    const FG::Handle_and_tunnel_loops loops = FG::handle_and_tunnel_loops(triangulation);
+    const FG::Handle_and_tunnel_loops loops =
+        FG::handle_and_tunnel_loops(triangulation, CGAL::parameters::visitor(std::ref(visitor)));
     append(triangulation, loops.handles, "handle loop", requests);
     append(triangulation, loops.tunnels, "tunnel loop", requests);
   } else {
-    const FG::Loop_basis<Triangulation> basis(triangulation);
+    const FG::Loop_basis<Triangulation> basis(triangulation, std::vector<FG::Vertex_index>(), visitor);
     Loops cycles;
     for(Index i = 0; i < basis.number_of_loops(); ++i)
       cycles.push_back(basis.cycle(i));

@@ -5,6 +5,7 @@
 
 #include "input/curve_requests.h"
 #include "program_mesh.h"
+#include "run/progress.h"
 
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace program {
 
 /// Returns loops along edges, one per request, that generate the homology of the surface: those of a basis, or the
 /// handle loops and then the tunnel loops of the solid that it bounds. \throws Bad_input
-std::vector<Network_request> surface_loops(const Mesh& mesh, bool are_handles_and_tunnels);
+std::vector<Network_request> surface_loops(const Mesh& mesh, bool are_handles_and_tunnels, Progress& progress);
 
 } // namespace program
 
