@@ -140,8 +140,7 @@ private:
     using Type = Value;
   };
 
-  static constexpr const char* m_points =
-      "Points are `v`, x,y,z in space, a,b,t on an edge, a,b,c,t,u in a face";
+  static constexpr const char* m_points = "Points are `v`, x,y,z in space, a,b,t on an edge, a,b,c,t,u in a face";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 
@@ -240,8 +239,9 @@ private:
         ->required();
     add_text("--format", "NAME", m_options.format, "off, obj, ply, stl or ts [by the extension]");
     const std::string command = name;
-    CLI::Option* const repair =
-        command == "repair" || command == "info" ? nullptr : add("--repair", m_options.is_repaired, "repair the mesh first");
+    CLI::Option* const repair = command == "repair" || command == "info"
+                                    ? nullptr
+                                    : add("--repair", m_options.is_repaired, "repair the mesh first");
     CLI::Option* const weld = add("--weld", "TOLERANCE", m_options.weld, {0, 1, false, true},
                                   "merge points this close in the repair, relative to the box [0]");
     if(repair != nullptr)
@@ -249,7 +249,8 @@ private:
     add("--force", m_options.is_replacing_input, "let a result replace a file that is read");
     add("-q,--quiet", m_options.is_quiet, "print neither table nor progress");
     add_text("--json", "FILE", m_options.results.json, "all results as JSON; - for standard output");
-    add_text("--output-format", "NAME", m_options.output_format, "format of what --output writes to -, standard output");
+    add_text("--output-format", "NAME", m_options.output_format,
+             "format of what --output writes to -, standard output");
   }
 
   void add_ends()
@@ -349,6 +350,8 @@ private:
     add("--tubes", "RADIUS", m_options.results.tubes, not_negative,
         "of curves in --output, 0 for lines [1/500 of the mesh]")
         ->needs(output);
+    add("--sample", "DISTANCE", m_options.sample, positive,
+        "write points at this distance along curves, not where they cross edges");
     add_text("--page", "FILE", m_options.results.page, "page for a browser: surface, curves and flips");
     add_text("--polylines", "FILE", m_options.results.polylines, "line per point, `curve a b t x y z`: (1-t) a + t b");
     add_text("--stats", "FILE", m_options.results.stats, "CSV, a line per curve");
@@ -414,6 +417,8 @@ private:
     choose({"--network", "--segmentation", "--seams"}, true);
     add_arithmetic();
     add_stop_length();
+    add("--stop-curve-length", "RATIO", m_options.stop_curve_length, {0, 1},
+        "the same for each curve, so that small loops stay [0]");
     add_files_of_curves();
 
     begin("spline", "Compute geodesic Bezier curves and B-splines",
@@ -486,22 +491,28 @@ private:
         ->required();
     add_files_of_curves();
 
-    begin("distance", "Compute isolines of distances and Voronoi diagrams",
+    begin("distance", "Compute distances, their isolines and Voronoi diagrams",
           "  flip_geodesics distance bunny.off --source 0,500,900 --isolines 0.1,0.2,0.3 -o isolines.vtp\n"
           "  flip_geodesics distance bunny.off --source 0 --spacing 0.1 --polylines isolines.txt\n"
-          "  flip_geodesics distance bunny.off --source 0,500 --voronoi --cut cells.off");
+          "  flip_geodesics distance bunny.off --sources points.txt --map distances.csv --values -o distances.vtp");
     m_group = m_points;
     add_text("--source", "POINT", m_options.sources, "a source of the distances, or vertices v,v,...; may be repeated")
-        ->allow_extra_args(false)
-        ->required();
+        ->allow_extra_args(false);
+    add_text("--sources", "FILE", m_options.sources_file,
+             "further sources, as points between blanks or commas and blanks");
+    choose({"--source", "--sources"}, true, false);
     add_list("--isolines", "DISTANCE,...", m_options.isolines, positive, "curves at these distances from the nearest");
     add("--spacing", "DISTANCE", m_options.spacing, positive, "curves at all multiples of this distance");
     add("--voronoi", m_options.has_voronoi, "curves on which the nearest source changes");
     add("--tolerance", "LENGTH", m_options.tolerance, positive,
         "how far these may lie from the true curves [1/1000 of the mesh]");
-    choose({"--isolines", "--spacing"}, false);
-    choose({"--isolines", "--spacing", "--voronoi"}, true, false);
     add_files_of_curves();
+    add_text("--map", "FILE", m_options.results.map, "CSV, a line `vertex,distance,source` per vertex");
+    add("--values", m_options.results.has_values, "write distances at vertices to .ply and .vtp, which are binary then")
+        ->needs(m_command->get_option("--output"));
+    add_text("--matrix", "FILE", m_options.results.matrix, "CSV, the distances between the sources");
+    choose({"--isolines", "--spacing"}, false);
+    choose({"--isolines", "--spacing", "--voronoi", "--map", "--values", "--matrix"}, true, false);
 
     begin("log", "Compute the tree of geodesics from a point and its logarithmic map",
           "  flip_geodesics log bunny.off --source 0 --map map.csv\n"

@@ -60,17 +60,16 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
 
 std::vector<std::string> names_of_inputs(const Options& options)
 {
-  return {options.mesh,         options.pairs,  options.edges,  options.loop, options.network,
-          options.segmentation, options.points, options.bezier, options.draw, options.obstacles};
+  return {options.mesh,   options.pairs,  options.edges, options.loop,      options.network,     options.segmentation,
+          options.points, options.bezier, options.draw,  options.obstacles, options.sources_file};
 }
 
 std::vector<std::string> names_of_results(const Options& options)
 {
   const Result_names& names = options.results;
   std::vector<std::string> results = names.outputs;
-  for(const std::string& name :
-      {names.polylines, names.stats, names.page, names.live, names.map, names.json, options.meshes.subdivision,
-       options.meshes.insertion, options.meshes.cut})
+  for(const std::string& name : {names.polylines, names.stats, names.page, names.live, names.map, names.matrix,
+                                 names.json, options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
     results.push_back(name);
   return results;
 }
@@ -191,6 +190,7 @@ int run_engine(Run run)
   progress.expect_curves(number_of_curves);
   const Run_options run_options = {search_method(options.search),
                                    options.stop_length,
+                                   options.stop_curve_length,
                                    options.is_shortest || options.command == "shortest",
                                    landmarks ? &landmarks->bounds : nullptr,
                                    options.rounds,
@@ -210,7 +210,9 @@ int run_engine(Run run)
 
   run.open();
   Outputs& outputs = *run.outputs;
-  const auto write = [&](const Network_request&, const std::vector<Curve_result>& results) {
+  const auto write = [&](const Network_request&, std::vector<Curve_result> results) {
+    if(options.sample)
+      sample_curves(mesh, *options.sample, results);
     progress.enter("writing");
     outputs.write(results, engine->record());
     if(engine->map())
@@ -234,21 +236,29 @@ int run_at_once(Run& run, const Compute& compute)
 {
   run.open();
   std::string lines;
-  const std::vector<Curve_result> results = compute(lines);
+  std::vector<Curve_result> results = compute(lines);
+  run.outputs->write(meshes_along(run.input, results, run.options.meshes, run.progress));
+  if(run.options.sample)
+    sample_curves(run.input, *run.options.sample, results);
   run.progress.enter("writing");
   for(const Curve_result& result : results)
     run.outputs->write({result}, std::nullopt);
-  run.outputs->write(meshes_along(run.input, results, run.options.meshes, run.progress));
   return run.finish(lines);
 }
 
 int run_field(Run run)
 {
   const Options& options = run.options;
-  const Field_request request = {read_sources(options, run.input), options.isolines, options.spacing,
-                                 options.has_voronoi, options.tolerance};
+  const Field_request request = {read_sources(options, run.input),
+                                 options.isolines,
+                                 options.spacing,
+                                 options.has_voronoi,
+                                 options.results.has_values || !options.results.map.empty(),
+                                 !options.results.matrix.empty(),
+                                 options.tolerance};
   return run_at_once(run, [&](std::string& lines) {
     Field_curves found = field_curves(run.input, request, run.progress);
+    run.outputs->write(found);
     lines = std::move(found.remarks);
     return std::move(found.curves);
   });

@@ -15,9 +15,10 @@ namespace program {
 /// The names of the other files that are written; empty for those that are not wanted.
 struct Result_names
 {
-  std::string polylines, stats, page, live, map, json;
+  std::string polylines, stats, page, live, map, matrix, json;
+  bool has_values = false;          ///< are distances of vertices written to the outputs?
   std::vector<std::string> outputs; ///< meshes: the surface with its curves, or what repair and flatten make of it
-  std::optional<double> tubes; ///< the radius of curves for a viewer; 0 for lines
+  std::optional<double> tubes;      ///< the radius of curves for a viewer; 0 for lines
 };
 
 struct Options
@@ -33,13 +34,15 @@ struct Options
   int rounds = 5;
   std::optional<long long> landmarks, ways, random;
   std::vector<std::string> sources;
+  std::string sources_file;
+  std::optional<double> sample;    ///< the distance between points of curves
   std::string obstacles;           ///< their file
   std::vector<std::string> traces; ///< each a point and two numbers
   std::vector<double> isolines;
   double spacing = 0, tolerance = 0; ///< zero for none and for the default
   long long seed = 1;
   std::string kernel = "certified", search = "lookback";
-  std::optional<double> stop_length, mollify, most_memory;
+  std::optional<double> stop_length, stop_curve_length, mollify, most_memory;
   bool are_zero_edges_refused = false;
   int threads = 1;
   Result_names results;

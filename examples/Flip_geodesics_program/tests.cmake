@@ -191,6 +191,25 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0,12,13,0.3,0.3 --map point_map.csv)
   flip_geodesics_add_program_test(trace_from_points 0 "from point 0,1,0.25 at 0.5\n.*3 LENGTH" trace torus.off --trace
                                   0,1,0.25,0.5,2 --trace 0,12,13,0.3,0.3,1,2 --trace 1.5,0,0,0,1)
+  file(WRITE ${program_dir}/sources.txt "5 100 # two vertices\n0,1,0.25\n")
+  flip_geodesics_add_program_test(distance_map 0 "\nvertex,distance,source\n0,[^\n]*,2\n1,[^\n]*\n" distance torus.off
+                                  --sources sources.txt --map - --matrix matrix.csv --values -o distances.vtp -o
+                                  distances.ply)
+  flip_geodesics_add_program_test(distance_map_of_ply 0 "288 vertices" info distances.ply)
+  set_tests_properties(program_distance_map_of_ply PROPERTIES DEPENDS program_distance_map)
+  add_test(NAME program_distance_matrix COMMAND ${CMAKE_COMMAND} -E cat matrix.csv WORKING_DIRECTORY ${program_dir})
+  set_tests_properties(program_distance_matrix PROPERTIES DEPENDS program_distance_map PASS_REGULAR_EXPRESSION
+                       "^0,[^,]*,[^,]*\n[^,]*,0,[^,]*\n[^,]*,[^,]*,0\n$")
+  flip_geodesics_add_program_test(values_alone 2 "--values requires --output" distance torus.off --source 0 --values)
+  flip_geodesics_add_program_test(sample 0 "3 LENGTH" trace torus.off --trace 0,0.5,2 --trace 0,0.5,0 --trace 7,1,0.25
+                                  --sample 0.5 --polylines samples.txt)
+  add_test(NAME program_samples COMMAND ${CMAKE_COMMAND} -E cat samples.txt WORKING_DIRECTORY ${program_dir})
+  set_tests_properties(program_samples PROPERTIES DEPENDS program_sample PASS_REGULAR_EXPRESSION
+                       "^(0 [^\n]*\n)(0 [^\n]*\n)(0 [^\n]*\n)(0 [^\n]*\n)(0 [^\n]*\n)1 [^\n]*\n1 [^\n]*\n2 [^\n]*\n2 [^\n]*\n$")
+  flip_geodesics_add_program_test(sample_of_paths 0 "2 LOCALLY_SHORTEST" path torus.off --pairs pairs.txt --sample 0.1 -o
+                                  samples.vtp)
+  flip_geodesics_add_program_test(stop_curve_length 0 "CURVE_LENGTH_LIMIT" network torus.off --network network.txt
+                                  --stop-curve-length 0.99)
   flip_geodesics_add_program_test(distance_from_points 0 "between vertex 5 and point 0,1,0.25" distance torus.off --source
                                   5,100 --source 0,1,0.25 --source 1.5,0,0.1 --voronoi --isolines 0.2)
   flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt)

@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H
 
+#include "program_mesh.h"
+
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
@@ -14,6 +16,28 @@
 namespace program {
 
 using CGAL::Flip_geodesics::Vertex_index;
+
+/// The halfedge from a to b; one of the face with c if that is given.
+inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Vertex_index a, Vertex_index b, Vertex_index c)
+{
+  const Mesh::Halfedge_index h = mesh.halfedge(mesh_vertex(a), mesh_vertex(b));
+  const bool is_of_face = h != Mesh::null_halfedge() &&
+                          (!c.is_valid() || (!mesh.is_border(h) && mesh.target(mesh.next(h)) == mesh_vertex(c)));
+  return is_of_face ? h : Mesh::null_halfedge();
+}
+
+/// The point (1-t-u) a + t b + u c of an edge, or of a face if c is given. Nothing if there is no such edge or face.
+inline std::optional<CGAL::Flip_geodesics::Surface_location> location_between(const Mesh& mesh, Vertex_index a,
+                                                                              Vertex_index b, Vertex_index c, double t,
+                                                                              double u)
+{
+  using Location = CGAL::Flip_geodesics::Surface_location;
+  if(const auto h = halfedge_between(mesh, a, b, c); h != Mesh::null_halfedge())
+    return Location{index_of(h), {{1 - t - u, t, u}}};
+  if(const auto h = halfedge_between(mesh, b, a, c); h != Mesh::null_halfedge())
+    return Location{index_of(h), {{t, 1 - t - u, u}}};
+  return std::nullopt;
+}
 
 /// A curve to compute. Two vertices of a pair need not be neighbours; those of a curve given by its edges are.
 struct Curve_request

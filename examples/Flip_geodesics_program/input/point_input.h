@@ -47,15 +47,6 @@ inline Vertex_index read_vertex(const Input_mesh& mesh, double number, const std
   return mesh.vertex(static_cast<long long>(number), name);
 }
 
-/// The halfedge from a to b; one of the face with c if that is given.
-inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Vertex_index a, Vertex_index b, Vertex_index c)
-{
-  const Mesh::Halfedge_index h = mesh.halfedge(mesh_vertex(a), mesh_vertex(b));
-  const bool is_of_face = h != Mesh::null_halfedge() &&
-                          (!c.is_valid() || (!mesh.is_border(h) && mesh.target(mesh.next(h)) == mesh_vertex(c)));
-  return is_of_face ? h : Mesh::null_halfedge();
-}
-
 /// Finds the points that words stand for.
 class Point_reader
 {
@@ -100,10 +91,8 @@ private:
     if(!(t >= 0 && u >= 0 && t + u <= 1))
       throw Bad_input(name + ": '" + printable(word) +
                       "' is outside; its coordinates must not be negative or sum to more than 1");
-    if(const auto h = halfedge_between(m_mesh, a, b, c); h != Mesh::null_halfedge())
-      return {index_of(h), {{1 - t - u, t, u}}};
-    if(const auto h = halfedge_between(m_mesh, b, a, c); h != Mesh::null_halfedge())
-      return {index_of(h), {{t, 1 - t - u, u}}};
+    if(const auto location = location_between(m_mesh, a, b, c, t, u))
+      return *location;
     throw Bad_input(name + ": '" + printable(word) +
                     "' names vertices that are not those of an edge or face; correct " +
                     (c.is_valid() ? "them" : "them, or write x.0,y.0,z for a point in space"));

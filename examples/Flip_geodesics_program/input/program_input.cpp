@@ -65,7 +65,17 @@ std::vector<program::Network_request> program::read_requests(const Options& opti
 
 std::vector<program::Named_point> program::read_sources(const Options& options, const Input_mesh& mesh)
 {
-  return read_named_points(mesh, options.sources, "--source");
+  std::vector<Named_point> sources = read_named_points(mesh, options.sources, "--source");
+  if(options.sources_file.empty())
+    return sources;
+  Point_reader read_point(mesh);
+  for_each_line(read_text(options.sources_file), [&](Text_scanner& words) {
+    for(std::string_view word; !(word = next_point(words)).empty();)
+      sources.push_back(read_named_point(read_point, std::string(word), words.place()));
+  });
+  if(sources.empty())
+    throw Bad_input("--sources: there is no point in the file; write one per line");
+  return sources;
 }
 
 std::vector<program::Trace_request> program::read_traces(const Options& options, const Input_mesh& mesh)

@@ -88,7 +88,8 @@ public:
     if(format == "polylines")
       write_polylines(out, m_scene);
     else
-      with_curves(m_mesh, m_scene, std::nullopt, CGAL::Flip_geodesics::IO::Colors(), [&](const auto&... parts) { write(out, format, parts...); });
+      with_curves(m_mesh, m_scene, std::nullopt, CGAL::Flip_geodesics::IO::Colors(),
+                  [&](const auto&... parts) { write(out, format, parts...); });
     return out.str();
   }
 

@@ -7,6 +7,7 @@
 #include "output/output_file.h"
 #include "program_mesh.h"
 #include "run/curve_engine.h"
+#include "run/field_curves.h"
 #include "run/mesh_info.h"
 
 #include <cstddef>
@@ -62,9 +63,21 @@ public:
                 ",\"borders\":" + std::to_string(c.borders) + ",\"genus\":" + std::to_string(c.genus()) + '}';
     m_info += "],\"isolated_vertices\":" + std::to_string(info.isolated_vertices) +
               ",\"degenerate_edges\":" + std::to_string(info.degenerate_edges) +
-              ",\"degenerate_faces\":" + std::to_string(info.degenerate_faces) +
-              ",\"area\":" + json_number(info.area) + ",\"shortest_edge\":" + json_number(info.shortest_edge) +
+              ",\"degenerate_faces\":" + std::to_string(info.degenerate_faces) + ",\"area\":" + json_number(info.area) +
+              ",\"shortest_edge\":" + json_number(info.shortest_edge) +
               ",\"longest_edge\":" + json_number(info.longest_edge) + ",\"defects\":" + list(info.defects) + '}';
+  }
+
+  void write(const Field_curves& field)
+  {
+    if(field.map)
+      m_info += ",\"distances\":" + list(field.map->distances);
+    if(field.matrix.empty())
+      return;
+    m_info += ",\"matrix\":[";
+    for(const std::vector<double>& row : field.matrix)
+      m_info += (&row == &field.matrix.front() ? "\n" : ",\n") + list(row);
+    m_info += ']';
   }
 
   /// \param remarks lines about the file and the results
@@ -80,11 +93,15 @@ public:
 private:
   static const char* truth(bool value) { return value ? "true" : "false"; }
 
-  static std::string list(const std::vector<std::string>& lines)
+  static std::string json(const std::string& text) { return json_string(text); }
+  static std::string json(double x) { return json_number(x); }
+
+  template <class Item>
+  static std::string list(const std::vector<Item>& items)
   {
     std::string text;
-    for(const std::string& line : lines)
-      text += (text.empty() ? "" : ",") + json_string(line);
+    for(const Item& item : items)
+      text += (text.empty() ? "" : ",") + json(item);
     return '[' + text + ']';
   }
 

@@ -30,6 +30,7 @@ public:
     , m_page(options.results.page)
     , m_live(options.results.live)
     , m_map(options.results.map)
+    , m_matrix(options.results.matrix)
     , m_subdivision(options.meshes.subdivision, result_format(options, options.meshes.subdivision))
     , m_insertion(options.meshes.insertion, result_format(options, options.meshes.insertion))
     , m_cut(options.meshes.cut, result_format(options, options.meshes.cut))
@@ -86,9 +87,19 @@ public:
 
   void write(const Mesh_info& info) override { m_json.write(info); }
 
+  void write(const Field_curves& field) override
+  {
+    m_json.write(field);
+    m_matrix.write(field.matrix);
+    if(field.map)
+      m_map.write(*field.map);
+    m_values = field.map;
+  }
+
   void close(const Mesh& mesh, const std::vector<std::string>& remarks) override
   {
     m_map.close();
+    m_matrix.close();
     m_stats.close(); // which has lines of curves that failed
     m_json.close(mesh, m_scene.title, remarks);
     if(m_is_repair)
@@ -97,7 +108,7 @@ public:
     if(m_has_curve || !m_has_failed) {
       m_polylines.close();
       for(Viewer_file& file : m_viewers)
-        file.write(mesh, m_scene);
+        file.write(mesh, m_scene, m_values);
       m_page.write(mesh, m_scene);
     }
     m_live.write(mesh, m_scene.title);
@@ -132,6 +143,8 @@ private:
   Page_file m_page;
   Live_file m_live;
   Map_file m_map;
+  Matrix_file m_matrix;
+  std::optional<Distance_map> m_values;
   Mesh_file m_subdivision, m_insertion, m_cut;
   std::list<Mesh_file> m_meshes; // of repair and flatten
   Json_file m_json;

@@ -6,6 +6,7 @@
 #include "program_mesh.h"
 #include "program_options.h"
 #include "run/curve_engine.h"
+#include "run/field_curves.h"
 #include "run/mesh_info.h"
 
 #include <cstddef>
@@ -32,6 +33,9 @@ public:
   virtual void write(const Result_meshes& meshes) = 0;
 
   virtual void write(const Mesh_info& info) = 0;
+
+  /// Writes the distances; the curves come as results.
+  virtual void write(const Field_curves& field) = 0;
 
   /// Completes the files. \param remarks lines about the mesh and the results
   virtual void close(const Mesh& mesh, const std::vector<std::string>& remarks) = 0;

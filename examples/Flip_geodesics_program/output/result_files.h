@@ -5,9 +5,12 @@
 
 #include "output/output_file.h"
 #include "run/curve_engine.h"
+#include "run/field_curves.h"
 
+#include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 // The files with lines for programs: polylines and statistics. They are written as the curves come.
 namespace program {
@@ -81,7 +84,8 @@ private:
 };
 
 /// Comma-separated values, one line per vertex: its distance from the source of a tree, the angle at which its path
-/// starts, in radians, and both as a point of the plane. `inf` and `nan` where there is no path.
+/// starts, in radians, and both as a point of the plane; or its distance from the nearest of several sources and the
+/// number of that. `inf` and `nan` where there is no path.
 class Map_file
 {
 public:
@@ -104,6 +108,16 @@ public:
     }
   }
 
+  void write(const Distance_map& map)
+  {
+    if(!m_file.is_wanted())
+      return;
+    m_has_map = true;
+    m_file.stream() << "vertex,distance,source\n";
+    for(std::size_t v = 0; v < map.distances.size(); ++v)
+      m_file.stream() << v << ',' << map.distances[v] << ',' << map.nearest[v] << '\n';
+  }
+
   // Without a map what was there stays.
   void close()
   {
@@ -114,6 +128,28 @@ public:
 private:
   Output_file m_file;
   bool m_has_map = false;
+};
+
+/// Comma-separated values, the rows of a matrix.
+class Matrix_file
+{
+public:
+  explicit Matrix_file(const std::string& name)
+    : m_file(name)
+  {
+  }
+
+  void write(const std::vector<std::vector<double>>& rows)
+  {
+    for(const std::vector<double>& row : rows)
+      for(const double& x : row)
+        m_file.stream() << x << (&x == &row.back() ? '\n' : ',');
+  }
+
+  void close() { m_file.close(); }
+
+private:
+  Output_file m_file;
 };
 
 } // namespace program

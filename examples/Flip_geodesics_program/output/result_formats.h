@@ -36,10 +36,10 @@ inline void sort_outputs(Options& options)
   std::vector<std::string> meshes;
   for(const std::string& name : names.outputs) {
     const std::string format = result_format(options, name);
-    std::string* const place = format == "json"                              ? &names.json
-                               : has_curves && format == "csv"               ? &names.stats
-                               : has_curves && format == "html"              ? &names.page
-                                                                             : nullptr;
+    std::string* const place = format == "json"                 ? &names.json
+                               : has_curves && format == "csv"  ? &names.stats
+                               : has_curves && format == "html" ? &names.page
+                                                                : nullptr;
     if(place == nullptr)
       meshes.push_back(name);
     else if(place->empty())
@@ -85,10 +85,10 @@ inline void check_formats_of_results(const Options& options)
 {
   const Result_names& names = options.results;
   const std::vector<std::string> meshes = {"off", "obj", "ply", "stl", "vtp"};
-  const std::vector<std::string> of_outputs =
-      options.command == "repair"    ? meshes
-      : options.command == "flatten" ? std::vector<std::string>{"obj", "glb"}
-                                     : std::vector<std::string>{"obj", "ply", "vtp", "glb", "polylines"};
+  const std::vector<std::string> of_outputs = options.command == "repair" ? meshes
+                                              : options.command == "flatten"
+                                                  ? std::vector<std::string>{"obj", "glb"}
+                                                  : std::vector<std::string>{"obj", "ply", "vtp", "glb", "polylines"};
   for(const std::string& name : names.outputs)
     check_result_format(options, "--output", name, of_outputs);
   check_result_format(options, "--subdivision", options.meshes.subdivision, meshes);
@@ -99,6 +99,7 @@ inline void check_formats_of_results(const Options& options)
   check_extension("--polylines", names.polylines, false);
   check_extension("--stats", names.stats, false);
   check_extension("--map", names.map, false);
+  check_extension("--matrix", names.matrix, false);
   check_extension("--json", names.json, false);
 }
 

@@ -86,7 +86,8 @@ private:
   static std::string line(std::size_t curve, const Curve_result& r)
   {
     if(!r.is_pulled_tight)
-      return format("%5zu %10zu %13.6g  %-16s  ", curve, r.initial_segments, r.length, r.status.c_str()) + r.name + '\n';
+      return format("%5zu %10zu %13.6g  %-16s  ", curve, r.initial_segments, r.length, r.status.c_str()) + r.name +
+             '\n';
     return format("%5zu %9s %9s %9zu %13.6g %13.6g %9zu  %-16s %8.3f  %-11s  ", curve, vertex(r.source).c_str(),
                   vertex(r.target).c_str(), r.initial_segments, r.initial_length, r.length, r.flips, r.status.c_str(),
                   1e3 * (r.search_s + r.shorten_s + r.extract_s), r.certificate.c_str()) +

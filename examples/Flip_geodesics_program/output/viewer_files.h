@@ -6,12 +6,15 @@
 #include "bad_input.h"
 #include "output/output_file.h"
 #include "output/viewer_curves.h"
+#include "run/field_curves.h"
 #include "scene.h"
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
 #include <CGAL/Flip_geodesics/IO/PLY.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -39,15 +42,17 @@ public:
       throw Bad_input("--tubes belongs to --output with a file .obj, .ply, .vtp or .glb; give one");
   }
 
-  void write(const Mesh& mesh, const Scene& scene)
+  /// \param values of the vertices, for ply and vtp
+  void write(const Mesh& mesh, const Scene& scene, const std::optional<Distance_map>& values)
   {
     namespace IO = CGAL::Flip_geodesics::IO;
     m_file.write([&](std::ostream& out) {
       if(m_format == "polylines")
         write_polylines(out, scene);
       else
-        with_curves(mesh, scene, m_tubes, IO::Colors(m_materials.name().substr(m_materials.name().find_last_of("/\\") + 1)),
-                    [&](const auto&... parts) { write(out, parts...); });
+        with_curves(mesh, scene, m_tubes,
+                    IO::Colors(m_materials.name().substr(m_materials.name().find_last_of("/\\") + 1)),
+                    [&](const auto&... parts) { values ? write_with(out, *values, parts...) : write(out, parts...); });
     });
     m_file.close();
     if(m_materials.is_wanted())
@@ -56,6 +61,27 @@ public:
   }
 
 private:
+  template <class Value>
+  static auto value_map(const std::vector<Value>& values)
+  {
+    return boost::make_function_property_map<Mesh::Vertex_index>([&values](Mesh::Vertex_index v) { return values[v]; });
+  }
+
+  // Text cannot hold that points of curves have no value.
+  template <class... Parts>
+  void write_with(std::ostream& out, const Distance_map& values, const Parts&... parts) const
+  {
+    namespace IO = CGAL::Flip_geodesics::IO;
+    const IO::Vertex_values distances("distance", value_map(values.distances)),
+        nearest("source", value_map(values.nearest));
+    if(m_format == "ply")
+      IO::write_PLY(out, parts..., distances, nearest);
+    else if(m_format == "vtp")
+      IO::write_VTP(out, parts..., distances, nearest);
+    else
+      write(out, parts...);
+  }
+
   template <class... Parts>
   void write(std::ostream& out, const Parts&... parts) const
   {
@@ -72,10 +98,7 @@ private:
   }
 
   // Is it the name of a file beside which there can be another one?
-  static bool is_plain_name(const std::string& name)
-  {
-    return !open_file(name) && !is_special_file(name);
-  }
+  static bool is_plain_name(const std::string& name) { return !open_file(name) && !is_special_file(name); }
 
   std::string m_format;
   Output_file m_file, m_materials;

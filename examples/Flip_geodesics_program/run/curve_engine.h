@@ -59,8 +59,9 @@ struct Curve_result
 struct Run_options
 {
   CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
-  std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
-  bool is_shortest = false;          ///< paths of pairs and of a tree are to be globally shortest
+  std::optional<double> stop_length;       ///< stop at this share of the initial length; of the total one of a network
+  std::optional<double> stop_curve_length; ///< the same of each curve of a network
+  bool is_shortest = false;                ///< paths of pairs and of a tree are to be globally shortest
   const CGAL::Flip_geodesics::Geodesic_landmarks* landmarks = nullptr; ///< for pairs; null if there are none
   int rounds = 5;                                                      ///< how often the pieces of splines are halved
   bool is_snapped = false;             ///< move polylines to edges, and do not insert their points

@@ -20,8 +20,8 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
-#include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_loops.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
@@ -361,10 +361,11 @@ private:
     Progress_visitor visitor(m_progress);
     std::vector<std::pair<Mesh::Face_index, std::array<double, 3>>> path;
     const FG::Shortest_path_report report =
-        FG::shortest_path(m_mesh, request.points[0], request.points[1], std::back_inserter(path),
-                          CGAL::parameters::metric(m_metric), CGAL::parameters::geom_traits(Traits()),
-                          CGAL::parameters::search_limit(window_limit(m_mesh.number_of_vertices(), m_options.most_memory)),
-                          CGAL::parameters::visitor(std::ref(visitor)))
+        FG::shortest_path(
+            m_mesh, request.points[0], request.points[1], std::back_inserter(path), CGAL::parameters::metric(m_metric),
+            CGAL::parameters::geom_traits(Traits()),
+            CGAL::parameters::search_limit(window_limit(m_mesh.number_of_vertices(), m_options.most_memory)),
+            CGAL::parameters::visitor(std::ref(visitor)))
             .report;
     note(report.shortening, report.shortening.curves.front(), result);
     result.status = to_string(report.verdict);
@@ -427,7 +428,8 @@ private:
   bool may_have_free_legs(const Network_request& request) const
   {
     return !request.has_no_given_curves() && !request.curves.front().points.empty() &&
-           !request.curves.front().is_drawn && !m_options.is_shortest && !m_options.meshes.is_any_wanted() && !m_options.stop_length;
+           !request.curves.front().is_drawn && !m_options.is_shortest && !m_options.meshes.is_any_wanted() &&
+           !m_options.stop_length;
   }
 
   void run_free_legs(const Curve_request& request, Curve_result& result)
@@ -521,7 +523,8 @@ private:
     m_progress.enter("growing the tree", "steps");
     Progress_visitor visitor(m_progress);
     FG::Geodesic_tree<Triangulation> tree(m_triangulation);
-    const FG::Geodesic_tree_report report = tree.grow(network.insert(source), std::numeric_limits<double>::infinity(), visitor);
+    const FG::Geodesic_tree_report report =
+        tree.grow(network.insert(source), std::numeric_limits<double>::infinity(), visitor);
     FG::Distances_report shortest;
     shortest.status = report.status;
     if(m_options.is_shortest) {
@@ -561,7 +564,8 @@ private:
   }
 
   // The map without the source if that was inserted.
-  CGAL::Flip_geodesics::Vertex_logarithmic_map map_of_mesh(const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) const
+  CGAL::Flip_geodesics::Vertex_logarithmic_map map_of_mesh(
+      const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) const
   {
     CGAL::Flip_geodesics::Vertex_logarithmic_map result(m_triangulation.input().number_of_vertices());
     result.total_angle = map.total_angle;
@@ -581,8 +585,7 @@ private:
     const double search_s = stopwatch.seconds();
     m_progress.enter("shortening", "steps");
     Progress_visitor visitor(m_progress);
-    const FG::Shortening_report report =
-        FG::shorten_cut_graph(network, CGAL::parameters::visitor(std::ref(visitor)));
+    const FG::Shortening_report report = FG::shorten_cut_graph(network, CGAL::parameters::visitor(std::ref(visitor)));
     for(std::size_t c = 0; c < report.curves.size(); ++c) {
       results.emplace_back();
       results.back().name = "cut " + std::to_string(c);
@@ -606,11 +609,13 @@ private:
     return CGAL::Flip_geodesics::Memory_stop_predicate(m_options.most_memory);
   }
 
-  auto length_limit() const
+  // A ratio of zero is no limit.
+  auto limits() const
   {
     namespace FG = CGAL::Flip_geodesics;
-    return FG::Any_stop_predicate<FG::Length_ratio_stop_predicate, FG::Memory_stop_predicate>(
-        FG::Length_ratio_stop_predicate(*m_options.stop_length), memory_limit());
+    return FG::Any_stop_predicate(FG::Length_ratio_stop_predicate(m_options.stop_length.value_or(0)),
+                                  FG::Curve_length_ratio_stop_predicate(m_options.stop_curve_length.value_or(0)),
+                                  memory_limit());
   }
 
   void shorten(Network& network, std::vector<Curve_result>& results, Recorder& recorder)
@@ -621,11 +626,8 @@ private:
     const Stopwatch stopwatch;
     m_progress.enter("shortening", "steps");
     Recording_visitor<Network> visitor(m_progress, recorder);
-    const FG::Shortening_report report = m_options.stop_length
-                                             ? FG::shorten(network, CGAL::parameters::stop_predicate(length_limit()),
-                                                           CGAL::parameters::visitor(std::ref(visitor)))
-                                             : FG::shorten(network, CGAL::parameters::stop_predicate(memory_limit()),
-                                                           CGAL::parameters::visitor(std::ref(visitor)));
+    const FG::Shortening_report report =
+        FG::shorten(network, CGAL::parameters::stop_predicate(limits()), CGAL::parameters::visitor(std::ref(visitor)));
     const double seconds = stopwatch.seconds();
     check_folds(report);
     for(std::size_t c = 0; c < results.size(); ++c) {

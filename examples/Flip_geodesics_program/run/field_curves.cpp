@@ -6,6 +6,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -118,6 +121,30 @@ std::string missing_levels(const std::vector<double>& levels, const std::set<dou
   return out.str();
 }
 
+Distance_map distance_map(const Mesh& mesh, const Field& field)
+{
+  Distance_map result;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const Field::Answer answer = field.answer(index_of(v));
+    result.distances.push_back(answer.distance);
+    result.nearest.push_back(answer.source);
+  }
+  return result;
+}
+
+std::vector<std::vector<double>> distances_between(const Mesh& mesh, const std::vector<Named_point>& sources,
+                                                   Progress& progress)
+{
+  std::vector<FG::Surface_location> points;
+  for(const Named_point& source : sources)
+    points.push_back(source.at);
+  progress.enter("computing distances between sources");
+  Share_visitor visitor(progress);
+  std::vector<std::vector<double>> rows;
+  FG::geodesic_distance_matrix(mesh, points, std::back_inserter(rows), CGAL::parameters::visitor(std::ref(visitor)));
+  return rows;
+}
+
 } // namespace
 
 Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progress& progress)
@@ -127,14 +154,20 @@ Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progre
   Field field(triangulation, mesh);
   for(const Named_point& source : request.sources)
     field.add_source(source.at);
-  progress.enter("computing distances");
+  progress.enter("computing distances", "steps");
   // One source alone has no boundary, and no distance is needed to see that.
   const bool has_boundaries = request.is_diagram && request.sources.size() > 1;
-  const bool is_field_needed = has_boundaries || !request.levels.empty() || request.spacing > 0;
-  if(is_field_needed && field.compute().status != FG::Distance_field_status::COMPLETE)
+  const bool is_field_needed = request.is_map || has_boundaries || !request.levels.empty() || request.spacing > 0;
+  Progress_visitor visitor(progress);
+  if(is_field_needed &&
+     field.compute(FG::Distance_field_limits(), visitor).status != FG::Distance_field_status::COMPLETE)
     throw std::runtime_error("--source: the distances of so large a mesh were given up");
 
   Field_curves result;
+  if(request.is_matrix)
+    result.matrix = distances_between(mesh, request.sources, progress);
+  if(request.is_map)
+    result.map = distance_map(mesh, field);
   progress.enter("following isolines");
   const double farthest = farthest_distance(mesh, field);
   const std::vector<double> levels = wanted_levels(request, farthest);

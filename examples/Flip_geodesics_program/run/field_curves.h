@@ -8,6 +8,8 @@
 #include "run/curve_engine.h"
 #include "run/progress.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,13 +22,24 @@ struct Field_request
   std::vector<double> levels; ///< of isolines
   double spacing = 0;         ///< isolines at all multiples of this as well, as far as the vertices; none if it is zero
   bool is_diagram = false;    ///< are the boundaries of the Voronoi diagram wanted, too?
+  bool is_map = false;        ///< are the distances of all vertices wanted?
+  bool is_matrix = false;     ///< are the distances between the sources wanted?
   double tolerance = 0;       ///< zero for a thousandth of the diagonal of the mesh's box
+};
+
+/// The distances of the vertices, infinite for those without a path, and the numbers of their nearest sources.
+struct Distance_map
+{
+  std::vector<double> distances;
+  std::vector<std::size_t> nearest;
 };
 
 struct Field_curves
 {
-  std::vector<Curve_result> curves; ///< the isolines, in the order of the levels, and then the boundaries
-  std::string remarks;              ///< lines for people about levels without isolines and sources without boundaries
+  std::optional<Distance_map> map;
+  std::vector<std::vector<double>> matrix; ///< the rows
+  std::vector<Curve_result> curves;        ///< the isolines, in the order of the levels, and then the boundaries
+  std::string remarks; ///< lines for people about levels without isolines and sources without boundaries
 };
 
 /// \throws Bad_input if the tolerance or the spacing is so small that the results would not fit anywhere

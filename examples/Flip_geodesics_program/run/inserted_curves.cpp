@@ -9,12 +9,16 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
 #include <CGAL/Flip_geodesics/certify_curve.h>
+#include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/insert_curves.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -125,6 +129,32 @@ Mesh cut_open(const Mesh& mesh, Marks is_marked)
   return result;
 }
 
+FG::Surface_location location_of(const Mesh& mesh, const FG::Surface_point& p)
+{
+  if(p.is_vertex())
+    return {index_of(mesh.opposite(mesh.halfedge(mesh_vertex(p.a)))), {{1, 0, 0}}};
+  return location_between(mesh, p.a, p.b, p.c, p.t, p.u).value();
+}
+
+// Corners of weight zero are left out.
+FG::Surface_point point_in_face(const std::array<Vertex_index, 3>& corners, const std::array<double, 3>& weights)
+{
+  std::vector<std::size_t> used;
+  for(std::size_t i = 0; i < 3; ++i)
+    if(weights[i] != 0)
+      used.push_back(i);
+  FG::Surface_point p = {corners[used[0]], corners[used[0]], 0, FG::null_index};
+  if(used.size() > 1) {
+    p.b = corners[used[1]];
+    p.t = weights[used[1]];
+  }
+  if(used.size() > 2) {
+    p.c = corners[used[2]];
+    p.u = weights[used[2]];
+  }
+  return p;
+}
+
 } // namespace
 
 std::vector<Curve_result> drawn_curves(const Mesh& mesh, const std::vector<Network_request>& requests,
@@ -191,6 +221,31 @@ Result_meshes meshes_along(const Mesh& mesh, const std::vector<Curve_result>& cu
     result.cut = cut_open(inserted, is_marked);
   }
   return result;
+}
+
+void sample_curves(const Mesh& mesh, double distance, std::vector<Curve_result>& curves)
+{
+  constexpr double most_samples = 1e7;
+  for(Curve_result& curve : curves) {
+    if(curve.points.empty())
+      continue;
+    const double pieces = std::ceil(curve.length / distance);
+    if(!(pieces < most_samples))
+      throw Bad_input("--sample: curve " + curve.name +
+                      " would have more than 10 million points; give a larger distance");
+    std::vector<FG::Surface_location> locations;
+    for(const Curve_point& p : curve.points)
+      locations.push_back(location_of(mesh, p.on_surface));
+    curve.points.clear();
+    const auto add = [&](const FG::Curve_sample<Mesh, Point_3>& sample) {
+      const Mesh::Halfedge_index h = mesh.halfedge(sample.location.first);
+      const std::array<Vertex_index, 3> corners = {
+          {index_of(mesh.source(h)), index_of(mesh.target(h)), index_of(mesh.target(mesh.next(h)))}};
+      curve.points.push_back({point_in_face(corners, sample.location.second), sample.point, true});
+    };
+    FG::sample_curve(mesh, locations, 1 + static_cast<std::size_t>((std::max)(1.0, pieces)),
+                     boost::make_function_output_iterator(add));
+  }
 }
 
 } // namespace program

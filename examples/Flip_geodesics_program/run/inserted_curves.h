@@ -26,6 +26,9 @@ std::vector<Curve_result> certified_curves(const Mesh& mesh, const std::vector<N
 Result_meshes meshes_along(const Mesh& mesh, const std::vector<Curve_result>& curves,
                            const Mesh_result_options& options, Progress& progress);
 
+/// Replaces the points of curves by others at equal distances along them, of at most `distance`.
+void sample_curves(const Mesh& mesh, double distance, std::vector<Curve_result>& curves);
+
 } // namespace program
 
 #endif // CGAL_FLIP_GEODESICS_PROGRAM_INSERTED_CURVES_H

@@ -82,9 +82,9 @@ private:
       return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
     };
     const bool are_curves = m_expected_curves > 1;
-    const double share = are_curves                ? quotient(m_curves, m_expected_curves)
-                         : m_expected_steps > 0    ? quotient(m_steps, m_expected_steps)
-                                                   : m_share.load();
+    const double share = are_curves             ? quotient(m_curves, m_expected_curves)
+                         : m_expected_steps > 0 ? quotient(m_steps, m_expected_steps)
+                                                : m_share.load();
     if(!(share > 0 && share < 1))
       return "";
     const double passed = m_stopwatch.seconds() - (are_curves ? m_curves_start : m_phase_start);

@@ -30,8 +30,8 @@ std::string describe_tree(const Tree& tree, std::size_t flips)
   std::ostringstream out;
   const bool is_inserted = tree.triangulation().is_inserted(tree.source());
   out << "paths    " << readable(number_of_paths) << " from "
-      << (is_inserted ? "the source" : "vertex " + std::to_string(tree.source().idx())) << ", the longest to vertex " << farthest.idx() << ", " << tree.distance(farthest) << " long\nflips    "
-      << readable(flips) << '\n';
+      << (is_inserted ? "the source" : "vertex " + std::to_string(tree.source().idx())) << ", the longest to vertex "
+      << farthest.idx() << ", " << tree.distance(farthest) << " long\nflips    " << readable(flips) << '\n';
   return out.str();
 }
 

@@ -225,7 +225,8 @@ private:
     const Figure_point white = {1, 1, 1};
     return name(piece) + ",\"doubleSided\":true,\"pbrMetallicRoughness\":{" +
            (has_picture ? "\"baseColorTexture\":{\"index\":0}," : "") + "\"baseColorFactor\":[" +
-           three(has_picture ? white : material_of(*piece.shape).color) + ",1],\"metallicFactor\":0,\"roughnessFactor\":0.8}}";
+           three(has_picture ? white : material_of(*piece.shape).color) +
+           ",1],\"metallicFactor\":0,\"roughnessFactor\":0.8}}";
   }
 
   static std::string view(std::uint64_t offset, std::uint64_t length, const char* target)

@@ -84,11 +84,11 @@ struct Material
 
 /* The colors of surfaces, points and curves. */
 inline constexpr std::array<Material, 6> materials = {{{"surface", {0.75, 0.76, 0.78}},
-                                                {"points", {0.05, 0.05, 0.05}},
-                                                {"curve_a", {0.72, 0.04, 0.04}},
-                                                {"curve_b", {0.02, 0.2, 0.6}},
-                                                {"curve_c", {0.0, 0.33, 0.1}},
-                                                {"curve_d", {0.55, 0.25, 0.0}}}};
+                                                       {"points", {0.05, 0.05, 0.05}},
+                                                       {"curve_a", {0.72, 0.04, 0.04}},
+                                                       {"curve_b", {0.02, 0.2, 0.6}},
+                                                       {"curve_c", {0.0, 0.33, 0.1}},
+                                                       {"curve_d", {0.55, 0.25, 0.0}}}};
 
 inline const Material& material_of(const Shape& shape)
 {

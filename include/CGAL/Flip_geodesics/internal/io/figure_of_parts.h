@@ -269,8 +269,8 @@ public:
       (add_values(shape, part, parts), ...);
       m_figure.add(std::move(shape));
     } else
-      static_assert(std::is_same<Part, IO::Tubes>::value || std::is_same<Part, IO::Colors>::value || Is_texture<Part>::value || Is_vertex_values<Part>::value ||
-                        Is_named_parameters<Part>::value,
+      static_assert(std::is_same<Part, IO::Tubes>::value || std::is_same<Part, IO::Colors>::value ||
+                        Is_texture<Part>::value || Is_vertex_values<Part>::value || Is_named_parameters<Part>::value,
                     "what is written is a face graph, a range of points or a range of polylines");
   }
 
