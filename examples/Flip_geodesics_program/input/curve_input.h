@@ -9,6 +9,8 @@
 #include "input/text_scanner.h"
 #include "program_mesh.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -19,35 +21,6 @@
 
 // Which curves the program is to compute: read from files or drawn at random, and checked before the first is computed.
 namespace program {
-
-/// Vertices joined by edges, as a union-find forest.
-class Components
-{
-public:
-  explicit Components(const Mesh& mesh)
-    : m_parents(mesh.vertices().begin(), mesh.vertices().end())
-  {
-    for(const auto e : mesh.edges())
-      join(mesh.vertex(e, 0), mesh.vertex(e, 1));
-  }
-
-  Mesh::Vertex_index root(Mesh::Vertex_index v)
-  {
-    while(m_parents[v] != v) {
-      m_parents[v] = m_parents[m_parents[v]];
-      v = m_parents[v];
-    }
-    return v;
-  }
-
-private:
-  void join(Mesh::Vertex_index v, Mesh::Vertex_index w)
-  {
-    m_parents[(std::max)(root(v), root(w))] = (std::min)(root(v), root(w));
-  }
-
-  std::vector<Mesh::Vertex_index> m_parents;
-};
 
 inline void check_chain(const Mesh& mesh, const Curve_request& curve)
 {
@@ -118,20 +91,23 @@ inline Curve_request make_pair_request(Vertex_index s, Vertex_index t, const std
 /// `count` pairs of different vertices of one component, the same ones for the same mesh and seed on any machine.
 inline std::vector<Curve_request> random_pairs(const Mesh& mesh, std::size_t count, std::uint64_t seed)
 {
-  Components components(mesh);
+  boost::disjoint_sets_with_storage<> components(mesh.number_of_vertices());
+  for(const auto e : mesh.edges())
+    components.union_set(std::size_t(mesh.vertex(e, 0)), std::size_t(mesh.vertex(e, 1)));
+  const auto root = [&](Mesh::Vertex_index v) { return components.find_set(std::size_t(v)); };
   std::vector<std::vector<Mesh::Vertex_index>> members(mesh.number_of_vertices());
   std::vector<Mesh::Vertex_index> candidates; // faces make components of three vertices or more; others are isolated
   for(const auto v : mesh.vertices())
-    members[components.root(v)].push_back(v);
+    members[root(v)].push_back(v);
   for(const auto v : mesh.vertices())
-    if(members[components.root(v)].size() > 1)
+    if(members[root(v)].size() > 1)
       candidates.push_back(v);
 
   std::mt19937_64 random(seed);
   std::vector<Curve_request> pairs;
   while(pairs.size() < count) {
     const Mesh::Vertex_index s = candidates[random() % candidates.size()];
-    const std::vector<Mesh::Vertex_index>& component = members[components.root(s)];
+    const std::vector<Mesh::Vertex_index>& component = members[root(s)];
     const Mesh::Vertex_index t = component[random() % component.size()];
     if(s != t)
       pairs.push_back(make_pair_request(index_of(s), index_of(t), "random pair " + std::to_string(pairs.size())));

@@ -27,16 +27,18 @@ public:
   explicit Output_files(const Options& options)
     : m_polylines(options.results.polylines)
     , m_stats(options.results.stats)
-    , m_page(options.results.page)
-    , m_live(options.results.live)
     , m_map(options.results.map)
     , m_matrix(options.results.matrix)
+    , m_page(options.results.page)
+    , m_live(options.results.live)
     , m_subdivision(options.meshes.subdivision, result_format(options, options.meshes.subdivision))
     , m_insertion(options.meshes.insertion, result_format(options, options.meshes.insertion))
     , m_cut(options.meshes.cut, result_format(options, options.meshes.cut))
     , m_json(options.results.json, options.command)
     , m_is_repair(options.command == "repair")
   {
+    if(m_stats.is_wanted())
+      m_stats.stream() << header_of_statistics;
     const bool has_curves = !m_is_repair && options.command != "flatten";
     for(const std::string& name : options.results.outputs) {
       const std::string format = result_format(options, name);
@@ -53,8 +55,10 @@ public:
   void write(const std::vector<Curve_result>& run, const std::optional<Shortening_record>& record) override
   {
     for(std::size_t i = 0; i < run.size(); ++i, ++m_curve) {
-      m_polylines.write(m_curve, run[i]);
-      m_stats.write(m_curve, run[i]);
+      if(m_polylines.is_wanted())
+        write_polyline(m_polylines, m_curve, run[i]);
+      if(m_stats.is_wanted())
+        write_statistics(m_stats, m_curve, run[i]);
       m_json.write(m_curve, run[i]);
       m_summary.add(m_curve, run[i], i > 0);
       if(!m_viewers.empty() || m_page.is_wanted())
@@ -71,7 +75,7 @@ public:
     m_most_recorded_points -= (std::min)(m_most_recorded_points, number_of_points(m_scene.records.back()));
   }
 
-  void write(const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) override { m_map.write(map); }
+  void write(const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) override { write_and_close_map(map); }
 
   void write(const Result_meshes& meshes) override
   {
@@ -90,15 +94,14 @@ public:
   void write(const Field_curves& field) override
   {
     m_json.write(field);
-    m_matrix.write(field.matrix);
+    write_matrix(m_matrix, field.matrix);
     if(field.map)
-      m_map.write(*field.map);
+      write_and_close_map(*field.map);
     m_values = field.map;
   }
 
   void close(const Mesh& mesh, const std::vector<std::string>& remarks) override
   {
-    m_map.close();
     m_matrix.close();
     m_stats.close(); // which has lines of curves that failed
     m_json.close(mesh, m_scene.title, remarks);
@@ -118,6 +121,15 @@ public:
   bool has_failed() const override { return m_has_failed || Run_files::instance().has_failed(); }
 
 private:
+  // A file without a map stays as it was.
+  template <class Map>
+  void write_and_close_map(const Map& map)
+  {
+    if(m_map.is_wanted())
+      write_map(m_map, map);
+    m_map.close();
+  }
+
   // What a run that failed does not have leaves the file of an earlier one.
   static void write(const std::optional<Mesh>& mesh, Mesh_file& file)
   {
@@ -137,13 +149,10 @@ private:
     return curve;
   }
 
-  Polylines_file m_polylines;
-  Stats_file m_stats;
+  Output_file m_polylines, m_stats, m_map, m_matrix;
   std::list<Viewer_file> m_viewers;
   Page_file m_page;
   Live_file m_live;
-  Map_file m_map;
-  Matrix_file m_matrix;
   std::optional<Distance_map> m_values;
   Mesh_file m_subdivision, m_insertion, m_cut;
   std::list<Mesh_file> m_meshes; // of repair and flatten
