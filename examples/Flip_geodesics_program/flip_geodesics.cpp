@@ -129,7 +129,7 @@ struct Run
   void open()
   {
     outputs = make_outputs(options);
-    if(!options.is_quiet)
+    if(!options.is_quiet && options.command != "info") // which has them among the defects
       for(const std::string& remark : input.remarks())
         std::cerr << "flip_geodesics: " << remark << '\n';
   }

@@ -192,7 +192,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(trace_from_points 0 "from point 0,1,0.25 at 0.5\n.*3 LENGTH" trace torus.off --trace
                                   0,1,0.25,0.5,2 --trace 0,12,13,0.3,0.3,1,2 --trace 1.5,0,0,0,1)
   file(WRITE ${program_dir}/sources.txt "5 100 # two vertices\n0,1,0.25\n")
-  flip_geodesics_add_program_test(distance_map 0 "\nvertex,distance,source\n0,[^\n]*,2\n1,[^\n]*\n" distance torus.off
+  flip_geodesics_add_program_test(distance_map 0 "vertex,distance,source\n0,[^\n]*,2\n1," distance torus.off
                                   --sources sources.txt --map - --matrix matrix.csv --values -o distances.vtp -o
                                   distances.ply)
   flip_geodesics_add_program_test(distance_map_of_ply 0 "288 vertices" info distances.ply)
@@ -323,7 +323,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(certify_gap 1 "gap.txt line 2.: " certify torus.off --draw gap.txt)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
-    flip_geodesics_add_program_test(flatten_along 0 "flattened" flatten quad_seam.obj --repair --seams --output flat.glb)
+    flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)
+    flip_geodesics_add_program_test(flatten_pieces 2 "cannot be flattened: the cut surface is not connected" flatten
+                                    quad_seam.obj --repair --seams --output x.obj)
     flip_geodesics_add_program_test(flatten_no_disk 2 "cannot be flattened: the cut surface is no disk" flatten torus.off
                                     --network joined_network.txt --output x.obj)
   endif()
@@ -449,9 +451,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --isolines 0.1,,0.2)
   flip_geodesics_add_program_test(left_out_last_isoline 2 "--isolines: '0.1,' ends with a comma" distance torus.off
                                   --source 0 --isolines 0.1,)
-  flip_geodesics_add_program_test(left_out_source 2 "--source: '' is not a whole number" distance torus.off --source 0,,1
+  flip_geodesics_add_program_test(left_out_source 2 "--source: '' is not a point" distance torus.off --source 0,,1
                                   --isolines 1)
-  flip_geodesics_add_program_test(source_too_large 2 "--source: '99999999999999999999' is beyond" distance torus.off
+  flip_geodesics_add_program_test(source_too_large 2 "--source: a point has a vertex that is not a whole number" distance torus.off
                                   --source 0,99999999999999999999 --isolines 1)
   flip_geodesics_add_program_test(vertex_too_large 2 "--from: a point has a vertex that is not a whole number below 1e15" path
                                   torus.off --from 99999999999999999999 --to 3)
@@ -476,7 +478,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   0x1)
   flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is not a whole number" spline torus.off --bezier
                                   bezier.txt --rounds 0x1)
-  flip_geodesics_add_program_test(hexadecimal_trace 2 "--trace 0x1,0,1: give a vertex" trace torus.off --trace 0x1,0,1)
+  flip_geodesics_add_program_test(hexadecimal_trace 2 "--trace: .0x1. is not a point" trace torus.off --trace 0x1,0,1)
   flip_geodesics_add_program_test(blank_number 2 "--from: ' 1' is not a point" path torus.off "--from= 1" --to 0)
   flip_geodesics_add_program_test(isoline_infinite 2 "--isolines: 'inf' is not a finite number" distance torus.off
                                   --source 0 --isolines inf)
@@ -488,11 +490,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --refine nan --subdivision refined.off)
   flip_geodesics_add_program_test(isoline_next_to_the_source 0 "1 curve: 1 ISOLINE" distance torus.off --source 0
                                   --isolines 1e-150)
-  flip_geodesics_add_program_test(isolines_of_nothing 2 "--source is required" distance torus.off --isolines 1)
+  flip_geodesics_add_program_test(isolines_of_nothing 2 "give one of --source, --sources" distance torus.off --isolines 1)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" distance torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest is not an option of distance, but of log" distance
                                   torus.off --source 0 --isolines 1 --shortest)
-  flip_geodesics_add_program_test(tree_of_two 2 "--source: '0,1' is not a whole number" log torus.off --source 0,1)
+  flip_geodesics_add_program_test(tree_of_two 2 "--source: '0,1' is not a point" log torus.off --source 0,1)
   flip_geodesics_add_program_test(bad_tolerance 2 "--tolerance" distance torus.off --source 0 --voronoi --tolerance 0)
   flip_geodesics_add_program_test(tolerance_too_small 2 "--tolerance 1e-300 is less than a millionth" distance torus.off
                                   --source 0 --voronoi --tolerance 1e-300)
@@ -536,7 +538,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(cut_of_many 2 "one curve" path torus.off --random 3 --cut cut.off)
   flip_geodesics_add_program_test(quiet 0 "^$" path torus.off --from 0 --to 150 --quiet)
   flip_geodesics_add_program_test(help 0 "path .*loop .*view .*Examples:.*flip_geodesics distance" --help)
-  foreach(command path loop network spline shortest trace distance log cut refine repair view)
+  foreach(command path loop loops network spline shortest trace distance log certify cut flatten refine repair info view)
     set(example " +flip_geodesics ${command} [^\n]*\n")
     flip_geodesics_add_program_test(help_of_${command} 0 "Usage: flip_geodesics ${command} .*Examples:\n${example}${example}${example}$"
                                     ${command} --help)

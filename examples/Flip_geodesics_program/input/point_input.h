@@ -119,7 +119,9 @@ private:
 /// A point, called as the user does.
 inline Named_point read_named_point(Point_reader& read_point, const std::string& word, const std::string& name)
 {
-  return {read_point(word, name), (word.find(',') == std::string::npos ? "vertex " : "point ") + printable(word)};
+  const bool is_vertex = word.find(',') == std::string::npos;
+  return {read_point(word, name),
+          is_vertex ? "vertex " + decimal_text(read_numbers(word, name).front()) : "point " + printable(word)};
 }
 
 /// The points of words: one each, or all vertices of a list of whole numbers with commas between.
@@ -130,7 +132,7 @@ inline std::vector<Named_point> read_named_points(const Input_mesh& mesh, const 
   std::vector<Named_point> result;
   for(const std::string& word : words) {
     const bool is_list = word.find_first_not_of("0123456789,+-") == std::string::npos;
-    for(std::size_t start = 0, end = 0; end < word.size(); start = end + 1) {
+    for(std::size_t start = 0, end = 0; start <= word.size(); start = end + 1) {
       end = is_list ? (std::min)(word.find(',', start), word.size()) : word.size();
       result.push_back(read_named_point(read_point, word.substr(start, end - start), name));
     }

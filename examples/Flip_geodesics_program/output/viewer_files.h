@@ -72,8 +72,8 @@ private:
   void write_with(std::ostream& out, const Distance_map& values, const Parts&... parts) const
   {
     namespace IO = CGAL::Flip_geodesics::IO;
-    const IO::Vertex_values distances("distance", value_map(values.distances)),
-        nearest("source", value_map(values.nearest));
+    const IO::Vertex_values distances("distance", value_map(values.distances));
+    const IO::Vertex_values nearest("source", value_map(values.nearest));
     if(m_format == "ply")
       IO::write_PLY(out, parts..., distances, nearest);
     else if(m_format == "vtp")
