@@ -326,7 +326,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)
     flip_geodesics_add_program_test(flatten_pieces 2 "cannot be flattened: the cut surface is not connected" flatten
                                     quad_seam.obj --repair --seams --output x.obj)
-    flip_geodesics_add_program_test(flatten_no_disk 2 "cannot be flattened: the cut surface is no disk" flatten torus.off
+    flip_geodesics_add_program_test(flatten_no_disk 2 "cannot be flattened: the cut surface is not a disk" flatten torus.off
                                     --network joined_network.txt --output x.obj)
   endif()
   flip_geodesics_add_program_test(flatten_format 2 "x.ply: the extension .*--output. use one of obj glb" flatten

@@ -296,10 +296,7 @@ template <class Triangulation, class TriangleMesh, class PlaceRange>
 Located_curve<Triangulation> located_curve(const Triangulation& triangulation, const TriangleMesh& mesh,
                                            const PlaceRange& curve)
 {
-  std::vector<Surface_location> locations;
-  for(const auto& place : curve)
-    locations.push_back(trace_start(triangulation, mesh, place));
-  return {triangulation, locations};
+  return {triangulation, locations_of_curve(triangulation, mesh, curve)};
 }
 
 } // namespace internal

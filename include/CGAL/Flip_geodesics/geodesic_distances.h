@@ -351,21 +351,23 @@ Computed_values<Polar_coordinates> field_coordinates(Geodesic_distance_field<Tri
 
 /* Converts a vertex, another surface point, a range of surface points, or a variant of these to a source. */
 template <class Triangulation, class TriangleMesh, class Source>
-Distance_source distance_source(const Triangulation& triangulation, const TriangleMesh& mesh, const Source& source)
+Distance_source distance_source(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                Place_finder<Triangulation>& find, const Source& source)
 {
   if constexpr(Is_variant<Source>::value)
-    return std::visit([&](const auto& s) { return distance_source(triangulation, mesh, s); }, source);
+    return std::visit([&](const auto& s) { return distance_source(triangulation, mesh, find, s); }, source);
   else if constexpr(is_mesh_vertex<TriangleMesh, Source>)
     return {true, triangulation.index(Mesh_vertex<TriangleMesh>(source)), {}};
   else if constexpr(is_place<Triangulation, TriangleMesh, Source>)
-    return {false, {}, {located_place(triangulation, mesh, source)}};
+    return {false, {}, {find(source)}};
   else {
     static_assert(is_range<Source>, "no vertex of the mesh where it belongs, nor another source, nor a range of such; "
                                     "the order is mesh, source, property map");
+    Distance_source result = {false, {}, {}};
     if constexpr(is_range<Source>)
-      return {false, {}, located(triangulation, mesh, source)};
-    else
-      return {};
+      for(const auto& place : source)
+        result.locations.push_back(find(place));
+    return result;
   }
 }
 
@@ -377,11 +379,12 @@ std::vector<Distance_source> distance_sources(const Triangulation& triangulation
   constexpr bool is_one =
       is_mesh_vertex<TriangleMesh, Sources> || is_place<Triangulation, TriangleMesh, Sources> || !is_range<Sources>;
   std::vector<Distance_source> result;
+  Place_finder<Triangulation> find(triangulation, mesh);
   if constexpr(is_one)
-    result.push_back(distance_source(triangulation, mesh, sources));
+    result.push_back(distance_source(triangulation, mesh, find, sources));
   else
     for(const auto& source : sources)
-      result.push_back(distance_source(triangulation, mesh, source));
+      result.push_back(distance_source(triangulation, mesh, find, source));
   return result;
 }
 
@@ -538,8 +541,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. Locating a
- * point in space takes linear time. The search takes \f$O(w \log w)\f$ for \f$w\f$ windows, whose limit is that of the
+ * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. Locating
+ * points in space takes \f$O(n \log n)\f$, and logarithmic time for each point close to the surface. The search takes \f$O(w \log w)\f$ for \f$w\f$ windows, whose limit is that of the
  * field. It creates twice as many, with double-double arithmetic, if the errors of doubles are too large.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
@@ -797,7 +800,8 @@ private:
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
  * Complexity: for \f$k\f$ points that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()` that end at the
- * farthest point, and \f$O(k^2)\f$ memory for the matrix. Locating a point in space takes linear time.
+ * farthest point, and \f$O(k^2)\f$ memory for the matrix. Locating \f$k\f$ points in space in a mesh with \f$n\f$
+ * faces takes \f$O(n \log n + k \log n)\f$ time if they lie close to the surface.
  *
  * \sa `geodesic_distances()`
  */
@@ -815,8 +819,9 @@ Distances_report geodesic_distance_matrix(const TriangleMesh& mesh, const PointR
   auto visitor = internal::make_visitor(options);
   const auto locate = [&](const Triangulation& triangulation) {
     std::vector<internal::Distance_source> result;
+    internal::Place_finder<Triangulation> find(triangulation, mesh);
     for(const auto& point : points)
-      result.push_back({false, {}, {internal::located_place(triangulation, mesh, point)}});
+      result.push_back({false, {}, {find(point)}});
     return result;
   };
   std::vector<internal::Distance_source> given;

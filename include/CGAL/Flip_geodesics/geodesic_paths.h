@@ -110,6 +110,7 @@ private:
 
     Mesh_surfaces<TriangleMesh, NamedParameters> surfaces;
     std::optional<Search> search, contracted_search;
+    std::optional<Place_finder<Triangulation>> find; // of points, on the mesh as given
   };
 
   bool is_to_go_on() const
@@ -136,7 +137,9 @@ private:
   {
     Located_points given;
     const auto locate = [&](const Triangulation& triangulation) {
-      return located_ends(triangulation, m_mesh, source, target, m_np);
+      if(!m_memory->find)
+        m_memory->find.emplace(triangulation, m_mesh);
+      return located_ends(*m_memory->find, source, target, m_np);
     };
     auto path = compute_on_surface(m_memory->surfaces, [&](Triangulation& triangulation) {
       triangulation.rollback(); // the flips of the previous path
@@ -274,7 +277,8 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  * \return the past-the-end output iterator
  *
  * Complexity: that of the searches and of `shorten()`. Meshes other than `Surface_mesh` are indexed once per thread, in
- * \f$O(n \log n)\f$. Locating a point in space takes linear time.
+ * \f$O(n \log n)\f$. Locating points in space takes \f$O(n \log n)\f$ once per thread, and
+ * logarithmic time for each point close to the surface.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
           class... NamedParameters>

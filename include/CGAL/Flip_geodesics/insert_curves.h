@@ -258,8 +258,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \f$O(n \log n)\f$ in the number of points and crossings if each face has few of them, and up to quadratic
- * in those of a face; linear in the mesh for regions, and for each point in space that is not found in the faces around
- * the previous point.
+ * in those of a face; linear in the mesh for regions. If points in space are not found in the faces around their
+ * previous points, \f$O(n \log n)\f$ in the mesh once, and logarithmic time for each of them.
  *
  * \sa `cut_along_curves()`
  * \sa `Slit_mesh`

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Nearest_face.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
@@ -15,11 +16,10 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -134,93 +134,6 @@ Surface_location surface_location(const Triangulation&, const typename Triangula
 
 namespace internal {
 
-using Place_in_space = std::array<double, 3>;
-
-inline double dot(const Place_in_space& u, const Place_in_space& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
-inline Place_in_space cross(const Place_in_space& u, const Place_in_space& v)
-{
-  return {{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}};
-}
-
-inline Place_in_space difference(const Place_in_space& u, const Place_in_space& v)
-{
-  return {{u[0] - v[0], u[1] - v[1], u[2] - v[2]}};
-}
-
-/* The barycentric coordinates of a point of a triangle, and its distance from the origin. */
-struct Nearest_weights
-{
-  std::array<double, 3> weights = {{1, 0, 0}};
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-using Triangle_places = std::array<Place_in_space, 3>;
-
-inline double distance_of(const Triangle_places& corners, const std::array<double, 3>& weights)
-{
-  Place_in_space p = {{0, 0, 0}};
-  for(std::size_t i = 0; i < 3; ++i)
-    for(std::size_t k = 0; k < 3; ++k)
-      p[k] += weights[i] * corners[i][k];
-  return std::sqrt(dot(p, p));
-}
-
-/* Returns the point of side i, from corner i to the next, that is nearest to the origin. */
-inline std::array<double, 3> nearest_on_side(const Triangle_places& corners, std::size_t i)
-{
-  const std::size_t j = (i + 1) % 3;
-  const Place_in_space d = difference(corners[j], corners[i]);
-  const double squared_length = dot(d, d);
-  const double t = squared_length > 0 ? -dot(corners[i], d) / squared_length : 0;
-  std::array<double, 3> weights = {{0, 0, 0}};
-  weights[j] = (std::min)((std::max)(t, 0.0), 1.0);
-  weights[i] = 1 - weights[j];
-  return weights;
-}
-
-/* Returns the foot of the perpendicular from the origin, by the areas that it cuts off; not finite for a degenerate
- * face. */
-inline std::array<double, 3> foot_of_perpendicular(const Triangle_places& corners)
-{
-  const Place_in_space u = difference(corners[1], corners[0]), v = difference(corners[2], corners[0]);
-  const Place_in_space normal = cross(u, v), &from = corners[0]; // to the origin it is minus that
-  const double squared = dot(normal, normal);
-  const double at_1 = dot(cross(v, from), normal) / squared, at_2 = dot(cross(from, u), normal) / squared;
-  return {{1 - at_1 - at_2, at_1, at_2}};
-}
-
-/*
- * Returns the point of a triangle that is nearest to the origin: the foot of the perpendicular if that lies inside, or
- * a point of a side. The nearest of these is chosen, so that another one is taken in needles, where the first is
- * inaccurate. The triangle is scaled to avoid overflow and underflow of squares.
- */
-inline Nearest_weights nearest_weights(Triangle_places corners)
-{
-  double scale = 0;
-  for(const Place_in_space& p : corners)
-    scale = (std::max)({scale, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-  if(scale == 0)
-    return {{{1, 0, 0}}, 0};
-  for(Place_in_space& p : corners)
-    for(double& x : p)
-      x /= scale;
-  Nearest_weights result;
-  const auto consider = [&](const std::array<double, 3>& weights) {
-    const double distance = scale * distance_of(corners, weights);
-    if(distance < result.distance) {
-      result.distance = distance;
-      result.weights = weights;
-    }
-  };
-  for(std::size_t i = 0; i < 3; ++i)
-    consider(nearest_on_side(corners, i));
-  const std::array<double, 3> foot = foot_of_perpendicular(corners);
-  if(*std::min_element(foot.begin(), foot.end()) > 0) // never degenerate
-    consider(foot);
-  return result;
-}
-
 /* Returns half the coordinates of a point: differences of such numbers are finite. */
 template <class Point>
 Place_in_space half_of(const Point& p)
@@ -228,18 +141,51 @@ Place_in_space half_of(const Point& p)
   return {{imported_number(p.x()) / 2, imported_number(p.y()) / 2, imported_number(p.z()) / 2}};
 }
 
-/* Returns the corner of a face of the mesh at the tail of a halfedge, relative to a given position. */
+/* Checks a face of the mesh, and returns its corners with halved coordinates. */
 template <class Triangulation>
-Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfedge_index h, const Place_in_space& from)
+struct Halved_corners
 {
-  const auto& input = triangulation.input().uncontracted();
-  const Vertex_index v = input.tail(h);
-  const Place_in_space p = half_of(triangulation.metric().point(input, v));
-  if(!are_finite(p))
-    throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) +
-                                       " has a coordinate that is not a finite number",
-                                   {static_cast<std::size_t>(v.idx())});
-  return {{p[0] - from[0], p[1] - from[1], p[2] - from[2]}};
+  const Triangulation* triangulation;
+  const typename Triangulation::Triangle_mesh* mesh;
+
+  template <class Face>
+  Triangle_places operator()(Face f) const
+  {
+    const auto& input = triangulation->input().uncontracted();
+    const Input_halfedge_index h = input.index(graph_halfedge(f, *mesh));
+    check_triangle(input, h);
+    return {{corner(h), corner(input.next(h)), corner(input.next(input.next(h)))}};
+  }
+
+private:
+  Place_in_space corner(Input_halfedge_index h) const
+  {
+    const auto& input = triangulation->input().uncontracted();
+    const Vertex_index v = input.tail(h);
+    const Place_in_space p = half_of(triangulation->metric().point(input, v));
+    if(!are_finite(p))
+      throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) + " has a coordinate that is not a finite number",
+                                     {static_cast<std::size_t>(v.idx())});
+    return p;
+  }
+};
+
+/* Finds the nearest faces of points in space. */
+template <class Triangulation>
+using Nearest_mesh_face = Nearest_face<typename Triangulation::Triangle_mesh, Halved_corners<Triangulation>>;
+
+template <class Triangulation, class Point>
+Surface_location nearest_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                                  Nearest_mesh_face<Triangulation>& nearest_face, const Point& point)
+{
+  const Place_in_space from = half_of(point);
+  if(!are_finite(from))
+    throw Invalid_location_error("a point in space has a coordinate that is not a finite number");
+  const auto found = nearest_face(from);
+  if(found.face == boost::graph_traits<typename Triangulation::Triangle_mesh>::null_face())
+    throw Invalid_location_error("a mesh without faces has no point nearest to one in space");
+  return Flip_geodesics::surface_location(triangulation, mesh, std::make_pair(found.face, found.nearest.weights),
+                                          nearest_point_snap);
 }
 
 } // namespace internal
@@ -251,7 +197,8 @@ Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfed
  * points are equally near, one of them is chosen.
  *
  * The location is moved to an edge or a vertex if barycentric coordinates are at most 1e-9. All faces are considered.
- * For many points, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
+ * Functions that take many points build a tree of bounding boxes for them, with the same results. For many single calls,
+ * `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
  * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite
@@ -263,28 +210,8 @@ template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
                                   const typename Triangulation::Metric::Point_3& point)
 {
-  using Face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
-  const internal::Place_in_space from = internal::half_of(point);
-  if(!internal::are_finite(from))
-    throw Invalid_location_error("a point in space has a coordinate that is not a finite number");
-  const auto& input = triangulation.input().uncontracted();
-  internal::Nearest_weights nearest;
-  Face found{};
-  for(const Face f : CGAL::make_range(faces(mesh))) {
-    const Input_halfedge_index h = input.index(internal::graph_halfedge(f, mesh));
-    internal::check_triangle(input, h);
-    const internal::Nearest_weights here =
-        internal::nearest_weights({{internal::corner_seen_from(triangulation, h, from),
-                                    internal::corner_seen_from(triangulation, input.next(h), from),
-                                    internal::corner_seen_from(triangulation, input.next(input.next(h)), from)}});
-    if(here.distance < nearest.distance) {
-      nearest = here;
-      found = f;
-    }
-  }
-  if(nearest.distance == std::numeric_limits<double>::infinity())
-    throw Invalid_location_error("a mesh without faces has no point nearest to one in space");
-  return surface_location(triangulation, mesh, std::make_pair(found, nearest.weights), internal::nearest_point_snap);
+  internal::Nearest_mesh_face<Triangulation> nearest_face(mesh, {&triangulation, &mesh});
+  return internal::nearest_location(triangulation, mesh, nearest_face, point);
 }
 
 namespace internal {
@@ -307,30 +234,140 @@ struct Is_variant<std::variant<Alternatives...>> : std::true_type
 {
 };
 
-/* Converts a surface point of any kind, or a variant of several kinds, to a location. */
+/* The type of the points of a metric, or one that nothing is converted to. */
+template <class Metric, bool HAS_POINTS = Has_points<Metric>::value>
+struct Point_in_space
+{
+  using type = typename Metric::Point_3;
+};
+template <class Metric>
+struct Point_in_space<Metric, false>
+{
+  struct type
+  {
+  };
+};
+
+template <class T, class = void>
+constexpr bool is_face_location = false;
+template <class T>
+constexpr bool
+    is_face_location<T, std::void_t<decltype(std::declval<T>().first), decltype(std::declval<T>().second[0])>> = true;
+
+/* Converts surface points of any kinds, and variants of several kinds, to locations, with one `Nearest_face` for all
+ * points in space. */
+template <class Triangulation>
+class Place_finder
+{
+  using Triangle_mesh = typename Triangulation::Triangle_mesh;
+  using Point = typename Point_in_space<typename Triangulation::Metric>::type;
+
+public:
+  Place_finder(const Triangulation& triangulation, const Triangle_mesh& mesh)
+    : m_triangulation(triangulation)
+    , m_mesh(mesh)
+  {
+  }
+
+  template <class Place>
+  Surface_location operator()(const Place& place)
+  {
+    if constexpr(Is_variant<Place>::value) {
+      return std::visit([this](const auto& p) { return (*this)(p); }, place);
+    } else if constexpr(is_in_space<Place>) {
+      if(!m_nearest_face)
+        m_nearest_face.emplace(m_mesh, Halved_corners<Triangulation>{&m_triangulation, &m_mesh});
+      return nearest_location(m_triangulation, m_mesh, *m_nearest_face, static_cast<const Point&>(place));
+    } else {
+      static_assert(is_place<Triangulation, Triangle_mesh, Place>,
+                    "this is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
+      if constexpr(is_place<Triangulation, Triangle_mesh, Place>)
+        return surface_location(m_triangulation, m_mesh, place);
+      else
+        return {}; // so that no other message follows
+    }
+  }
+
+  /* Converts without moving a Face_location to a nearby edge or vertex, so that curves continue from every end. */
+  template <class Place>
+  Surface_location unsnapped(const Place& place)
+  {
+    if constexpr(std::is_convertible<const Place*, const Curve_place<Triangle_mesh>*>::value) {
+      return unsnapped(place.location);
+    } else {
+      Surface_location result = (*this)(place);
+      if constexpr(is_face_location<Place>)
+        for(std::size_t i = 0; i < 3; ++i) {
+          const double weight = CGAL::to_double(place.second[i]);
+          result.weights[i] = weight < least_weight ? 0 : weight;
+        }
+      return result;
+    }
+  }
+
+  const Triangulation& triangulation() const { return m_triangulation; }
+
+  template <class Place>
+  static constexpr bool is_in_space = std::is_convertible<const Place&, const Point&>::value;
+
+private:
+  const Triangulation& m_triangulation;
+  const Triangle_mesh& m_mesh;
+  std::optional<Nearest_mesh_face<Triangulation>> m_nearest_face;
+};
+
+/* Converts a surface point of any kind on the mesh of a triangulation, and below a range of such points. */
+template <class Triangulation, class Place>
+Surface_location located_place(const Triangulation& triangulation, const Place& place)
+{
+  return Place_finder<Triangulation>(triangulation, triangulation.input().uncontracted().mesh())(place);
+}
+
+template <class Triangulation, class PlaceRange>
+std::vector<Surface_location> located_places(const Triangulation& triangulation, const PlaceRange& places)
+{
+  static_assert(is_range<PlaceRange>, "no range of points on the surface where it belongs");
+  std::vector<Surface_location> result;
+  if constexpr(is_range<PlaceRange>) {
+    Place_finder<Triangulation> find(triangulation, triangulation.input().uncontracted().mesh());
+    for(const auto& place : places)
+      result.push_back(find(place));
+  }
+  return result;
+}
+
+/* Converts without snapping. */
+template <class Triangulation, class TriangleMesh, class Place>
+Surface_location trace_start(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
+{
+  return Place_finder<Triangulation>(triangulation, mesh).unsnapped(place);
+}
+
+/* Returns the locations of a curve that is given by surface points of any kind, without snapping. */
+template <class Triangulation, class TriangleMesh, class PlaceRange>
+std::vector<Surface_location> locations_of_curve(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                                 const PlaceRange& curve)
+{
+  static_assert(is_range<PlaceRange>, "no range of points on the surface where it belongs");
+  std::vector<Surface_location> result;
+  if constexpr(is_range<PlaceRange>) {
+    Place_finder<Triangulation> find(triangulation, mesh);
+    for(const auto& place : curve)
+      result.push_back(find.unsnapped(place));
+  }
+  return result;
+}
+
+/* Is it a surface point other than a location? */
+template <class Triangulation, class Place>
+constexpr bool is_other_place =
+    !std::is_convertible<const Place&, const Surface_location&>::value &&
+    (Is_variant<Place>::value || is_place<Triangulation, typename Triangulation::Triangle_mesh, Place>);
+
 template <class Triangulation, class TriangleMesh, class Place>
 Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
-  if constexpr(Is_variant<Place>::value) {
-    return std::visit([&](const auto& p) { return located_place(triangulation, mesh, p); }, place);
-  } else {
-    static_assert(is_place<Triangulation, TriangleMesh, Place>,
-                  "this is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
-    if constexpr(is_place<Triangulation, TriangleMesh, Place>)
-      return surface_location(triangulation, mesh, place);
-    else
-      return {}; // so that no other message follows
-  }
-}
-
-template <class Triangulation, class TriangleMesh, class PlaceRange>
-std::vector<Surface_location> located(const Triangulation& triangulation, const TriangleMesh& mesh,
-                                      const PlaceRange& places)
-{
-  std::vector<Surface_location> result;
-  for(const auto& place : places)
-    result.push_back(located_place(triangulation, mesh, place));
-  return result;
+  return Place_finder<Triangulation>(triangulation, mesh)(place);
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -426,9 +427,7 @@ auto parallel_transport(
   using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Direction = std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>;
   const Surface surface = internal::make_surface(mesh, options);
-  std::vector<Surface_location> locations;
-  for(const auto& place : curve)
-    locations.push_back(internal::trace_start(surface, mesh, place));
+  const std::vector<Surface_location> locations = internal::locations_of_curve(surface, mesh, curve);
   const Surface_direction end =
       Parallel_transport<Surface>(surface)(locations, {surface.input().index(direction.first), direction.second});
   return Direction(surface.input().halfedge(end.halfedge), end.angle);

@@ -428,12 +428,6 @@ constexpr bool
     is_vector_in_space<T, std::void_t<decltype(std::declval<T>().x(), std::declval<T>().y(), std::declval<T>().z())>> =
         true;
 
-template <class T, class = void>
-constexpr bool is_face_location = false;
-template <class T>
-constexpr bool
-    is_face_location<T, std::void_t<decltype(std::declval<T>().first), decltype(std::declval<T>().second[0])>> = true;
-
 /* Converts a direction given by the user, a vector in space or a halfedge and an angle, to the start of a ray. */
 template <class Triangulation, class TriangleMesh>
 class Given_direction
@@ -546,26 +540,6 @@ auto make_trace_limits(const Triangulation& triangulation, const TriangleMesh& m
     return Trace_limits<Test>{length, at_vertices, most, Test{&triangulation, &mesh, map}};
   } else {
     return Trace_limits<>{length, at_vertices, most, {}};
-  }
-}
-
-/*
- * Converts to a location on the mesh. A Face_location is not snapped to a nearby edge or vertex, so that tracing can
- * continue from every end.
- */
-template <class Triangulation, class TriangleMesh, class Place>
-Surface_location trace_start(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
-{
-  if constexpr(std::is_convertible<const Place*, const Curve_place<TriangleMesh>*>::value) {
-    return trace_start(triangulation, mesh, place.location);
-  } else {
-    Surface_location result = located_place(triangulation, mesh, place);
-    if constexpr(is_face_location<Place>)
-      for(std::size_t i = 0; i < 3; ++i) {
-        const double weight = CGAL::to_double(place.second[i]);
-        result.weights[i] = weight < least_weight ? 0 : weight;
-      }
-    return result;
   }
 }
 

@@ -29,20 +29,6 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The type of the points of a metric, or one that nothing is converted to. */
-template <class Metric, bool HAS_POINTS = Has_points<Metric>::value>
-struct Point_in_space
-{
-  using type = typename Metric::Point_3;
-};
-template <class Metric>
-struct Point_in_space<Metric, false>
-{
-  struct type
-  {
-  };
-};
-
 /* Points that were given, as locations on the mesh, and how far these are from them in space. */
 struct Located_points
 {
@@ -54,14 +40,13 @@ struct Located_points
 template <class Triangulation>
 class Point_collector
 {
-  using Triangle_mesh = typename Triangulation::Triangle_mesh;
   using Point = typename Point_in_space<typename Triangulation::Metric>::type;
 
 public:
   template <class NamedParameters>
-  Point_collector(const Triangulation& triangulation, const Triangle_mesh& mesh, const NamedParameters& np)
-    : m_triangulation(triangulation)
-    , m_mesh(mesh)
+  Point_collector(Place_finder<Triangulation>& find, const NamedParameters& np)
+    : m_triangulation(find.triangulation())
+    , m_find(find)
     , m_greatest_distance(greatest_point_distance_of(np))
   {
   }
@@ -73,9 +58,9 @@ public:
     if constexpr(Is_variant<Place>::value) {
       std::visit([this](const auto& p) { add(p); }, place);
     } else {
-      m_points.locations.push_back(located_place(m_triangulation, m_mesh, place));
+      m_points.locations.push_back(m_find(place));
       m_points.distances.push_back(0);
-      if constexpr(std::is_convertible<const Place&, const Point&>::value)
+      if constexpr(Place_finder<Triangulation>::template is_in_space<Place>)
         note_distance(place);
     }
   }
@@ -99,7 +84,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  const Triangle_mesh& m_mesh;
+  Place_finder<Triangulation>& m_find;
   double m_greatest_distance;
   Located_points m_points;
 };
@@ -108,9 +93,20 @@ template <class Triangulation, class TriangleMesh, class PlaceRange, class Named
 Located_points located(const Triangulation& triangulation, const TriangleMesh& mesh, const PlaceRange& places,
                        const NamedParameters& np)
 {
-  Point_collector<Triangulation> collector(triangulation, mesh, np);
+  Place_finder<Triangulation> find(triangulation, mesh);
+  Point_collector<Triangulation> collector(find, np);
   for(const auto& place : places)
     collector.add(place);
+  return collector.points();
+}
+
+template <class Triangulation, class Source, class Target, class NamedParameters>
+Located_points located_ends(Place_finder<Triangulation>& find, const Source& source, const Target& target,
+                            const NamedParameters& np)
+{
+  Point_collector<Triangulation> collector(find, np);
+  collector.add(source);
+  collector.add(target);
   return collector.points();
 }
 
@@ -118,10 +114,8 @@ template <class Triangulation, class TriangleMesh, class Source, class Target, c
 Located_points located_ends(const Triangulation& triangulation, const TriangleMesh& mesh, const Source& source,
                             const Target& target, const NamedParameters& np)
 {
-  Point_collector<Triangulation> collector(triangulation, mesh, np);
-  collector.add(source);
-  collector.add(target);
-  return collector.points();
+  Place_finder<Triangulation> find(triangulation, mesh);
+  return located_ends(find, source, target, np);
 }
 
 /* What gives locations on the surface of a triangulation. */

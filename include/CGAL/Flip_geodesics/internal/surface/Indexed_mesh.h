@@ -136,11 +136,14 @@ public:
   using halfedge_descriptor = typename Graph::halfedge_descriptor;
 
   explicit Indexed_mesh(const TriangleMesh& mesh)
+    : m_mesh(&mesh)
   {
     index_vertices(mesh);
     index_halfedges(mesh);
     copy_connectivity(mesh);
   }
+
+  const TriangleMesh& mesh() const { return *m_mesh; }
 
   Index number_of_vertices() const { return static_cast<Index>(m_vertices.size()); }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
@@ -243,6 +246,7 @@ private:
     }
   }
 
+  const TriangleMesh* m_mesh;
   Indexed_by<Vertex_index, std::vector<vertex_descriptor>> m_vertices;
   Indexed_by<Input_halfedge_index, std::vector<halfedge_descriptor>> m_halfedges;
   Order<vertex_descriptor> m_vertex_order;
@@ -276,6 +280,8 @@ public:
     if(mesh.number_of_removed_vertices() != 0 || mesh.number_of_removed_edges() != 0)
       throw Invalid_mesh_error("the mesh keeps vertices or edges that have been removed; collect_garbage() drops them");
   }
+
+  const Mesh& mesh() const { return *m_mesh; }
 
   Index number_of_vertices() const { return m_number_of_vertices; }
   Index number_of_halfedges() const { return m_number_of_halfedges; }
@@ -378,6 +384,7 @@ public:
   }
 
   const Surface& surface() const { return *m_surface; }
+  const Surface& mesh() const { return *m_surface; }
 
   Index number_of_vertices() const { return m_surface->number_of_vertices(); }
   Index number_of_halfedges() const { return m_surface->number_of_halfedges(); }

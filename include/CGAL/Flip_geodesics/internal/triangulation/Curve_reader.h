@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Nearest_face.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Curve_insertion.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -110,8 +112,14 @@ private:
   {
     Face face = Graph::null_face();
     std::array<double, 3> weights = {{0, 0, 0}};
-    double distance = std::numeric_limits<double>::infinity(); // from the point in space
   };
+
+  struct Corners
+  {
+    const Insertion* insertion;
+    Triangle_places operator()(Face f) const { return insertion->places_of_corners(f); }
+  };
+  using Nearest = typename Nearest_face<Mesh, Corners>::Result;
 
   template <class Curve>
   void add(const Curve& curve)
@@ -133,7 +141,7 @@ private:
   void add_point(const T& p)
   {
     const Place place = place_of(p);
-    const std::size_t node = m_insertion.add_point(place.face, place.weights, given_weights(p, place));
+    const std::size_t node = m_insertion.add_point(place.face, place.weights);
     if(m_point > 0 && !m_insertion.add_segment(m_last_node, node, {{m_last_face, place.face}}))
       throw Invalid_curve_error(name() + " and the one before it are in no common face; add the points where the curve "
                                          "crosses edges, for instance by complete_polyline()",
@@ -158,18 +166,6 @@ private:
       return place_of(p.location);
     else
       return place_in_space(half_of(p));
-  }
-
-  // Weights as they are given, or those of the place in double.
-  template <class T>
-  static const auto& given_weights(const T& p, const Place& place)
-  {
-    if constexpr(is_face_location_of<T, Mesh>)
-      return static_cast<void>(place), p.second;
-    else if constexpr(has_face_location<T, Mesh>)
-      return given_weights(p.location, place);
-    else
-      return static_cast<void>(p), place.weights;
   }
 
   Place place_at(Face f, std::array<double, 3> weights, double snap) const
@@ -199,31 +195,29 @@ private:
   {
     if(!are_finite(p))
       throw Invalid_location_error(name() + " has a coordinate that is not a finite number", elements());
-    Place best;
+    Nearest best;
     if(m_last_face != Graph::null_face())
       for(const auto h : halfedges_around_face(halfedge(m_last_face, m_mesh), m_mesh))
         for(const Face f : faces_around_target(h, m_mesh))
           if(f != Graph::null_face())
             look_at(f, p, best);
-    if(best.distance > nearest_point_snap * diagonal())
-      for(const Face f : faces(m_mesh))
-        look_at(f, p, best);
-    if(!(best.distance <= off_surface_tolerance * diagonal()))
+    if(best.distance() > nearest_point_snap * diagonal()) {
+      if(!m_nearest_face)
+        m_nearest_face.emplace(m_mesh, Corners{&m_insertion});
+      const Nearest found = (*m_nearest_face)(p);
+      if(found.distance() < best.distance())
+        best = found;
+    }
+    if(!(best.distance() <= off_surface_tolerance * diagonal()))
       throw Invalid_location_error(name() + " is not on the surface", elements());
-    return place_at(best.face, best.weights, nearest_point_snap);
+    return place_at(best.face, best.nearest.weights, nearest_point_snap);
   }
 
-  void look_at(Face f, const Place_in_space& p, Place& best) const
+  void look_at(Face f, const Place_in_space& p, Nearest& best) const
   {
-    Triangle_places corners = m_insertion.places_of_corners(f);
-    for(Place_in_space& corner : corners)
-      corner = difference(corner, p);
-    const Nearest_weights nearest = nearest_weights(corners);
-    if(!(nearest.distance < best.distance))
-      return;
-    best.face = f;
-    best.weights = nearest.weights;
-    best.distance = nearest.distance;
+    const Nearest_weights nearest = nearest_weights(seen_from(p, m_insertion.places_of_corners(f)));
+    if(nearest.distance < best.distance())
+      best = {f, nearest};
   }
 
   // Of the bounding box, halved as all coordinates here are.
@@ -250,6 +244,7 @@ private:
   PointMap m_points;
   double m_snap;
   Insertion& m_insertion;
+  std::optional<Nearest_face<Mesh, Corners>> m_nearest_face;
   double m_diagonal = -1;               // negative as long as it is not known
   std::size_t m_curve = 0, m_point = 0; // that are read
   std::size_t m_last_node = Insertion::none;
