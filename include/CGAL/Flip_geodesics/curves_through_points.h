@@ -147,9 +147,9 @@ struct Free_legs
   std::vector<std::vector<Surface_location>> legs; ///< the points of each: its ends, and its crossings of edges
   Shortening_report report;                        ///< on all segments together, as one curve
 
-  double length() const { return report.curves.front().length; }            ///< returns the length of all segments
-  Shortening_status status() const { return report.curves.front().status; } ///< returns whether each is a geodesic
-  Verdict verdict() const { return report.curves.front().verdict; }         ///< returns whether each is confirmed
+  double length() const { return report.length(); }            ///< returns the length of all segments
+  Shortening_status status() const { return report.status(); } ///< returns whether each is a geodesic
+  Verdict verdict() const { return report.verdict(); }         ///< returns whether each is confirmed
 };
 
 namespace internal {

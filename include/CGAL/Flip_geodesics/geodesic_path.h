@@ -44,9 +44,9 @@ struct Geodesic_result
   OutputIterator out;       ///< the past-the-end iterator of the output
   Shortening_report report; ///< the report, which has exactly one curve
 
-  double length() const { return report.curves.front().length; }            ///< returns the length of the curve
-  Shortening_status status() const { return report.curves.front().status; } ///< returns whether the curve is a geodesic
-  Verdict verdict() const { return report.curves.front().verdict; }         ///< returns whether this is certified
+  double length() const { return report.length(); }            ///< returns the length of the curve
+  Shortening_status status() const { return report.status(); } ///< returns whether the curve is a geodesic
+  Verdict verdict() const { return report.verdict(); }         ///< returns whether this is certified
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -56,6 +56,10 @@ struct Geodesics_result
 {
   OutputIterator out;       ///< the past-the-end iterator of the output
   Shortening_report report; ///< the report, with one entry per curve
+
+  double length() const { return report.length(); }            ///< returns the length of all curves together
+  Shortening_status status() const { return report.status(); } ///< returns whether all curves are geodesics
+  Verdict verdict() const { return report.verdict(); }         ///< returns whether this is certified
 
   std::size_t number_of_curves() const { return report.curves.size(); }                ///< returns their number
   double length(std::size_t i) const { return report.curves.at(i).length; }            ///< returns the length of one

@@ -53,9 +53,9 @@ struct Geodesic_path_result
                                                                    ///< thrown
   std::exception_ptr error; ///< the exception that was thrown, or null; `std::rethrow_exception()` throws it again
 
-  double length() const { return report.curves.front().length; }            ///< returns the length of the path
-  Shortening_status status() const { return report.curves.front().status; } ///< returns whether the path is a geodesic
-  Verdict verdict() const { return report.curves.front().verdict; }         ///< returns whether this is certified
+  double length() const { return report.length(); }            ///< returns the length of the path
+  Shortening_status status() const { return report.status(); } ///< returns whether the path is a geodesic
+  Verdict verdict() const { return report.verdict(); }         ///< returns whether this is certified
 };
 
 namespace internal {

@@ -196,6 +196,41 @@ struct Shortening_report
         return false;
     return true;
   }
+
+  /// Returns the length of the curve, or of all curves together.
+  double length() const
+  {
+    double sum = 0;
+    for(const Curve_report& curve : curves)
+      sum += curve.length;
+    return sum;
+  }
+
+  /// Returns the status of the curve. If there are several, it is that of the first one that is neither locally shortest
+  /// nor a point; otherwise `LOCALLY_SHORTEST`, or `CONTRACTED` if all curves are points.
+  Shortening_status status() const
+  {
+    bool has_curve = curves.empty();
+    for(const Curve_report& curve : curves)
+      if(curve.status == Shortening_status::LOCALLY_SHORTEST)
+        has_curve = true;
+      else if(curve.status != Shortening_status::CONTRACTED)
+        return curve.status;
+    return has_curve ? Shortening_status::LOCALLY_SHORTEST : Shortening_status::CONTRACTED;
+  }
+
+  /// Returns the verdict on the claim that the curve, or every curve, is locally shortest: that of the first curve for
+  /// which it is false, or else the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. It is never confirmed without curves.
+  Verdict verdict() const
+  {
+    Verdict result = curves.empty() ? Verdict::UNDECIDED : Verdict::PROVEN;
+    for(const Curve_report& curve : curves) {
+      if(curve.verdict == Verdict::BENT_SEGMENT || curve.verdict == Verdict::BENT_JOINT)
+        return curve.verdict;
+      result = (std::max)(result, curve.verdict);
+    }
+    return result;
+  }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -215,7 +250,7 @@ struct Shortest_path_report
   bool has_tie = false;
 
   /// Returns whether the path is a geodesic.
-  Shortening_status status() const { return shortening.curves.front().status; }
+  Shortening_status status() const { return shortening.status(); }
 
   /// Returns whether the path is confirmed to be shortest; if not, it may still be.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }

@@ -88,3 +88,37 @@ BOOST_AUTO_TEST_CASE(ways_and_splines_have_a_verdict)
   BOOST_CHECK(FG::geodesic_spline(mesh, stations, FG::Spline_kind::BEZIER, std::back_inserter(spline)).verdict() ==
               Verdict::PROVEN);
 }
+
+BOOST_AUTO_TEST_CASE(a_report_sums_up_its_curves)
+{
+  using Status = FG::Shortening_status;
+  const auto curve = [](Status status, double length, Verdict verdict) {
+    FG::Curve_report result;
+    result.status = status;
+    result.length = length;
+    result.verdict = verdict;
+    return result;
+  };
+  FG::Shortening_report report;
+  BOOST_CHECK(report.status() == Status::LOCALLY_SHORTEST);
+  BOOST_CHECK(report.verdict() == Verdict::UNDECIDED);
+  BOOST_CHECK_EQUAL(report.length(), 0);
+  report.curves = {curve(Status::CONTRACTED, 0, Verdict::PROVEN)};
+  BOOST_CHECK(report.status() == Status::CONTRACTED);
+  BOOST_CHECK(report.verdict() == Verdict::PROVEN);
+  report.curves.push_back(curve(Status::LOCALLY_SHORTEST, 2, Verdict::PROBABLE));
+  BOOST_CHECK(report.status() == Status::LOCALLY_SHORTEST);
+  BOOST_CHECK(report.verdict() == Verdict::PROBABLE);
+  report.curves.push_back(curve(Status::LENGTH_LIMIT, 3, Verdict::BENT_JOINT));
+  report.curves.push_back(curve(Status::ANGLE_LIMIT, 4, Verdict::UNDECIDED));
+  BOOST_CHECK(report.status() == Status::LENGTH_LIMIT);
+  BOOST_CHECK(report.verdict() == Verdict::BENT_JOINT);
+  BOOST_CHECK_EQUAL(report.length(), 9);
+  const Surface mesh = torus_mesh();
+  std::vector<std::vector<Point>> curves;
+  const auto result =
+      FG::geodesic_network(mesh, std::vector<std::vector<Vertex>>{{Vertex(0), Vertex(1)}}, std::back_inserter(curves));
+  BOOST_CHECK_EQUAL(result.length(), result.length(0));
+  BOOST_CHECK(result.status() == result.status(0));
+  BOOST_CHECK(result.verdict() == result.verdict(0));
+}
