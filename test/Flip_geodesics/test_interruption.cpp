@@ -127,7 +127,8 @@ BOOST_AUTO_TEST_CASE(a_logarithm)
   const FG::Surface_location source = setting.triangulation.location(3_v);
   const Logarithm expected(setting.triangulation, setting.mesh, source);
   stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-    const Logarithm logarithm(setting.triangulation, setting.mesh, source, FG::Distance_field_limits(), visitor);
+    const Logarithm logarithm(setting.triangulation, setting.mesh, source, FG::Distance_field_limits(),
+                              CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(FG::to_string(logarithm.report().status) == std::string(is_stopped ? "STOPPED_BY_VISITOR" : "COMPLETE"));
     for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices())) {
       const bool is_known = expected.distance_field().distance(v) <= logarithm.distance_field().reach();

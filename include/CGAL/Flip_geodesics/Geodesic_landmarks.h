@@ -13,6 +13,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -60,20 +61,28 @@ public:
    * \param triangulation a triangulation of the mesh, which is not stored; its flips have no effect
    * \param number the number of landmarks in each component; a component with fewer vertices has fewer landmarks
    * \param tag an object whose type selects sequential or parallel execution
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals and from
-   *        the calling thread. If it returns `false`, `is_complete()` returns `false`, the object has no landmarks, and
-   *        all bounds are zero
+   * \param np an optional sequence of named parameters among those listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{visitor}
+   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals, from the calling thread. If it
+   *       returns `false`, `is_complete()` returns `false`, the object has no landmarks, and all bounds are zero}
+   *     \cgalParamType{a model of `FlipOutVisitor`, of which only `go_further()` is called}
+   *     \cgalParamDefault{no visitor}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
    * \throws Degenerate_face_error if the mesh has a degenerate edge
    * \throws Invalid_coordinate_error for any face, as `Intrinsic_triangulation` does when a face is accessed
    * \throws Invalid_mesh_error for any face, as `Intrinsic_triangulation` does when a face is accessed
    *
    * Complexity: \f$O(n \log n)\f$ for each landmark; more on meshes of needles.
    */
-  template <class Triangulation, class ConcurrencyTag = Sequential_tag, class Visitor = Default_shortening_visitor>
+  template <class Triangulation, class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number,
-                              ConcurrencyTag tag = ConcurrencyTag(), Visitor&& visitor = Visitor())
+                              ConcurrencyTag tag = ConcurrencyTag(), const NamedParameters&... np)
   {
-    make(triangulation, tag, visitor,
+    make(triangulation, tag, internal::options_of<internal_np::visitor_t>(np...),
          [&](const Choice& choice, auto& search) { return choice.far_vertices(search, number); });
   }
 
@@ -87,7 +96,7 @@ public:
    * \param landmarks a range of `Vertex_index`es in any order, where repeated ones count once. Components without
    *        landmarks have no bounds
    * \param tag an object whose type selects sequential or parallel execution
-   * \param visitor a model of `FlipOutVisitor`, as for the constructor with a number of landmarks
+   * \param np the named parameter `visitor`, as for the constructor with a number of landmarks
    * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
    * \throws Degenerate_face_error if the mesh has a degenerate edge
    * \throws Invalid_coordinate_error for any face, as `Intrinsic_triangulation` does when a face is accessed
@@ -96,16 +105,16 @@ public:
    * Complexity: \f$O(n \log n)\f$ for each landmark; more on meshes of needles.
    */
   template <class Triangulation, class VertexRange = std::vector<Vertex_index>, class ConcurrencyTag = Sequential_tag,
-            class Visitor = Default_shortening_visitor,
-            std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>
+            class... NamedParameters, std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>
   Geodesic_landmarks(const Triangulation& triangulation, const VertexRange& landmarks,
-                     ConcurrencyTag tag = ConcurrencyTag(), Visitor&& visitor = Visitor())
+                     ConcurrencyTag tag = ConcurrencyTag(), const NamedParameters&... np)
   {
     static_assert(internal::is_range_of<VertexRange, Vertex_index>,
                   "no number of landmarks where it belongs, nor a range of vertices; the order is triangulation, "
                   "landmarks, concurrency tag");
     const std::vector<Vertex_index> given(std::begin(landmarks), std::end(landmarks));
-    make(triangulation, tag, visitor, [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
+    make(triangulation, tag, internal::options_of<internal_np::visitor_t>(np...),
+         [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
   }
 
   /// Returns whether the bounds are known, that is, whether no visitor stopped the construction.
@@ -159,10 +168,11 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // `choose(choice, search)` returns sets of landmarks.
-  template <class Triangulation, class ConcurrencyTag, class Visitor, class Choose>
-  void make(const Triangulation& triangulation, ConcurrencyTag, Visitor& visitor, const Choose& choose)
+  template <class Triangulation, class ConcurrencyTag, class NamedParameters, class Choose>
+  void make(const Triangulation& triangulation, ConcurrencyTag, const NamedParameters& np, const Choose& choose)
   {
-    internal::Interruption interruption(visitor);
+    auto visitor = internal::make_visitor(np);
+    internal::Interruption interruption(visitor.get());
     m_is_complete = internal::result_unless_interrupted(
         [&] { return make<ConcurrencyTag>(triangulation, choose, interruption), true; });
     if(!m_is_complete) {

@@ -129,35 +129,33 @@ public:
   }
 
   /*!
-   * Constructs a basis with given base points.
+   * Constructs a basis with given base points, unless a visitor stops the construction.
    * \param triangulation a triangulation of the surface, which must outlive the basis
    * \param base_points vertices, at most one in each component; in a component without one, the first vertex is chosen
+   * \param np an optional sequence of named parameters among those listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{visitor}
+   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals. If it returns `false`,
+   *       `is_complete()` returns `false`, and the basis has neither loops nor components}
+   *     \cgalParamType{a model of `FlipOutVisitor`, of which only `go_further()` is called}
+   *     \cgalParamDefault{no visitor}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
    * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet in a vertex only
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    * \throws Vertex_out_of_range_error if a base point is not a vertex of the input
    * \throws Invalid_parameter_error if two base points lie in one component, or a base point is isolated
    */
-  template <class VertexRange>
-  Loop_basis(const Triangulation& triangulation, const VertexRange& base_points)
+  template <class VertexRange, class... NamedParameters>
+  Loop_basis(const Triangulation& triangulation, const VertexRange& base_points, const NamedParameters&... np)
     : m_triangulation(&triangulation)
   {
-    make(base_points, nullptr);
-  }
-
-  /*!
-   * Constructs a basis with given base points, unless a visitor stops the construction. The exceptions are those of the
-   * constructor without a visitor.
-   * \param triangulation a triangulation of the surface, which must outlive the basis
-   * \param base_points vertices, at most one in each component; in a component without one, the first vertex is chosen
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
-   *        returns `false`, `is_complete()` returns `false`, and the basis has neither loops nor components
-   */
-  template <class VertexRange, class Visitor>
-  Loop_basis(const Triangulation& triangulation, const VertexRange& base_points, Visitor&& visitor)
-    : m_triangulation(&triangulation)
-  {
-    internal::Interruption interruption(visitor);
-    if(!internal::result_unless_interrupted([&] { return make(base_points, &interruption), true; }))
+    const bool is_whole =
+        internal::result_unless_stopped(internal::options_of<internal_np::visitor_t>(np...),
+                                        [&](auto* interruption) { return make(base_points, interruption), true; });
+    if(!is_whole)
       forget_all();
   }
 

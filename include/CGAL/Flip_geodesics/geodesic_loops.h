@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <type_traits>
@@ -75,7 +76,8 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
   const auto compute = [&](typename Types::Triangulation& triangulation) {
     auto visitor = internal::make_visitor(options);
     internal::Stop_remembering_visitor<std::remove_reference_t<decltype(visitor.get())>> remembering(visitor.get());
-    const Loop_basis<typename Types::Triangulation> basis(triangulation, std::vector<Vertex_index>(), remembering);
+    const Loop_basis<typename Types::Triangulation> basis(triangulation, std::vector<Vertex_index>(),
+                                                          parameters::visitor(std::ref(remembering)));
     internal::Computed_output<std::vector<Form>> result;
     if(!basis.is_complete())
       result.report = internal::report_of_stopped_search();

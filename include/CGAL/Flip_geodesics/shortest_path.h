@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -612,7 +613,8 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t numb
 {
   const auto& options = internal::surface_options<internal_np::visitor_t>(np...);
   auto visitor = internal::make_visitor(options);
-  return Geodesic_landmarks(internal::make_triangulation(mesh, options), number, ConcurrencyTag(), visitor.get());
+  return Geodesic_landmarks(internal::make_triangulation(mesh, options), number, ConcurrencyTag(),
+                            parameters::visitor(std::ref(visitor.get())));
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -654,7 +656,7 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRang
   for(const internal::Vertex_in<TriangleMesh> v : landmarks)
     indices.push_back(triangulation.index(v));
   auto visitor = internal::make_visitor(options);
-  return Geodesic_landmarks(triangulation, indices, ConcurrencyTag(), visitor.get());
+  return Geodesic_landmarks(triangulation, indices, ConcurrencyTag(), parameters::visitor(std::ref(visitor.get())));
 }
 
 #ifdef CGAL_FLIP_GEODESICS_COMPILED

@@ -78,8 +78,17 @@ public:
    * \param mesh the mesh
    * \param source any location
    * \param limits how far the map is needed
-   * \param visitor as for `Geodesic_distance_field::compute()`. If it stops the computation, `report()` has the status
-   *        `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known up to `distance_field().reach()`
+   * \param np an optional sequence of named parameters among those listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{visitor}
+   *     \cgalParamDescription{a visitor, as for `Geodesic_distance_field::compute()`. If it stops the computation, `report()`
+   *       has the status `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known up to
+   *       `distance_field().reach()`}
+   *     \cgalParamType{a model of `FlipOutVisitor`, of which only `go_further()` is called}
+   *     \cgalParamDefault{no visitor}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
    *
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
@@ -89,9 +98,9 @@ public:
    *
    * Complexity: that of `Geodesic_distance_field::compute()`.
    */
-  template <class Visitor = Default_shortening_visitor>
+  template <class... NamedParameters>
   Logarithmic_map(const Triangulation& triangulation, const Triangle_mesh& mesh, const Surface_location& source,
-                  const Distance_field_limits& limits = Distance_field_limits(), Visitor&& visitor = Visitor())
+                  const Distance_field_limits& limits = Distance_field_limits(), const NamedParameters&... np)
     : m_triangulation(triangulation)
     , m_place(internal::canonical_location(triangulation.input(), source))
     , m_frame(triangulation, m_place)
@@ -99,7 +108,8 @@ public:
     , m_field(triangulation, mesh)
   {
     m_field.add_source(source);
-    m_report = m_field.compute(limits, visitor);
+    auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
+    m_report = m_field.compute(limits, visitor.get());
   }
 
   /// Returns the halfedge from which angles are measured: that of the location of the source, or its twin if the former

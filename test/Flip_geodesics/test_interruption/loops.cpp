@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_CASE(a_loop_basis)
   const FG::Loop_basis<Triangulation> expected(setting.triangulation);
   BOOST_TEST(expected.is_complete());
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-    const FG::Loop_basis<Triangulation> basis(setting.triangulation, no_base_points, visitor);
+    const FG::Loop_basis<Triangulation> basis(setting.triangulation, no_base_points,
+                                              CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(basis.is_complete() == !is_stopped);
     BOOST_TEST(basis.number_of_loops() == (is_stopped ? 0 : 6));
     BOOST_TEST(basis.components().size() == (is_stopped ? 0u : 1u));

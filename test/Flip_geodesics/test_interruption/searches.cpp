@@ -145,26 +145,32 @@ BOOST_AUTO_TEST_CASE(geodesic_landmarks)
     landmarks.check_input(setting.triangulation);
   };
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-    const FG::Geodesic_landmarks landmarks(setting.triangulation, 4, CGAL::Sequential_tag(), visitor);
+    const FG::Geodesic_landmarks landmarks(setting.triangulation, 4, CGAL::Sequential_tag(),
+                                           CGAL::parameters::visitor(std::ref(visitor)));
     check(landmarks, 4, is_stopped);
     if(!is_stopped)
       BOOST_TEST(landmarks.distance_lower_bound(0_v, last) == expected.distance_lower_bound(0_v, last));
   });
   BOOST_TEST(calls > 10u);
   BOOST_TEST(stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-               check(FG::Geodesic_landmarks(setting.triangulation, given, CGAL::Sequential_tag(), visitor), 2,
-                     is_stopped);
+               check(FG::Geodesic_landmarks(setting.triangulation, given, CGAL::Sequential_tag(),
+                                            CGAL::parameters::visitor(std::ref(visitor))),
+                     2, is_stopped);
              }) > 5u);
 #ifdef CGAL_LINKED_WITH_TBB
   // How often it is called depends on what the other threads do; the first calls are those of the searches.
   for(std::size_t most = 0; most < 4; ++most) {
     Stopping_visitor visitor;
     visitor.most = most;
-    check(FG::Geodesic_landmarks(setting.triangulation, 4, CGAL::Parallel_tag(), visitor), 4, true);
+    check(FG::Geodesic_landmarks(setting.triangulation, 4, CGAL::Parallel_tag(),
+                                 CGAL::parameters::visitor(std::ref(visitor))),
+          4, true);
     BOOST_TEST(visitor.calls == most + 1);
   }
   Stopping_visitor patient;
-  check(FG::Geodesic_landmarks(setting.triangulation, 4, CGAL::Parallel_tag(), patient), 4, false);
+  check(FG::Geodesic_landmarks(setting.triangulation, 4, CGAL::Parallel_tag(),
+                               CGAL::parameters::visitor(std::ref(patient))),
+        4, false);
   BOOST_TEST(!patient.is_called_from_elsewhere);
 #endif
 }
