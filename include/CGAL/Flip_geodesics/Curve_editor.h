@@ -12,12 +12,14 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -73,8 +75,8 @@ public:
    *
    * \param triangulation a triangulation of the input without flips and curves. It must outlive the editor, and is
    *        unchanged after each call
-   * \param points at least two points, of which no two consecutive ones coincide; a closed curve does not repeat the
-   *        first
+   * \param points a range of at least two points of the surface, of any type that `surface_location()` takes, of which
+   *        no two consecutive ones coincide; a closed curve does not repeat the first
    * \param is_closed whether a segment leads from the last point to the first
    * \throws Invalid_curve_error if fewer points are given, or two consecutive ones coincide
    * \throws Invalid_location_error if a location is not a point of the surface
@@ -84,7 +86,8 @@ public:
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    */
-  Curve_editor(Triangulation& triangulation, const std::vector<Surface_location>& points, bool is_closed = false)
+  template <class PointRange = std::vector<Surface_location>>
+  Curve_editor(Triangulation& triangulation, const PointRange& points, bool is_closed = false)
     : m_triangulation(triangulation)
     , m_search(triangulation, Search_method::LOOK_BACK)
     , m_mover(triangulation)
@@ -92,10 +95,10 @@ public:
   {
     CGAL_precondition(triangulation.log_position() == 0);
     internal::check_has_no_curves(m_triangulation, "a curve cannot be edited");
-    if(points.size() < 2)
-      throw Invalid_curve_error("a curve to be edited needs two points");
-    for(const Surface_location& p : points)
+    for(const Surface_location& p : internal::located_places(triangulation, points))
       m_points.push_back(placed(p));
+    if(m_points.size() < 2)
+      throw Invalid_curve_error("a curve to be edited needs two points");
     for(std::size_t i = 0; i < number_of_legs(); ++i) {
       const Surface_location &p = m_points[i], &q = m_points[(i + 1) % m_points.size()];
       Leg leg;
@@ -186,6 +189,13 @@ public:
     return move(i, place, [&] { return way(m_points[i], place); });
   }
 
+  /// Moves a point to another one of any type that `surface_location()` takes, as to a location.
+  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  Move_report move(std::size_t i, const Point& to)
+  {
+    return move(i, internal::located_place(m_triangulation, to));
+  }
+
   /*!
    * Moves a point along a given path, which determines the homotopy classes of its segments.
    * \param i the number of the point
@@ -203,11 +213,12 @@ public:
    * \throws Degenerate_face_error as `move()` does
    * \throws Invalid_coordinate_error as `move()` does
    */
-  Move_report move_along(std::size_t i, const std::vector<Surface_location>& way)
+  template <class PointRange = std::vector<Surface_location>>
+  Move_report move_along(std::size_t i, const PointRange& way)
   {
     CGAL_precondition(i < number_of_points());
     std::vector<Surface_location> places;
-    for(const Surface_location& p : way)
+    for(const Surface_location& p : internal::located_places(m_triangulation, way))
       places.push_back(placed(p));
     if(places.empty() || !is_same(places.front(), m_points[i]))
       throw Invalid_curve_error("the way of a point starts where the point is not", {0});

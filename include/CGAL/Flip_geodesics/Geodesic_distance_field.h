@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -199,12 +200,19 @@ public:
     return m_number_of_sources++;
   }
 
+  /// Adds a point of any other type that `surface_location()` takes as a source and returns the number of the source.
+  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  std::size_t add_source(const Point& point, double offset = 0)
+  {
+    return add_source(internal::located_place(m_triangulation, m_mesh, point), offset);
+  }
+
   /*!
    * Adds a curve as a source and returns the number of the source. The curve is straight between consecutive locations,
    * so a curve of edges is given by its vertices; a single location is a point. `Curve_extractor::surface_locations()`
    * returns the locations of a curve of a network.
    *
-   * \param locations a range of `Surface_location`s, of which two consecutive ones lie in one face or on its boundary
+   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two consecutive ones lie in one face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
@@ -219,7 +227,7 @@ public:
   std::size_t add_curve(const LocationRange& locations, double offset = 0)
   {
     std::vector<Surface_location> at;
-    for(const Surface_location& location : locations)
+    for(const Surface_location& location : internal::located_places(m_triangulation, locations))
       at.push_back(internal::canonical_location(m_triangulation.input(), location));
     if(at.empty())
       throw Invalid_curve_error("a curve that is a source has no points");
@@ -319,6 +327,13 @@ public:
   /// Returns the distance of a location, with the preconditions and exceptions of `answer()`.
   double distance(const Surface_location& location) const { return answer(location).distance; }
 
+  /// Returns the distance of a point of any other type that `surface_location()` takes.
+  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  double distance(const Point& point) const
+  {
+    return answer(point).distance;
+  }
+
   /// Returns the distance of a vertex and its nearest source. Linear in the number of bends of the path. \throws
   /// Vertex_out_of_range_error if `v` is not a vertex of the input
   Answer answer(Vertex_index v) const
@@ -342,6 +357,13 @@ public:
       return answer(m_triangulation.input().tail(at.halfedge));
     const auto arrival = arrival_at(at);
     return is_known(arrival.distance) ? Answer{arrival.distance, query().source(arrival)} : Answer();
+  }
+
+  /// Returns the distance and nearest source of a point of any other type that `surface_location()` takes.
+  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  Answer answer(const Point& point) const
+  {
+    return answer(internal::located_place(m_triangulation, m_mesh, point));
   }
 
   /// Returns the distance and nearest source of a point with given barycentric weights in a face of the mesh. The
@@ -410,6 +432,14 @@ public:
         internal::set_tangent(points[i], points[from].point, points[from + 1].point);
       }
     return std::move(points.begin(), points.end(), out);
+  }
+
+  /// Writes a shortest path from a point of any other type that `surface_location()` takes to its nearest source.
+  template <class Point, class OutputIterator,
+            std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  OutputIterator path(const Point& point, OutputIterator out) const
+  {
+    return path(internal::located_place(m_triangulation, m_mesh, point), out);
   }
 
   /*!

@@ -6,13 +6,16 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/reports.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/assertions.h>
 
 #include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,8 +58,9 @@ public:
    *
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
-   * \param control_points at least two points; a closed spline has at least three and does not repeat the first.
-   *        Consecutive points may coincide, so that the segment between them has length zero
+   * \param control_points a range of at least two points of the surface, of any type that `surface_location()` takes; a
+   *        closed spline has at least three and does not repeat the first. Consecutive points may coincide,
+   *        so that the segment between them has length zero
    * \param kind the type of the spline
    * \throws Invalid_curve_error if fewer points are given
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
@@ -66,16 +70,11 @@ public:
    * \throws Crossing_curves_error as `refine()` does
    * \throws Ambiguous_order_error as `refine()` does
    */
-  Geodesic_spline(Triangulation& triangulation, const std::vector<Surface_location>& control_points, Spline_kind kind)
-    : m_straightener(triangulation)
-    , m_measure(triangulation)
+  template <class PointRange = std::vector<Surface_location>,
+            std::enable_if_t<!internal::is_range<internal::Range_value<PointRange>>, int> = 0>
+  Geodesic_spline(Triangulation& triangulation, const PointRange& control_points, Spline_kind kind)
+    : Geodesic_spline(internal::located_places(triangulation, control_points), triangulation, kind)
   {
-    const bool is_closed = kind == Spline_kind::CLOSED_CUBIC_B_SPLINE;
-    if(control_points.size() < (is_closed ? 3u : 2u))
-      throw Invalid_curve_error("a spline needs at least two control points, a closed one three");
-    for(std::size_t i = 0; i + (is_closed ? 0 : 1) < control_points.size(); ++i)
-      m_legs.push_back({m_straightener.shortest(control_points[i], control_points[(i + 1) % control_points.size()])});
-    start(kind);
   }
 
   /*!
@@ -199,6 +198,18 @@ public:
   Verdict verdict() const { return finished().verdict; }
 
 private:
+  Geodesic_spline(const std::vector<Surface_location>& control_points, Triangulation& triangulation, Spline_kind kind)
+    : m_straightener(triangulation)
+    , m_measure(triangulation)
+  {
+    const bool is_closed = kind == Spline_kind::CLOSED_CUBIC_B_SPLINE;
+    if(control_points.size() < (is_closed ? 3u : 2u))
+      throw Invalid_curve_error("a spline needs at least two control points, a closed one three");
+    for(std::size_t i = 0; i + (is_closed ? 0 : 1) < control_points.size(); ++i)
+      m_legs.push_back({m_straightener.shortest(control_points[i], control_points[(i + 1) % control_points.size()])});
+    start(kind);
+  }
+
   const Curve_report& finished() const
   {
     CGAL_precondition(!m_report.curves.empty());

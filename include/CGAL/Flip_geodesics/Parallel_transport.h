@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Transport_sleeve.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <cmath>
 #include <vector>
@@ -48,7 +49,7 @@ public:
   /*!
    * Transports a direction along a curve that is straight between consecutive locations.
    *
-   * \param locations a range of `Surface_location`s, of which two consecutive ones lie in one face or on its boundary;
+   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two consecutive ones lie in one face or on its boundary;
    *        consecutive equal points count once
    * \param direction the direction at the first location; its halfedge is a side of a face that contains the location,
    *        or starts there
@@ -69,15 +70,14 @@ public:
   Surface_direction operator()(const LocationRange& locations, const Surface_direction& direction,
                                Input_halfedge_index halfedge = null_index) const
   {
-    const internal::Transport_sleeve<Triangulation> sleeve(m_triangulation, locations);
+    const std::vector<Surface_location> places =
+        internal::locations_of_curve(m_triangulation, m_triangulation.input().uncontracted().mesh(), locations);
+    const internal::Transport_sleeve<Triangulation> sleeve(m_triangulation, places);
     if(!std::isfinite(direction.angle))
       throw Invalid_parameter_error("the angle of a direction is not a finite number");
-    Surface_location last;
-    for(const Surface_location& location : locations)
-      last = location;
     const double position = sleeve.frame(0).position(direction.halfedge) + direction.angle;
     const auto frame = sleeve.frame(sleeve.legs().size());
-    const Input_halfedge_index reference = halfedge == null_index ? frame.reference(last) : halfedge;
+    const Input_halfedge_index reference = halfedge == null_index ? frame.reference(places.back()) : halfedge;
     return {reference, frame.angle(sleeve.transported(position), reference)};
   }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/tangents/Transport_sleeve.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -45,7 +46,7 @@ public:
    * Constructs the curve through the locations.
    *
    * \param triangulation the triangulation, which must outlive the curve
-   * \param locations a range of `Surface_location`s, of which two consecutive ones lie in one face or on its boundary;
+   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two consecutive ones lie in one face or on its boundary;
    *        consecutive equal points count once
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
    * \throws Invalid_location_error if a location is not a point of the surface
@@ -58,7 +59,8 @@ public:
   template <class LocationRange>
   Located_curve(const Triangulation& triangulation, const LocationRange& locations)
     : m_triangulation(triangulation)
-    , m_sleeve(triangulation, locations)
+    , m_sleeve(triangulation,
+               internal::locations_of_curve(triangulation, triangulation.input().uncontracted().mesh(), locations))
     , m_lengths(1, 0.0)
   {
     for(std::size_t i = 0; i < m_sleeve.legs().size(); ++i) {

@@ -45,8 +45,8 @@ namespace Flip_geodesics {
  * and `order_overlapping_curves()` detects whether the curves cross. The initial length is that of the edge paths.
  *
  * \param network the network
- * \param locations a range of at least two `Surface_location`s; a location that coincides with the previous one is
- *        skipped. A closed curve need not repeat the first
+ * \param locations a range of at least two points of the surface, of any type that `surface_location()` takes; a
+ *        location that coincides with the previous one is skipped. A closed curve need not repeat the first
  * \param is_closed whether the curve is closed
  * \return the index of the curve
  * \throws Invalid_curve_error if fewer than two points are given, or all coincide
@@ -64,7 +64,7 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
 {
   auto& triangulation = network.triangulation();
   std::vector<Vertex_index> way_points;
-  for(const Surface_location& location : locations)
+  for(const Surface_location& location : internal::located_places(triangulation, locations))
     way_points.push_back(network.insert(location));
   const bool are_several = way_points.size() > 1;
   way_points.erase(std::unique(way_points.begin(), way_points.end()), way_points.end());
@@ -188,7 +188,7 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
  * `Shortening_status::CONTRACTED`.
  *
  * \param triangulation a triangulation of the input without flips and curves, which is unchanged afterwards
- * \param points at least two points
+ * \param points a range of at least two points of the surface, of any type that `surface_location()` takes
  * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, for each segment. The predicate is
  *        `restarted()` for each segment if possible
  * \return the segments, and a report
@@ -200,13 +200,13 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  */
-template <class Triangulation, class... NamedParameters>
-Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surface_location>& points,
-                            const NamedParameters&... np)
+template <class Triangulation, class PointRange = std::vector<Surface_location>, class... NamedParameters>
+Free_legs geodesics_through(Triangulation& triangulation, const PointRange& points, const NamedParameters&... np)
 {
   const auto& options = internal::options_of<internal::Stop_parameter, internal_np::visitor_t>(np...);
   auto visitor = internal::make_visitor(options);
-  return internal::geodesics_through(triangulation, points, internal::stop_predicate_of(options), visitor.get());
+  return internal::geodesics_through(triangulation, internal::located_places(triangulation, points),
+                                     internal::stop_predicate_of(options), visitor.get());
 }
 
 namespace internal {

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
@@ -102,17 +103,18 @@ public:
    *
    * \param triangulation a triangulation of the mesh; both must outlive the object
    * \param mesh the mesh
-   * \param points any locations
+   * \param points a range of points of the surface, of any type that `surface_location()` takes
    * \param weights one for each point
    * \throws Invalid_parameter_error if no points are given, the numbers of points and weights differ, a weight is
    *         negative or not finite, or all are zero
    */
-  Geodesic_mean(const Triangulation& triangulation, const Triangle_mesh& mesh, std::vector<Surface_location> points,
+  template <class PointRange = std::vector<Surface_location>>
+  Geodesic_mean(const Triangulation& triangulation, const Triangle_mesh& mesh, const PointRange& points,
                 std::vector<double> weights)
     : m_triangulation(triangulation)
     , m_mesh(mesh)
     , m_tracer(triangulation)
-    , m_points(std::move(points))
+    , m_points(internal::located_places(triangulation, points))
     , m_weights(std::move(weights))
   {
     if(m_points.empty())

@@ -237,7 +237,7 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
  * points without a common face, the crossings of a geodesic with the edges are inserted.
  *
  * \param triangulation a triangulation without flips, which is unchanged afterwards
- * \param polyline the points
+ * \param polyline the points, a range of points of the surface, of any type that `surface_location()` takes
  * \param is_closed whether the polyline is closed
  * \return the polyline, for `draw_polyline()` and `snap_polyline()`
  * \pre no edge of the triangulation has been flipped
@@ -250,20 +250,21 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  */
-template <class Triangulation>
-std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
-                                                const std::vector<Surface_location>& polyline, bool is_closed = false)
+template <class Triangulation, class PointRange = std::vector<Surface_location>>
+std::vector<Surface_location> complete_polyline(Triangulation& triangulation, const PointRange& polyline,
+                                                bool is_closed = false)
 {
   const auto& input = triangulation.input();
-  if(polyline.size() < (is_closed ? 3u : 2u))
+  const std::vector<Surface_location> given = internal::located_places(triangulation, polyline);
+  if(given.size() < (is_closed ? 3u : 2u))
     throw Invalid_curve_error("a polyline needs two points, a closed one three");
   std::vector<Surface_location> result;
-  for(std::size_t i = 0; i < polyline.size(); ++i) {
-    const Surface_location p = internal::canonical_location(input, polyline[i]);
+  for(std::size_t i = 0; i < given.size(); ++i) {
+    const Surface_location p = internal::canonical_location(input, given[i]);
     result.push_back(p);
-    if(i + 1 == polyline.size() && !is_closed)
+    if(i + 1 == given.size() && !is_closed)
       break;
-    const Surface_location q = internal::canonical_location(input, polyline[(i + 1) % polyline.size()]);
+    const Surface_location q = internal::canonical_location(input, given[(i + 1) % given.size()]);
     if(internal::common_face(input, p, q) != null_index)
       continue;
     auto between = internal::Path_straightener<Triangulation>(triangulation).shortest(p, q);
@@ -290,7 +291,7 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
  * Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
  * \param network the network
- * \param polyline the points; two consecutive ones lie in a common face or on a common edge of the input. A closed
+ * \param polyline the points, of any type that `surface_location()` takes; two consecutive ones lie in a common face or on a common edge of the input. A closed
  *        polyline does not repeat the first point. Points that equal the previous one are skipped
  * \param is_closed whether the polyline is closed
  * \return the index of the curve
@@ -305,10 +306,12 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
  * \throws Degenerate_face_error as `Edge_path_network::insert()` does
  * \throws Invalid_coordinate_error as `Edge_path_network::insert()` does
  */
-template <class Network>
-Curve_index draw_polyline(Network& network, const std::vector<Surface_location>& polyline, bool is_closed = false)
+template <class Network, class PointRange = std::vector<Surface_location>>
+Curve_index draw_polyline(Network& network, const PointRange& polyline, bool is_closed = false)
 {
-  const auto points = internal::canonical_polyline(network.triangulation().input(), polyline, is_closed);
+  const auto& triangulation = network.triangulation();
+  const auto points =
+      internal::canonical_polyline(triangulation.input(), internal::located_places(triangulation, polyline), is_closed);
   return internal::add_chain(network, internal::Polyline_drawer<Network>(network)(points), is_closed);
 }
 
@@ -327,12 +330,12 @@ Curve_index draw_polyline(Network& network, const std::vector<Surface_location>&
  * \throws Invalid_curve_error as `draw_polyline()` does
  * \throws Invalid_location_error as `draw_polyline()` does
  */
-template <class Triangulation>
-std::vector<Vertex_index> snap_polyline(const Triangulation& triangulation,
-                                        const std::vector<Surface_location>& polyline, bool is_closed = false)
+template <class Triangulation, class PointRange = std::vector<Surface_location>>
+std::vector<Vertex_index> snap_polyline(const Triangulation& triangulation, const PointRange& polyline,
+                                        bool is_closed = false)
 {
   const auto& input = triangulation.input();
-  const auto points = internal::canonical_polyline(input, polyline, is_closed);
+  const auto points = internal::canonical_polyline(input, internal::located_places(triangulation, polyline), is_closed);
   std::vector<Vertex_index> path;
   for(std::size_t i = 0; i + (is_closed ? 1 : 0) < points.size(); ++i) {
     const Surface_location& p = points[i];

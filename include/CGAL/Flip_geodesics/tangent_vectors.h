@@ -112,8 +112,16 @@ public:
     m_report = m_field.compute(limits, visitor.get());
   }
 
-  /// Returns the halfedge from which angles are measured: that of the location of the source, or its twin if the former
-  /// is a border halfedge.
+  /// Computes the map for a source of any other type that `surface_location()` takes.
+  template <class Source, class... NamedParameters,
+            std::enable_if_t<internal::is_other_place<Triangulation, Source>, int> = 0>
+  Logarithmic_map(const Triangulation& triangulation, const Triangle_mesh& mesh, const Source& source,
+                  const Distance_field_limits& limits = Distance_field_limits(), const NamedParameters&... np)
+    : Logarithmic_map(triangulation, mesh, internal::trace_start(triangulation, mesh, source), limits, np...)
+  {
+  }
+
+  /// Returns the halfedge from which angles are measured, by the rule of `Surface_direction`.
   Input_halfedge_index halfedge() const { return m_halfedge; }
 
   /// Returns the sum of the angles around the source: \f$\pi\f$ on a border edge, and \f$2\pi\f$ elsewhere except at
@@ -159,6 +167,14 @@ public:
     if(m_triangulation.input().outgoing(v) == null_index)
       return {};
     return (*this)(internal::canonical_location(m_triangulation.input(), m_triangulation.location(v)));
+  }
+
+  /// Returns the polar coordinates of a point of any other type that `surface_location()` takes.
+  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  Polar_coordinates operator()(const Point& point) const
+  {
+    const auto& mesh = m_triangulation.input().uncontracted().mesh();
+    return (*this)(internal::trace_start(m_triangulation, mesh, point));
   }
 
   /// Converts polar coordinates to Cartesian coordinates in the plane in which `halfedge()` is the positive first axis.

@@ -388,6 +388,15 @@ public:
     return trace(location, direction, limits, internal::No_visitor_of_points());
   }
 
+  /// Traces a geodesic from a point of any other type that `surface_location()` takes. The other arguments are those for
+  /// a location. A `Face_location` is not moved to a nearby edge or vertex, so that tracing can continue from every end.
+  template <class Point, class... Arguments, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  Trace_report trace(const Point& point, const Arguments&... arguments) const
+  {
+    const auto& mesh = m_triangulation.input().uncontracted().mesh();
+    return trace(internal::trace_start(m_triangulation, mesh, point), arguments...);
+  }
+
 private:
   template <class IsConstrained, class Visitor>
   Trace_report walk(const internal::Ray_start& start, const Trace_limits<IsConstrained>& limits, Visitor& visitor) const
