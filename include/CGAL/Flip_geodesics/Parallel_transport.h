@@ -14,8 +14,19 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsTangents
-/// Stores a direction on the surface at a location, in the form that `Geodesic_tracer::trace()` accepts.
+/*!
+ * \ingroup PkgFlipGeodesicsTangents
+ *
+ * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from it.
+ *
+ * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is a side of
+ * a face that contains the location, or starts there. The free functions pass both as a `std::pair` of a halfedge of the
+ * mesh and an angle. A function that chooses the halfedge takes that of the location, or its twin if that is a border
+ * halfedge. It is `halfedge(face, mesh)` for a `Face_location` in the face, and starts at a location that was made from a
+ * vertex. Only two functions choose otherwise: a `Trace_report` refers to the side over which the geodesic has entered
+ * its last face, and `logarithmic_map()` of a tree, at the border and at inserted vertices, to a direction that its page
+ * states.
+ */
 struct Surface_direction
 {
   Input_halfedge_index halfedge = null_index; ///< a side of a face that contains the location, or a halfedge that
@@ -54,7 +65,7 @@ public:
    * \param direction the direction at the first location; its halfedge is a side of a face that contains the location,
    *        or starts there
    * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
-   *        location; by default that of the location, or its twin if the former is a border halfedge
+   *        location; by default the one that `Surface_direction` states
    * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, or at a vertex up to the sum of its
    *         angles; on the border, which has no full turn, the angle can have any value
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations

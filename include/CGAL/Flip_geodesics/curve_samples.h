@@ -15,7 +15,6 @@
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -212,7 +211,6 @@ template <class Triangulation, class TriangleMesh>
 class Curve_sampler
 {
   using Point = typename Triangulation::Metric::Point_3;
-  using Vector = std::array<double, 3>;
 
 public:
   using Sample = Curve_sample<TriangleMesh, Point>;
@@ -238,7 +236,8 @@ public:
       const std::size_t piece = m_curve.piece(length);
       set_tangent(result, place(piece), place(piece + 1));
     }
-    result.normal = normal(at.halfedge);
+    const Place_in_space n = Face_plane<Triangulation>(m_triangulation, at.halfedge).normal();
+    result.normal = typename Sample::Vector_3(n[0], n[1], n[2]);
     result.length = length;
     return result;
   }
@@ -247,30 +246,6 @@ private:
   Point place(std::size_t i) const
   {
     return point_in_space(m_triangulation, surface_point(m_triangulation, m_curve.locations()[i]));
-  }
-
-  Vector corner(Input_halfedge_index h) const
-  {
-    const auto& input = m_triangulation.input();
-    const Point p = m_triangulation.metric().point(input, input.uncontracted_tail(h));
-    return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
-  }
-
-  // The sides are scaled first, so that no product underflows.
-  typename Sample::Vector_3 normal(Input_halfedge_index h) const
-  {
-    const auto& input = m_triangulation.input();
-    const Vector p = corner(h), q = corner(input.next(h)), r = corner(input.next(input.next(h)));
-    const auto unit = [](Vector v) {
-      const double length = std::hypot(v[0], v[1], v[2]);
-      for(double& x : v)
-        x = length > 0 ? x / length : 0;
-      return v;
-    };
-    const Vector a = unit({{q[0] - p[0], q[1] - p[1], q[2] - p[2]}}),
-                 b = unit({{r[0] - p[0], r[1] - p[1], r[2] - p[2]}});
-    const Vector n = unit({{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}});
-    return {n[0], n[1], n[2]};
   }
 
   const Triangulation& m_triangulation;

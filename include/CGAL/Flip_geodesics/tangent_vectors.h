@@ -18,12 +18,14 @@
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -227,8 +229,7 @@ public:
    *
    * \param location the end of the path
    * \param angle the angle of the direction, from `halfedge()`
-   * \return the direction, measured from the halfedge of the location, or from its twin if the former is a border
-   *         halfedge; the angle is NaN if no path exists
+   * \return the direction, measured as by the rule of `Surface_direction`; the angle is NaN if no path exists
    * \throws Invalid_location_error if `location` is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite
    */
@@ -384,8 +385,7 @@ private:
  * \param targets a range of such points; `vertices(mesh)` for all vertices
  * \param out an output iterator that receives `Polar_coordinates`, one for each target
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
- * \return a `Logarithmic_map_result`. The angles are measured from `halfedge(face, mesh)` for a `Face_location`, and
- *         from an outgoing halfedge for a vertex
+ * \return a `Logarithmic_map_result`. The angles are measured from a halfedge by the rule of `Surface_direction`
  * \throws Vertex_out_of_range_error if the source or a target is not a vertex of the mesh
  * \throws Invalid_location_error if the source or a target does not lie on the mesh
  * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
@@ -416,6 +416,25 @@ Logarithmic_map_result<OutputIterator, TriangleMesh> logarithmic_map(const Trian
           logarithm.total_angle(), logarithm.is_on_border(), logarithm.report()};
 }
 
+namespace internal {
+
+/* Transports a vector in space from the plane of the face of the first location to that of the last one. */
+template <class Triangulation>
+Place_in_space transported_vector(const Triangulation& triangulation, const std::vector<Surface_location>& locations,
+                                  const Place_in_space& vector)
+{
+  const Transport_sleeve<Triangulation> sleeve(triangulation, locations);
+  if(!are_finite(vector))
+    throw Invalid_parameter_error("a coordinate of a vector is not a finite number");
+  const auto start = sleeve.frame(0), end = sleeve.frame(sleeve.legs().size());
+  const Input_halfedge_index first = start.reference(locations.front()), last = end.reference(locations.back());
+  const std::complex<double> v = Face_plane<Triangulation>(triangulation, first).in_plane(vector);
+  const double position = sleeve.transported(start.position(first, v));
+  return Face_plane<Triangulation>(triangulation, last).in_space(std::abs(v) * end.direction(position, last));
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
@@ -428,8 +447,7 @@ Logarithmic_map_result<OutputIterator, TriangleMesh> logarithmic_map(const Trian
  * \param direction the direction at the start of the curve: a halfedge and an angle from there, as for
  *        `trace_geodesic()`
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
- * \return the direction at the end of the curve in the same form; for a `Face_location` it is measured from
- *         `halfedge(face, mesh)`
+ * \return the direction at the end of the curve in the same form, from a halfedge by the rule of `Surface_direction`
  * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
@@ -444,7 +462,7 @@ Logarithmic_map_result<OutputIterator, TriangleMesh> logarithmic_map(const Trian
  * \sa `Parallel_transport`
  */
 template <class TriangleMesh, class LocationRange, class... NamedParameters>
-auto parallel_transport(
+std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double> parallel_transport(
     const TriangleMesh& mesh, const LocationRange& curve,
     const std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>& direction,
     const NamedParameters&... np)
@@ -457,6 +475,49 @@ auto parallel_transport(
   const Surface_direction end =
       Parallel_transport<Surface>(surface)(locations, {surface.input().index(direction.first), direction.second});
   return Direction(surface.input().halfedge(end.halfedge), end.angle);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsTangents
+ *
+ * Transports a tangent vector in space along a curve, parallel in the sense of the Levi-Civita connection.
+ *
+ * The vector is projected to the plane of the face of the first location. The result lies in the plane of the face of the
+ * last location, and has the length of the projection. At a vertex, vectors may point out of the face: they are turned
+ * out of its plane by the angle on the surface, which requires no choice where the angles sum to \f$2\pi\f$.
+ *
+ * \param mesh a triangle mesh
+ * \param curve a range as for the overload with an angle, of locations in faces, since vectors lie in the planes of
+ *        faces: a vertex is given as a `Face_location`
+ * \param vector a vector in space, of any kernel
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`; the metric must have points
+ * \return the vector at the end of the curve, of the kernel of the points of the mesh
+ * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+ * \throws Invalid_location_error if a point does not lie on the mesh
+ * \throws Invalid_parameter_error if a coordinate of the vector is not finite
+ * \throws Degenerate_face_error for a face along the curve
+ * \throws Invalid_coordinate_error for a face along the curve
+ * \throws Invalid_mesh_error for a face along the curve
+ *
+ * Complexity: linear in the number of locations and the degrees of the vertices among them. Meshes other than
+ * `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ */
+template <class TriangleMesh, class LocationRange, class Vector_3, class... NamedParameters,
+          std::enable_if_t<internal::is_vector_in_space<Vector_3>, int> = 0>
+auto parallel_transport(const TriangleMesh& mesh, const LocationRange& curve, const Vector_3& vector,
+                        const NamedParameters&... np)
+{
+  const auto& options = internal::surface_options(np...);
+  using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
+  static_assert(internal::Has_points<typename Surface::Metric>::value,
+                "the metric has no points in space: give the direction as a halfedge and an angle");
+  static_assert(!internal::is_mesh_vertex<TriangleMesh, internal::Range_value<LocationRange>>,
+                "a vector lies in the plane of a face: give Face_locations at vertices, or a halfedge and an angle");
+  const Surface surface = internal::make_surface(mesh, options);
+  const internal::Place_in_space v = internal::transported_vector(
+      surface, internal::locations_of_curve(surface, mesh, curve),
+      {{CGAL::to_double(vector.x()), CGAL::to_double(vector.y()), CGAL::to_double(vector.z())}});
+  return typename Surface::Metric::Kernel::Vector_3(v[0], v[1], v[2]);
 }
 
 } // namespace Flip_geodesics

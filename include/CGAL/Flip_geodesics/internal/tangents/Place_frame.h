@@ -5,14 +5,18 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Nearest_face.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
+
+#include <CGAL/number_utils.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
@@ -38,6 +42,51 @@ std::complex<double> direction_of_side(const Triangulation& triangulation, Input
   const std::complex<double> result(along.x, along.y);
   return result / std::abs(result);
 }
+
+/* The plane of a face in space, with the frame of its halfedge h, which lies on the x-axis. The sides are scaled first,
+ * so that no product underflows. */
+template <class Triangulation>
+class Face_plane
+{
+public:
+  Face_plane(const Triangulation& triangulation, Input_halfedge_index h)
+  {
+    const auto& input = triangulation.input();
+    const auto corner = [&](Input_halfedge_index side) {
+      const auto p = triangulation.metric().point(input, input.uncontracted_tail(side));
+      return Place_in_space{{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+    };
+    const Place_in_space p = corner(h);
+    m_x = unit(difference(corner(input.next(h)), p));
+    m_normal = unit(cross(m_x, unit(difference(corner(input.next(input.next(h))), p))));
+    m_y = cross(m_normal, m_x);
+  }
+
+  /* Returns the unit normal; zero if the face is degenerate. */
+  const Place_in_space& normal() const { return m_normal; }
+
+  /* Returns the projection of a vector in space. */
+  std::complex<double> in_plane(const Place_in_space& v) const { return {dot(v, m_x), dot(v, m_y)}; }
+
+  Place_in_space in_space(const std::complex<double>& v) const
+  {
+    Place_in_space result;
+    for(std::size_t i = 0; i < 3; ++i)
+      result[i] = v.real() * m_x[i] + v.imag() * m_y[i];
+    return result;
+  }
+
+private:
+  static Place_in_space unit(Place_in_space v)
+  {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    for(double& x : v)
+      x = length > 0 ? x / length : 0;
+    return v;
+  }
+
+  Place_in_space m_x, m_y, m_normal;
+};
 
 /*
  * The directions at a surface point as positions, in radians, counterclockwise over all faces that contain it: the
@@ -101,6 +150,20 @@ public:
     if(face_name(input(), h) == face_name(input(), m_place.halfedge))
       return std::arg(direction / direction_of_side(m_triangulation, h, m_place.halfedge));
     return std::arg(-direction / direction_of_side(m_triangulation, h, twin_index(m_place.halfedge)));
+  }
+
+  /* Returns the direction, of length 1, at a position in the frame of a halfedge h of a face that contains the point. At
+   * a vertex, a direction outside of the face is turned out of it by its angle, on the side where that is smaller. */
+  Vector direction(double position, Input_halfedge_index h) const
+  {
+    if(!is_vertex())
+      return std::polar(1.0, position - this->position(h, 1));
+    const Input_halfedge_index c = corner(h);
+    const double inside = std::arg(-direction_of_side(m_triangulation, c, input().next(input().next(c))));
+    double from_corner = angle(position, c);
+    if(has_whole_turns() && from_corner > (total() + inside) / 2)
+      from_corner -= total();
+    return direction_of_side(m_triangulation, h, c) * std::polar(1.0, from_corner);
   }
 
   /* Returns the position of a side of a face that contains the point, or of a halfedge that starts there.
