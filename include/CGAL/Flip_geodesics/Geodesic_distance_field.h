@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
@@ -484,10 +485,11 @@ public:
     return result;
   }
 
-  /// Returns an object for internal queries of the windows; its type may change with any version.
+private:
+  friend struct internal::Internals<Geodesic_distance_field>;
+
   Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
 
-private:
   // Throws unless the offset is valid for a source in the face of a halfedge; the halfedge is null if the source has
   // none.
   void check_addition(double offset, Input_halfedge_index h) const
@@ -581,6 +583,23 @@ private:
   double m_reach = 0;
 };
 
+namespace internal {
+
+template <class Triangulation>
+struct Internals<Geodesic_distance_field<Triangulation>>
+{
+  /* Returns an object for queries of the windows. */
+  static auto query(const Geodesic_distance_field<Triangulation>& field) { return field.query(); }
+};
+
+/* Returns an object for queries of the windows of a field. */
+template <class Field>
+auto query_of(const Field& field)
+{
+  return Internals<Field>::query(field);
+}
+
+} // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 

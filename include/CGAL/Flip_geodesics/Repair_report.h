@@ -82,6 +82,9 @@ inline std::string describe(Repair repair, std::size_t count)
 
 namespace internal {
 
+template <class Model>
+struct Internals;
+
 /* The data of a Repair_report. Pairs of point and vertex, and of polygon and face, are sorted. */
 struct Repair_record
 {
@@ -116,13 +119,6 @@ public:
   using Elements = std::vector<std::size_t>;
 
   Repair_report() = default;
-
-#ifndef DOXYGEN_RUNNING
-  explicit Repair_report(internal::Repair_record record)
-    : m_record(std::move(record))
-  {
-  }
-#endif
 
   /// Returns how often a repair was made.
   std::size_t number_of(Repair repair) const { return m_record.counts[static_cast<std::size_t>(repair)]; }
@@ -174,6 +170,13 @@ public:
   Elements faces_of_polygon(std::size_t polygon) const { return elements(m_record.faces_of_polygons, polygon); }
 
 private:
+  friend struct internal::Internals<Repair_report>;
+
+  explicit Repair_report(internal::Repair_record record)
+    : m_record(std::move(record))
+  {
+  }
+
   std::string near_border_edges_in_sequences() const
   {
     std::ostringstream text;
@@ -196,6 +199,16 @@ private:
 
   internal::Repair_record m_record;
 };
+
+namespace internal {
+
+template <>
+struct Internals<Repair_report>
+{
+  static Repair_report make(Repair_record record) { return Repair_report(std::move(record)); }
+};
+
+} // namespace internal
 
 } // namespace Flip_geodesics
 } // namespace CGAL

@@ -192,7 +192,7 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
   result.report.status = tree.grow(source, std::numeric_limits<double>::infinity(), visitor).status;
   if(!is_stopped_by_visitor(result.report)) {
     Interruption interruption(visitor);
-    result.report = make_shortest(tree, field.query().propagation(), true, most_windows, interruption);
+    result.report = make_shortest(tree, query_of(field).propagation(), true, most_windows, interruption);
   }
   if(is_stopped_by_visitor(result.report))
     return result;
@@ -311,7 +311,7 @@ std::optional<Vertex_logarithmic_map> logarithmic_map_of_field(const Geodesic_di
                                                                const Triangulation& triangulation, Vertex_index source)
 {
   const Vertex_directions<Triangulation> directions(triangulation, source);
-  Source_directions<Triangulation> starts(field.query());
+  Source_directions<Triangulation> starts(query_of(field));
   Vertex_logarithmic_map map(triangulation.number_of_vertices());
   map.total_angle = directions.total();
   map.is_on_border = directions.has_border();

@@ -150,7 +150,7 @@ void check_repaired(const Triangle_soup<Kernel>& soup, const Repair_record& reco
     throw Invalid_mesh_error("the soup has no polygons");
   if(soup.triangles.empty()) {
     std::string reasons;
-    for(const std::string& line : Repair_report(record).lines())
+    for(const std::string& line : Internals<Repair_report>::make(record).lines())
       reasons += (reasons.empty() ? "" : "; ") + line;
     throw Invalid_mesh_error("no triangle is left by the repair: " + reasons);
   }
@@ -297,7 +297,7 @@ Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const Poly
     return Mesh_point(p.x(), p.y(), p.z());
   };
   internal::build_mesh(mesh, map, record.point_of_vertex.size(), place, elements.triangles());
-  return Repair_report(std::move(record));
+  return internal::Internals<Repair_report>::make(std::move(record));
 }
 
 } // namespace Flip_geodesics

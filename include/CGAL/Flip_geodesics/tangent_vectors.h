@@ -336,7 +336,7 @@ public:
     , m_mesh(mesh)
     , m_logarithm(logarithm)
     , m_frame(triangulation, canonical_location(triangulation.input(), source))
-    , m_starts(logarithm.distance_field().query())
+    , m_starts(query_of(logarithm.distance_field()))
   {
   }
 

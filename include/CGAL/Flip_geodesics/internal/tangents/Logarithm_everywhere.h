@@ -52,7 +52,7 @@ public:
     , m_logarithm(logarithm)
     , m_source(triangulation, canonical_location(triangulation.input(), source))
     , m_field(logarithm.distance_field())
-    , m_legs(m_field.query())
+    , m_legs(query_of(m_field))
     , m_vertices(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
   {
   }
