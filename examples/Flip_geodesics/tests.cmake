@@ -67,6 +67,7 @@ flip_geodesics_test_example(save_network_example torus.off)
 flip_geodesics_test_example(other_ways_example torus.off 6 150 4 100 101)
 flip_geodesics_test_example(shortest_path_example torus.off 6 150)
 flip_geodesics_test_example(trace_geodesic_example torus.off 2 7)
+flip_geodesics_test_example(parallel_paths_example torus.off 2)
 flip_geodesics_test_example(parallel_transport_example torus.off 7 1)
 flip_geodesics_test_example(means_example torus.off 0 5 60)
 flip_geodesics_test_example(decal_example torus.off 7 1.5 scan.png)
@@ -84,7 +85,8 @@ endif()
 
 # A word where a number belongs.
 foreach(case "decal_example 7 two" "edge_length_metric_example two" "geodesic_path_example 0 two" "loop_basis_example 0 two" "means_example two" "network_early_stop_example two"
-             "parallel_transport_example 7 two" "shortest_path_example two 0" "trace_geodesic_example two")
+             "parallel_paths_example two" "parallel_transport_example 7 two" "shortest_path_example two 0"
+             "trace_geodesic_example two")
   string(REPLACE " " ";" case "${case}")
   list(POP_FRONT case name)
   list(JOIN case "|" arguments)

@@ -66,13 +66,15 @@ target_include_directories(Flip_geodesics_without_gmp SYSTEM
 
 # An optional library is linked to the programs whose source mentions it, so that nobody keeps lists and the other
 # programs do not pay for it. `flip_geodesics_optional_libraries` holds triples: pattern, target, and what happens
-# without it: GUARDED (the source has an #ifdef) or REQUIRED (the program is left out).
+# without it: GUARDED (the source has an #ifdef) or REQUIRED (the program is left out). TBB is required if an include of
+# one of its headers follows no #ifdef.
 set(flip_geodesics_optional_libraries
     "CGAL_EIGEN3_ENABLED" CGAL::Eigen3_support GUARDED
     "#include <Eigen/|/(Operators|Tangent_spaces|Dirichlet_problem|Direction_field|Conformal_flattening)\\.h>"
     CGAL::Eigen3_support
     REQUIRED
     "CGAL_LINKED_WITH_TBB|CGAL::Parallel_tag" CGAL::TBB_support GUARDED
+    "\n\n#include <tbb/" CGAL::TBB_support REQUIRED
     "CGAL_USE_OPENMESH" Flip_geodesics_OpenMesh GUARDED
     "<boost/mpi.hpp>" Flip_geodesics_MPI REQUIRED
     "<CLI/CLI.hpp>" CLI11::CLI11 REQUIRED
