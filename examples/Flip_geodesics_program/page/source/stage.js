@@ -102,7 +102,6 @@ export class Stage {
     this.controls.minDistance = 0.02;
     this.controls.maxDistance = 20;
     this.controls.addEventListener('change', () => this.requestFrame());
-    this.controls.addEventListener('start', () => (this.isMoved = true));
     for (const event of ['pointermove', 'pointerdown', 'pointerup', 'wheel'])
       canvas.addEventListener(event, () => requestAnimationFrame(() => this.controls.update()), { passive: true });
     this.resize();
@@ -317,7 +316,7 @@ export class Stage {
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
     this.controls.handleResize();
-    if (!this.isMoved && this.homeDirection) this.lookFrom(this.homeDirection);
+    if (this.view && this.camera.position.equals(this.view.position)) this.lookFrom(this.view.direction);
     this.requestFrame();
   }
 
@@ -338,7 +337,8 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  // Puts the camera as close as the whole mesh can be seen, in `direction` from its center.
+  // Puts the camera as close as the whole mesh can be seen, in `direction` from its center. It stays so when the window is
+  // resized, until the camera is moved.
   lookFrom(direction) {
     const up = Math.abs(direction.y) > 0.99 ? new Vector3(0, 0, -1) : new Vector3(0, 1, 0);
     const right = new Vector3().crossVectors(up, direction).normalize();
@@ -358,6 +358,7 @@ export class Stage {
     this.controls.target.set(0, 0, 0);
     this.camera.lookAt(0, 0, 0);
     this.controls.update();
+    this.view = { direction: direction.clone(), position: this.camera.position.clone() };
     this.requestFrame();
   }
 
@@ -395,6 +396,7 @@ export class Stage {
     this.renderer.setRenderTarget(null);
     let count = 0;
     for (let i = 0; i < pixels.length; i += 4) count += pixels[i] > 127 ? 1 : 0;
+    for (const material of [black, line.material]) material.dispose();
     return count;
   }
 
@@ -436,7 +438,6 @@ export class Stage {
   // Goes close to some points, in the direction of now.
   goTo(points) {
     if (points.length === 0) return;
-    this.isMoved = true;
     const box = new Box3().setFromArray(points);
     const { target } = this.controls;
     const direction = this.camera.position.clone().sub(target).normalize();
@@ -448,13 +449,11 @@ export class Stage {
   }
 
   reset() {
-    this.isMoved = false;
     this.lookFrom(this.homeDirection);
   }
 
   // Turns the camera about the center by angles about the screen's vertical and horizontal axes.
   turn(aroundVertical, aroundHorizontal) {
-    this.isMoved = true;
     const { camera } = this;
     const right = new Vector3(1, 0, 0).applyQuaternion(camera.quaternion);
     const above = new Vector3(0, 1, 0).applyQuaternion(camera.quaternion);
@@ -470,7 +469,6 @@ export class Stage {
   }
 
   zoom(factor) {
-    this.isMoved = true;
     this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
     this.controls.update();
     this.requestFrame();
