@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What statuses and verdicts are called for people.
+// What statuses and verdicts are called in pages.
 
 const statuses = {
   LOCALLY_SHORTEST: 'locally shortest',
   CONTRACTED: 'has shrunk to a point',
-  LENGTH_LIMIT: 'stopped at the length that was asked for',
+  LENGTH_LIMIT: 'stopped at the requested length',
   MEMORY_LIMIT: 'stopped, as it takes too much memory',
-  PRECISION_LIMIT: 'rounding leaves it open whether it is straight',
+  PRECISION_LIMIT: 'rounding errors leave undecided whether it is straight',
   DEGENERATE_FACES: 'bent across degenerate faces',
-  WITHIN_ROUNDING: 'the shortest of its class, up to rounding',
-  WITHIN_TOLERANCE: 'the shortest of its class, up to 1e-10',
-  UNDECIDED: 'perhaps not the shortest of its class',
-  LENGTH: 'as long as was asked for',
+  WITHIN_ROUNDING: 'the shortest, up to rounding',
+  WITHIN_TOLERANCE: 'the shortest, up to a share of 1e-10',
+  UNDECIDED: 'perhaps not the shortest',
+  LENGTH: 'of the requested length',
   BORDER: 'ends at the border',
   CROSSING_LIMIT: 'stopped, as it crosses too many edges',
   ISOLINE: 'isoline',
