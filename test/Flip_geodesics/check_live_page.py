@@ -1,119 +1,49 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Drags a point on the live page in a browser, compares the lengths with those of the program, and opens other meshes.
+"""Uses the interactive viewer in a browser as a user does, by pointer, touch and keyboard, and compares the curves with
+those that the program computes by the commands that the page shows.
 
     check_live_page.py --program flip_geodesics --mesh FILE.off --chromium BROWSER
-
-The page is loaded from a file, as it was written; a script that is put behind it moves the pointer and posts what it
-sees to this program, so that nothing depends on how long the browser takes.
 """
 
 import argparse
 import csv
-import http.server
 import json
-import queue
+import math
+import shlex
+import struct
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from check_viewer_files import compare, read_glb, read_obj, read_ply
+from browser import CTRL, SHIFT, Browser
+from check_viewer_files import compare, read_glb, read_obj, read_off, read_ply, read_polylines_txt
 
-# A step at a time: waits until the engine has answered, does something with the pointer, and waits again.
-SCRIPT = '''
-<script>
-const data = document.documentElement.dataset;
-const post = (value) => fetch('http://127.0.0.1:PORT/', { method: 'POST', mode: 'no-cors', body: JSON.stringify(value) });
-addEventListener('error', (event) => post({ failure: event.message }));
-const contexts = new Set(); // of WebGL, that the page has made
+SIZE = (1200, 800)
+
+# Counts what a page could leave behind for every mesh that it opens.
+COUNTERS = '''
+const counted = { contexts: new Set(), workers: new Set(), observers: new Set() };
 const getContext = HTMLCanvasElement.prototype.getContext;
 HTMLCanvasElement.prototype.getContext = function (kind, ...options) {
   const context = getContext.call(this, kind, ...options);
-  if (kind.startsWith('webgl') && context) contexts.add(context);
+  if (kind.startsWith('webgl') && context) counted.contexts.add(context);
   return context;
 };
-addEventListener('unhandledrejection', (event) => post({ failure: String(event.reason) }));
-const until = async (isTrue) => { while (!isTrue()) await new Promise((next) => setTimeout(next, 20)); };
-const settle = async (action) => {
-  const before = data.revision;
-  action();
-  await until(() => data.revision !== before);
-  return { ...data };
+window.Worker = class extends Worker {
+  constructor(...options) { super(...options); counted.workers.add(this); }
+  terminate() { super.terminate(); counted.workers.delete(this); }
 };
-const point = (x, y) => {
-  const box = document.getElementById('view').getBoundingClientRect();
-  return { clientX: box.left + x * box.width, clientY: box.top + y * box.height, pointerId: 1, button: 0, bubbles: true };
+window.ResizeObserver = class extends ResizeObserver {
+  constructor(...options) { super(...options); counted.observers.add(this); }
+  disconnect() { super.disconnect(); counted.observers.delete(this); }
 };
-const send = (kind, at) => document.getElementById('view').dispatchEvent(new PointerEvent(kind, at));
-const click = (x, y) => settle(() => { send('pointerdown', point(x, y)); send('pointerup', point(x, y)); });
-// From a place to another one, in steps.
-const drag = async (from, to) => {
-  send('pointerdown', point(...from));
-  const states = [];
-  for (const t of [0.25, 0.5, 0.75, 1])
-    states.push(await settle(() => send('pointermove', point(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])))));
-  send('pointerup', point(...to));
-  return states;
-};
-const press = (id) => settle(() => document.getElementById(id).click());
-const choose = (tool) => settle(() => document.querySelector(`[data-tool=${tool}]`).click());
-const drop = async (name, text) => {
-  const files = new DataTransfer();
-  files.items.add(new File([text], name));
-  dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
-};
-// Opens a mesh, and sees what the page says of it.
-const openMesh = async (name, text) => {
-  const before = data.revision;
-  data.error = '';
-  await drop(name, text);
-  await until(() => data.revision !== before || data.error);
-  const read = (id) => document.getElementById(id).textContent;
-  return { ...data, title: read('title'), facts: read('facts'), message: read('message') };
-};
-const frames = async (count) => { for (let i = 0; i < count; ++i) await new Promise(requestAnimationFrame); };
-// The bytes of a file that the page saves, one character each.
-const save = async (format) => {
-  const create = URL.createObjectURL;
-  const content = await new Promise((done) => {
-    URL.createObjectURL = (blob) => { done(blob); return create.call(URL, blob); };
-    document.querySelector(`[data-format=${format}]`).click();
-  });
-  URL.createObjectURL = create;
-  return Array.from(new Uint8Array(await content.arrayBuffer()), (byte) => String.fromCharCode(byte)).join('');
-};
-(async () => {
-  await until(() => data.state && (data.revision || data.state === 'failed'));
-  if (data.state === 'failed') return post({ failure: document.getElementById('message').textContent });
-  const seen = {};
-  await press('clear');
-  const spot = PLACES;
-  await click(...spot[0]);
-  seen.path = await click(...spot[1]);
-  seen.drag = await drag(spot[1], spot[2]);
-  seen.flips = await press('show-intrinsic');
-  seen.through = await click(...spot[3]);
-  seen.saved = {};
-  for (const format of ['obj', 'ply', 'glb', 'points']) seen.saved[format] = await save(format);
-  await press('show-intrinsic');
-  seen.spline = await choose('spline');
-  seen.loop = await choose('loop');
-  seen.distances = await choose('distances');
-  seen.distances.command = document.getElementById('command').textContent;
-  seen.back = await choose('path');
-  await drop('bad.off', 'OFF nothing');
-  await until(() => data.error);
-  seen.bad = { ...data, title: document.getElementById('title').textContent };
-  seen.quad = await openMesh('quad.obj', 'v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 0\\nf 1 2 3 4\\n');
-  seen.pieces = await openMesh('pieces.off', PIECES);
-  for (let i = 0; i < 4; ++i) await openMesh(`triangle${i}.off`, 'OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n');
-  document.getElementById('view').parentElement.style.width = '80px'; // which every observer sees before the next frame
-  await frames(2);
-  seen.contexts = [...contexts].filter((context) => !context.isContextLost()).length;
-  return post(seen);
-})();
-</script>
 '''
+
+# Two triangles of opposite orientation, one of them twice, and a point without faces.
+PIECES = 'OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n9 9 9\n3 0 1 2\n3 0 3 2\n3 0 1 2\n'
+QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n'
+TRIANGLE = 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
 
 
 def check(condition, message):
@@ -121,117 +51,365 @@ def check(condition, message):
         raise SystemExit(f'check_live_page: {message}')
 
 
-class Answers(http.server.BaseHTTPRequestHandler):
-    def do_POST(self):
-        body = self.rfile.read(int(self.headers['Content-Length']))
-        self.send_response(204)
-        self.end_headers()
-        self.server.answers.put(json.loads(body))
+class Live_page:
+    """The page, and what a user does with it. Each action waits until the page has computed."""
 
-    def log_message(self, *_):
-        pass
+    def __init__(self, options, folder):
+        self.options, self.folder = options, folder
+        subprocess.run([options.program, 'view', options.mesh, '--quiet', '--output', folder / 'live.html'], check=True)
+        self.browser = Browser(options.chromium, folder / 'live.html', folder, SIZE, COUNTERS)
+        self.browser.wait_for('document.documentElement?.dataset.state')
+        check(self.data('state') == 'ready', self.browser.text('#message'))
+        self.settle()
+        self.points = read_off(options.mesh)[0]
+        self.compared = 0
+
+    def data(self, name):
+        return self.browser.evaluate(f'document.documentElement.dataset.{name}')
+
+    def settle(self):
+        self.browser.wait_for("document.documentElement.dataset.isIdle === 'true'")
+
+    def button(self, selector):
+        self.browser.click(*self.browser.middle_of(selector))
+        self.settle()
+
+    def key(self, *key):
+        self.browser.press(*key)
+        self.settle()
+
+    def type(self, selector, text):
+        self.browser.type(selector, text)
+        self.settle()
+
+    def tool(self, name):
+        self.button(f'label:has([data-tool={name}])')
+
+    def option(self, name):
+        self.button(f'[data-option={name}]')
+
+    def on_view(self, x, y):
+        """A point of the window, by shares of the view."""
+        return self.browser.evaluate(f'''(() => {{
+            const box = document.getElementById('view').getBoundingClientRect();
+            return [box.left + {x} * box.width, box.top + {y} * box.height];
+        }})()''')
+
+    def click(self, x, y, modifiers=0, button='left'):
+        self.browser.click(*self.on_view(x, y), modifiers, button)
+        self.settle()
+
+    def drag(self, start, end):
+        """Drags in steps, and compares the curve after each, unless the page finds it too slow to follow the pointer."""
+        (x, y), (u, v) = self.on_view(*start), self.on_view(*end)
+        self.browser.mouse('mouseMoved', x, y, button='none')
+        self.browser.mouse('mousePressed', x, y)
+        lines = set()
+        for t in (0.25, 0.5, 0.75, 1):
+            self.browser.mouse('mouseMoved', x + t * (u - x), y + t * (v - y))
+            self.settle()
+            if self.data('isCurrent') == 'true':
+                self.compare_with_program()
+            lines.add(self.data('line'))
+        self.browser.mouse('mouseReleased', u, v)
+        self.settle()
+        self.compare_with_program()
+        check(len(lines) == 4, f'the drag has not moved the point: {lines}')
+
+    def touch(self, at, expected):
+        self.browser.touch(*at)
+        self.browser.wait_for(expected)
+        self.settle()
+
+    def rows(self, items):
+        return self.browser.evaluate(f"document.querySelectorAll('#{items} > li').length")
+
+    def open(self, name, text):
+        (self.folder / name).write_text(text)
+        self.browser.choose_file('#file', self.folder / name)
+        self.browser.wait_for(f"['title', 'error'].some((id) => document.getElementById(id).textContent.startsWith('{name}'))")
+        self.settle()
+
+    def save(self, kind):
+        name = 'points.txt' if kind == 'points' else f'{self.options.mesh.stem}_curves.{kind}'
+        return self.browser.download(name, lambda: self.browser.click(*self.browser.middle_of(f'[data-format="{kind}"]')))
+
+    def lengths(self):
+        return [float(length) for length in self.data('lengths').split()]
+
+    def compare_with_program(self, tolerance=1e-12):
+        """The lengths are those of the command that the page shows."""
+        command = self.browser.text('#command').split(';')[0]
+        check(command.startswith('flip_geodesics '), f'the page shows no command: {command}, {self.browser.text("#error")}')
+        (self.folder / 'points.txt').write_text(self.data('line') + '\n')
+        arguments = [self.options.mesh if word == self.options.mesh.name else word for word in shlex.split(command)[1:]]
+        subprocess.run([self.options.program, *arguments, '--quiet', '--stats', 'stats.csv'], check=True, cwd=self.folder)
+        with open(self.folder / 'stats.csv', encoding='ascii') as file:
+            expected = [float(row['length']) for row in csv.DictReader(file)]
+        found = self.lengths()
+        check(len(found) == len(expected) > 0 and all(abs(a - b) <= tolerance * b for a, b in zip(found, expected)),
+              f'{command}, {self.data("line")}: {found} on the page, {expected} by the program')
+        self.compared += 1
+
+    def check_certificate(self):
+        check(set(self.data('certificates').split()) == {'PROVEN'}, f'{self.data("line")}: {self.data("certificates")}')
 
 
-def run_in_browser(browser, page, script, folder):
-    """What the script posts, or nothing if the browser has not come so far in two minutes."""
-    server = http.server.HTTPServer(('127.0.0.1', 0), Answers)
-    server.answers = queue.Queue()
-    server.timeout = 120
-    text = page.read_text() + script.replace('PORT', str(server.server_address[1]))
-    (folder / 'scripted.html').write_text(text)
-    command = [browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-               '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
-               '--window-size=1200,800', '--remote-debugging-port=0', f'--user-data-dir={folder / "profile"}',
-               (folder / 'scripted.html').resolve().as_uri()]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    try:
-        server.handle_request()
-    finally:
-        process.terminate()
-        process.wait()
-        server.server_close()
-    check(not server.answers.empty(), 'the page does not answer')
-    return server.answers.get()
+SPOTS = [(0.3, 0.5), (0.7, 0.5), (0.66, 0.62), (0.5, 0.3)]
 
 
-def native_length(options, folder, option, line):
-    (folder / 'points.txt').write_text(line + '\n')
-    subprocess.run([options.program, 'spline' if option == '--bezier' else 'path', options.mesh, '--quiet', option,
-                    folder / 'points.txt', '--stats', folder / 'stats.csv'], check=True)
-    with open(folder / 'stats.csv', encoding='ascii') as file:
-        return float(next(csv.DictReader(file))['length'])
+def check_points(page):
+    """Points are set, dragged, inserted and removed, by mouse, keys, buttons and touch; all of it is undone."""
+    page.button('#clear')
+    page.click(*SPOTS[0])
+    page.click(*SPOTS[1])
+    page.compare_with_program()
+    page.check_certificate()
+    first = page.data('line')
+    page.drag(SPOTS[1], SPOTS[2])
+    dragged = page.data('line')
+    page.key('z', CTRL)
+    check(page.data('line') == first, f'a drag is not undone at once: {page.data("line")}')
+    page.key('z', CTRL | SHIFT)
+    check(page.data('line') == dragged, 'the drag is not redone')
+    page.click(*SPOTS[3])
+    page.compare_with_program()
+    words = page.data('line').split()
+    page.click(0.32, 0.4, SHIFT)
+    inserted = page.data('line').split()
+    check(len(inserted) == 4 and [w for w in inserted if w in words] == words and inserted[-1] == words[-1],
+          f'no point between: {words}, {inserted}')
+    page.compare_with_program()
+    page.key('Delete')
+    check(page.data('line').split() == words, 'the point that was inserted is not removed')
+
+    (length,) = page.lengths()
+    page.button('#points li:nth-child(2) .insert')
+    inserted = page.data('line').split()
+    check(len(inserted) == 4 and inserted[:2] == words[:2] and inserted[3] == words[2], f'no point behind: {inserted}')
+    check(abs(page.lengths()[0] - length) < 1e-4 * length, 'the point that was inserted is not on the path')
+    page.compare_with_program()
+    before = page.data('line')
+    for _ in range(3):
+        page.key('ArrowRight')
+    page.key('ArrowDown', SHIFT)
+    moved = page.data('line').split()
+    check([a == b for a, b in zip(moved, inserted)] == [True, True, False, True], f'the keys do not move the point: {moved}')
+    page.compare_with_program()
+    page.button('#undo')
+    check(page.data('line') == before, 'the keys are not undone together')
+    page.button('#redo')
+    check(page.data('line').split() == moved, 'the keys are not redone')
+    page.key('r')  # the keys have turned the view to a point that was hidden
+    page.click(*SPOTS[0], button='right')
+    check(page.data('line').split() == moved[1:], 'a right click does not remove a point')
+    page.browser.call('Emulation.setTouchEmulationEnabled', enabled=True)
+    page.touch(page.browser.middle_of('#points li:nth-child(2) .remove'), 'document.querySelectorAll("#points > li").length === 2')
+    check(page.data('line').split() == [moved[1], moved[3]], 'a touch does not remove a point')
+    page.touch(page.on_view(*SPOTS[0]), 'document.querySelectorAll("#points > li").length === 3')
+    page.key('Escape')
+    page.touch(page.on_view(*SPOTS[0]), 'document.querySelector("#points li:nth-child(3) [aria-pressed=true]")?.tagName === "BUTTON"')
+    page.browser.call('Emulation.setTouchEmulationEnabled', enabled=False)
+    page.key('Delete')
+    check(page.data('line').split() == [moved[1], moved[3]], 'a point that was chosen by a touch is not removed')
+    page.type('#place input', '17')
+    check(page.data('line').split()[-1] == '17', f'no point at vertex 17: {page.data("line")}')
+    page.type('#place input', ', '.join(map(str, page.points[40])))
+    check(page.data('line').split()[-1] == '40', f'no point at the coordinates of vertex 40: {page.data("line")}')
+    page.browser.evaluate('document.activeElement.blur()')
+    page.key('Escape')
+    page.key('a')
+    check(page.rows('points') == 5, 'the key does not add a point')
+    page.compare_with_program()
 
 
-def check_saved(options, folder, saved, line):
-    """Files that the page saves hold what the program computes, up to rounding: the mesh, and tubes along the curve."""
-    check(saved['points'] == line + '\n', f'saved points: {saved["points"]}')
-    (folder / 'points.txt').write_text(saved['points'])
-    for format, read in {'obj': read_obj, 'ply': read_ply, 'glb': read_glb}.items():
-        own, found = folder / f'curves.{format}', folder / f'saved.{format}'
-        subprocess.run([options.program, 'path', options.mesh, '--quiet', '--points', folder / 'points.txt', '--mesh', own],
+def check_kinds(page):
+    """Every kind of curve, with its options."""
+    page.button('#clear')
+    for spot in (SPOTS[0], SPOTS[2], SPOTS[3]):
+        page.click(*spot)
+    words = page.data('line').split()
+    page.option('closed')
+    check(page.data('line').split() == words + words[:1], 'the path is not closed')
+    page.compare_with_program()
+    page.option('snap')
+    check(all(word.isdigit() for word in page.data('line').split()), f'points are not at vertices: {page.data("line")}')
+    page.compare_with_program()
+    page.button('#undo')
+    page.tool('loop')
+    check(page.data('line').split() == ['o', *words], f'the loop is not closed: {page.data("line")}')
+    page.compare_with_program()
+    page.check_certificate()
+    page.option('closed')
+    check(page.data('line').split() == words, f'the loop is not opened: {page.data("line")}')
+    page.compare_with_program()
+    page.tool('spline')
+    page.compare_with_program()
+    page.check_certificate()
+    bezier = page.lengths()
+    page.option('bspline')
+    page.compare_with_program()
+    check(page.lengths() != bezier, 'a B-spline is a Bezier curve')
+    page.key('c')
+    check(page.data('line').split()[0] == 'o', f'the spline is not closed: {page.data("line")}')
+    page.compare_with_program()
+    page.tool('shortest')
+    page.compare_with_program()
+    page.browser.press('ArrowRight')
+    page.settle()
+    check(page.browser.evaluate("document.querySelector('[data-tool=classes]').checked"), 'an arrow key does not choose a kind')
+    page.type('[data-option=count]', '4')
+    page.compare_with_program()
+    check(len(page.lengths()) == 4 and sorted(page.lengths()) == page.lengths(), f'classes: {page.lengths()}')
+    page.tool('trace')
+    page.type('[data-option=angle]', '40')
+    page.type('[data-option=length]', '1.5')
+    page.compare_with_program()
+    check(abs(page.lengths()[0] - 1.5) < 1e-9, f'a trace of length {page.lengths()}')
+    page.tool('distances')
+    page.type('[data-option=spacing]', '0.3')
+    page.compare_with_program(1e-9)
+    levels = [float(text) for text in page.browser.texts('#members li')]
+    check(len(levels) >= 2 and levels == sorted(levels) and all(abs(v / 0.3 - round(v / 0.3)) < 1e-9 for v in levels), f'levels: {levels}')
+    page.type('#unit', 'mm')
+    check(page.browser.texts('#members li')[0] == '0.3 mm', f'no unit: {page.browser.texts("#members li")}')
+    page.browser.wait_for("document.getElementById('scale').textContent.endsWith(' mm')")
+    page.type('#unit', '')
+    count = len(page.lengths())
+    page.option('tree')
+    check(len(page.lengths()) == count + len(page.points) - 1, 'the tree does not reach all vertices')
+    page.option('tree')
+    page.tool('path')
+    check(page.data('line').split() == words, 'the points have moved')
+
+
+def check_several(page):
+    """A second curve has a name, a color and a result of its own; both are saved; a curve is removed."""
+    page.browser.evaluate('document.activeElement.blur()')
+    page.key('n')
+    page.click(0.3, 0.4)
+    page.click(0.6, 0.25)
+    page.compare_with_program()
+    page.type('#curves li:nth-child(2) .name', 'second')
+    check(page.rows('curves') == 2, f'{page.rows("curves")} curves')
+    page.key('e')
+    page.compare_with_program()
+    page.button('#show-intrinsic')
+    lengths = [float(text) for text in page.browser.texts('#curves .length')]
+    check(len(lengths) == 2 and abs(lengths[1] - page.lengths()[0]) < 1e-7, f'lengths: {lengths}, {page.lengths()}')
+    check(all('proven' in text for text in page.browser.texts('#curves .numbers')), page.browser.texts('#curves .numbers'))
+    colors = page.browser.evaluate("Array.from(document.querySelectorAll('#curves .color'), (e) => e.value)")
+    check(len(set(colors)) == 2, f'colors: {colors}')
+    check_saved(page)
+    page.button('#curves li:nth-child(1) .choose')
+    check(abs(page.lengths()[0] - lengths[0]) < 1e-7, 'the first curve is not chosen')
+    page.compare_with_program()
+    page.button('#curves li:nth-child(2) .remove')
+    check(page.rows('curves') == 1, 'the curve is not removed')
+    page.key('z', CTRL)
+    check(page.rows('curves') == 2, 'the removal is not undone')
+    name = page.browser.evaluate("document.querySelector('#curves li:nth-child(2) .name').value")
+    check(name == 'second', f'the curve is called {name}')
+
+
+def check_saved(page):
+    """Files hold what the program computes, up to rounding: the mesh, and tubes along the curves. The image is the view."""
+    points = page.save('points').decode()
+    check(len(points.splitlines()) == 2 and points.splitlines()[1] == page.data('line'), f'saved points: {points}')
+    (page.folder / 'both.txt').write_text(points)
+    for kind, read in {'obj': read_obj, 'ply': read_ply, 'glb': read_glb}.items():
+        own, found = page.folder / f'curves.{kind}', page.folder / f'saved.{kind}'
+        subprocess.run([page.options.program, 'path', page.options.mesh, '--quiet', '--points', page.folder / 'both.txt', '--mesh', own],
                        check=True)
-        found.write_bytes(saved[format].encode('latin-1'))
-        points, faces, curves = read(own)
-        compare(found, *read(found), (points, faces), curves, 1e-5 if format == 'glb' else 1e-9)  # a GLB has floats
+        found.write_bytes(page.save(kind))
+        vertices, faces, curves = read(own)
+        compare(found, *read(found), (vertices, faces), curves, 1e-5 if kind == 'glb' else 1e-9)  # a GLB has floats
+    (page.folder / 'saved.polylines.txt').write_bytes(page.save('polylines.txt'))
+    check(len(read_polylines_txt(page.folder / 'saved.polylines.txt')) == 2, 'not two polylines')
+    image = page.save('png')
+    width, height = struct.unpack('>2I', image[16:24])
+    check((image[:8], height) == (b'\x89PNG\r\n\x1a\n', SIZE[1]) and width > SIZE[0] / 2, f'an image of {width} x {height}')
 
 
-# Two triangles of opposite orientation, one of them twice, and a point without faces.
-PIECES = 'OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n9 9 9\n3 0 1 2\n3 0 3 2\n3 0 1 2\n'
+def check_view(page):
+    """The pointer shows the vertex and the coordinates under it. After a resize the mesh is in the middle."""
+    page.browser.mouse('mouseMoved', *page.on_view(0.3, 0.55), button='none')
+    page.browser.wait_for("document.getElementById('under').textContent !== ''")
+    words = page.browser.text('#under').replace(',', ' ').replace('(', ' ').replace(')', ' ').split()
+    vertex, found = int(words[1]), tuple(map(float, words[3:6]))
+    points, faces = read_off(page.options.mesh)
+    longest = max(math.dist(points[f[i]], points[f[i - 1]]) for f in faces for i in range(3))
+    check(math.dist(points[vertex], found) < longest, f'vertex {vertex} is not at {found}')
+    image = "document.getElementById('view').toDataURL()"
+    frames = 'new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 100))))'
+    page.browser.resize(1900, 700)
+    page.browser.evaluate(frames)
+    resized = page.browser.evaluate(image)
+    page.key('r')
+    page.browser.evaluate(frames)
+    check(page.browser.evaluate(image) == resized, 'the mesh is not in the middle after a resize')
+    page.key('ArrowLeft')
+    page.browser.evaluate(frames)
+    check(page.browser.evaluate(image) != resized, 'an arrow key does not turn the view')
+    page.browser.resize(*SIZE)
+    page.key('r')
+    page.browser.evaluate(frames)
 
 
-def check_opened(seen):
-    """Meshes that need a repair are repaired, as the page says; those before leave nothing behind."""
-    check((seen['quad']['title'], seen['quad']['facts']) == ('quad.obj', '4 vertices, 2 triangles'), seen['quad'])
-    check('polygon' in seen['quad']['message'], f'no word of the repair: {seen["quad"]}')
-    check((seen['pieces']['title'], seen['pieces']['facts']) == ('pieces.off', '5 vertices, 2 triangles'), seen['pieces'])
-    check(seen['pieces']['message'].count(';') >= 1, f'one thing is told, not all: {seen["pieces"]}')
-    check(seen['contexts'] <= 2, f'{seen["contexts"]} WebGL contexts are left by the meshes opened before')
+def check_cancel(page):
+    """Thousands of isolines are cancelled, by key and by button, and the next curve is computed."""
+    before = page.data('line')
+    page.tool('distances')
+    for cancel in (lambda: page.browser.press('Escape'), lambda: page.browser.click(*page.browser.middle_of('#cancel'))):
+        page.browser.type('[data-option=spacing]', '0.0005')
+        page.browser.wait_for("!document.getElementById('busy').hidden")
+        check(page.data('isIdle') == 'false', 'the page does not compute')
+        cancel()
+        page.settle()
+        check(page.browser.text('#error') == 'cancelled', f'not cancelled: {page.browser.text("#error")}')
+        page.type('[data-option=spacing]', '0.5')
+        page.compare_with_program(1e-9)
+    page.tool('path')
+    check(page.data('line') == before, 'the points have changed')
+    page.compare_with_program()
 
 
-def check_isolines(options, folder, seen):
-    """The command that the page shows gives as many isolines."""
-    _, command, mesh, *arguments = seen['command'].split()
-    check(mesh == options.mesh.name and arguments[0] == '--source', f'the command of isolines: {seen["command"]}')
-    subprocess.run([options.program, command, options.mesh, '--quiet', *arguments, '--stats', folder / 'isolines.csv'], check=True)
-    with open(folder / 'isolines.csv', encoding='ascii') as file:
-        count = sum(1 for _ in csv.DictReader(file))
-    check(count == int(seen['curves']) >= 2, f'{seen["curves"]} isolines on the page, {count} by {seen["command"]}')
+def check_opening(page):
+    """A bad file changes nothing. Meshes are repaired, with a report. What was opened before leaves nothing behind."""
+    before = page.data('line')
+    page.open('bad.off', 'OFF nothing')
+    check(page.browser.text('#error').startswith('bad.off'), f'a bad file: {page.browser.text("#error")}')
+    check((page.browser.text('#title'), page.data('line')) == (page.options.mesh.name, before), 'a bad file replaces the mesh')
+    for name, text, facts, changes in (('quad.obj', QUAD, '4 vertices, 2 triangles', 1), ('pieces.off', PIECES, '5 vertices, 2 triangles', 2)):
+        page.open(name, text)
+        check((page.browser.text('#title'), page.browser.text('#facts')) == (name, facts), f'{name}: {page.browser.text("#facts")}')
+        report = page.browser.texts('#remarks li')
+        check('repaired' in page.browser.text('#remarks summary') and len(report) >= changes, f'{name}: {report}')
+    check(any('polygon' in line or 'face' in line for line in report), f'the repair is not reported: {report}')
+    for i in range(4):
+        page.open(f'triangle{i}.off', TRIANGLE)
+        check(page.browser.text('#facts') == '3 vertices, 1 triangle', page.browser.text('#facts'))
+    check(not page.browser.evaluate("document.getElementById('remarks').checkVisibility()"), 'an old report is shown')
+    counted = page.browser.evaluate('Object.fromEntries(Object.entries(counted).map(([name, set]) => [name, set.size]))')
+    check(counted['contexts'] <= 2 and counted['workers'] == 1 and counted['observers'] == 1, f'left behind: {counted}')
 
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument('--program', required=True)
+    parser.add_argument('--program', type=Path, required=True)
     parser.add_argument('--mesh', type=Path, required=True)
     parser.add_argument('--chromium', required=True)
     options = parser.parse_args()
+    options.program, options.mesh = options.program.resolve(), options.mesh.resolve()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        folder = Path(folder)
-        subprocess.run([options.program, 'view', options.mesh, '--quiet', '--output', folder / 'live.html'], check=True)
-        script = SCRIPT.replace('PIECES', json.dumps(PIECES)).replace('PLACES', json.dumps([[0.3, 0.5], [0.7, 0.5], [0.66, 0.62], [0.5, 0.3]]))
-        seen = run_in_browser(options.chromium, folder / 'live.html', script, folder)
-        check('failure' not in seen, f'the page fails: {seen}')
-        compared = 0
-        lines = set()
-        for name, option in [('path', '--points'), ('drag', '--points'), ('flips', '--points'),
-                             ('through', '--points'), ('spline', '--bezier'), ('loop', '--draw')]:
-            for state in seen[name] if isinstance(seen[name], list) else [seen[name]]:
-                length = native_length(options, folder, option, state['line'])
-                check(length > 0, f'{name}: a curve of length {length}')
-                check(abs(float(state['length']) - length) <= 1e-12 * length,
-                      f'{name}, {state["line"]}: length {state["length"]} on the page, {length} by the program')
-                check(state['certificate'] == 'PROVEN', f'{name}: {state}')
-                lines.add(state['line'])
-                compared += 1
-        check_saved(options, folder, seen['saved'], seen['through']['line'])
-        check(len(lines) >= 7, f'the drags have not moved the point: {lines}')
-        check_isolines(options, folder, seen['distances'])
-        check(seen['bad']['error'].startswith('bad.off'), f'a bad file: {seen["bad"]}')
-        check(seen['back']['line'] == seen['through']['line'],
-              f'the points have moved: {seen["back"]["line"]} instead of {seen["through"]["line"]}')
-        check(seen['bad']['title'] == options.mesh.name and seen['bad']['curves'] == seen['back']['curves'],
-              f'a bad file replaces the mesh: {seen["bad"]}')
-        check_opened(seen)
-        print(f'{compared} curves of the page have the lengths that the program computes')
+        page = Live_page(options, Path(folder))
+        try:
+            for part in (check_points, check_kinds, check_several, check_view, check_cancel, check_opening):
+                part(page)
+        finally:
+            page.browser.close()
+        check(not page.browser.failures, json.dumps(page.browser.failures))
+        print(f'{page.compared} results of the page have the lengths that the program computes')
 
 
 if __name__ == '__main__':

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What the live page computes with, as WebAssembly: the parts of the program that read meshes and curves and compute,
-// behind functions that take and give bytes. Curves are asked for by the lines that files of the program have, so that
-// the program computes the same from them.
+// The engine of the interactive viewer, compiled to WebAssembly: the parts of the program that read meshes and curves and
+// compute, behind functions that take and return bytes. A curve is requested by its kind and a line of the program's
+// files, so that the program computes the same curve from the same line. The engine keeps the mesh and nothing else: a
+// page that has interrupted it opens the mesh again and continues.
 
 #include "bad_input.h"
 #include "input/drawn_input.h"
@@ -12,7 +13,9 @@
 #include "output/viewer_curves.h"
 #include "run/curve_engine.h"
 #include "run/field_curves.h"
+#include "run/other_ways.h"
 #include "run/progress.h"
+#include "run/traced_curves.h"
 #include "scene.h"
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>
@@ -36,16 +39,16 @@ namespace {
 
 using namespace program;
 
-/// A mesh that was opened, and the curves that were computed last.
+/// A mesh, and the computations on it.
 class Session
 {
 public:
   Session(const std::string& file, std::string bytes)
-    : m_mesh(open(Input_text(file, std::move(bytes))))
+    : m_title(printable(file))
+    , m_mesh(open(Input_text(file, std::move(bytes))))
     , m_metric(program_metric(m_mesh, std::nullopt))
-    , m_engine(make_certified_engine(m_mesh, m_metric, options(), m_progress))
+    , m_geodesics(make_certified_engine(m_mesh, m_metric, options(false), m_progress))
   {
-    m_scene.title = printable(file);
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -53,42 +56,42 @@ public:
   std::string mesh_text() const
   {
     std::ostringstream out;
-    out << "{\"title\":" << json_string(m_scene.title) << ",\"remarks\":[";
-    const std::vector<std::string> remarks = m_mesh.remarks();
-    for(std::size_t i = 0; i < remarks.size(); ++i)
-      out << (i == 0 ? "" : ",") << json_string(remarks[i]);
-    out << "],";
+    out << "{\"title\":" << json_string(m_title) << ',';
+    write_strings(out, "remarks", m_mesh.remarks());
+    out << ',';
     Scene_json(m_mesh).write_mesh(out);
     out << '}';
     return out.str();
   }
 
-  /// \param kind an option of the program that takes curves, without its dashes
+  /// The curves of a request as JSON. \param most_points of the edges whose flips are recorded
   std::string compute(const std::string& kind, const std::string& line, std::size_t most_points)
   {
     Scene scene;
-    scene.title = m_scene.title;
-    if(kind == "distances")
-      run_field(scene, line);
-    else
-      run(scene, request(kind, line), most_points);
-    m_scene = std::move(scene);
+    add_curves(scene, kind, line, most_points);
     std::ostringstream out;
     out << '{';
-    Scene_json(m_mesh).write_curves(out, m_scene);
+    write_strings(out, "remarks", m_remarks);
+    out << ',';
+    Scene_json(m_mesh).write_curves(out, scene);
     out << '}';
     return out.str();
   }
 
-  /// The mesh and the curves that were computed last, as the program writes them: obj, ply, glb, or polylines.
-  std::string save(const std::string& format) const
+  /// The mesh with the curves of some requests, pairs of a kind and a line, as the program writes them: obj, ply, glb, or
+  /// polylines.
+  std::string save(const std::string& format, const std::vector<std::pair<std::string, std::string>>& requests)
   {
+    Scene scene;
+    scene.title = m_title;
+    for(const auto& [kind, line] : requests)
+      add_curves(scene, kind, line, 0);
     std::ostringstream out;
     out.precision(std::numeric_limits<double>::max_digits10);
     if(format == "polylines")
-      write_polylines(out, m_scene);
+      write_polylines(out, scene);
     else
-      with_curves(m_mesh, m_scene, std::nullopt, CGAL::Flip_geodesics::IO::Colors(),
+      with_curves(m_mesh, scene, std::nullopt, CGAL::Flip_geodesics::IO::Colors(),
                   [&](const auto&... parts) { write(out, format, parts...); });
     return out.str();
   }
@@ -105,64 +108,123 @@ private:
     else if(format == "glb")
       IO::write_GLB(out, parts...);
     else
-      throw Bad_input(printable(format) + ": no format of curves");
+      throw Bad_input(printable(format) + ": the format is not known");
   }
 
-  static Run_options options()
+  static void write_strings(std::ostream& out, const char* name, const std::vector<std::string>& strings)
+  {
+    out << '"' << name << "\":[";
+    for(std::size_t i = 0; i < strings.size(); ++i)
+      out << (i == 0 ? "" : ",") << json_string(strings[i]);
+    out << ']';
+  }
+
+  static Run_options options(bool is_shortest)
   {
     Run_options result;
     result.search = CGAL::Flip_geodesics::Search_method::LOOK_BACK;
+    result.is_shortest = is_shortest;
     return result;
   }
 
-  // What is no oriented manifold of triangles is repaired.
+  // A mesh that is not an oriented manifold of triangles is repaired.
   static Input_mesh open(const Input_text& input)
   {
     try {
       return read_mesh(input);
     } catch(const Bad_input&) {
-      read_soup(input); // what cannot be read at all is no matter of a repair
+      read_soup(input); // throws if the file cannot be read at all, which a repair does not change
       return repair_mesh(input);
     }
   }
 
-  Network_request request(const std::string& kind, const std::string& line) const
+  // Adds what the option `kind` of the program computes from a line, or from fields with bars between.
+  void add_curves(Scene& scene, const std::string& kind, const std::string& line, std::size_t most_points)
   {
-    const Input_text text("points", line + '\n');
-    return {{(kind == "draw" ? read_drawn_curves(m_mesh, text) : read_point_curves(m_mesh, text, kind == "bezier"))
-                 .front()},
-            {},
-            {}};
+    m_remarks.clear();
+    const std::vector<std::string> fields = fields_of(line);
+    const Input_text text("points", fields.front() + '\n');
+    if(kind == "distances")
+      add_isolines(scene, fields);
+    else if(kind == "trace")
+      add(scene, traced_curves(m_mesh, {trace(line)}, m_progress), std::nullopt);
+    else if(kind == "ways")
+      add_ways(scene, read_pairs(m_mesh, text), static_cast<std::size_t>(number(fields.at(1))));
+    else if(kind == "shortest")
+      run(scene, {read_pairs(m_mesh, text), {}, {}}, most_points, shortest_paths());
+    else if(kind == "draw")
+      run(scene, {read_drawn_curves(m_mesh, text), {}, {}}, most_points, *m_geodesics);
+    else
+      run(scene, {read_point_curves(m_mesh, text, kind == "bezier"), {}, {}}, most_points, *m_geodesics);
   }
 
-  // Isolines, and the tree of geodesics: the line has the sources, the distance from one isoline to the next, and 1 if the
-  // tree is wanted, with bars between.
-  void run_field(Scene& scene, const std::string& line)
+  static std::vector<std::string> fields_of(const std::string& line)
   {
-    std::istringstream words(line);
-    std::string sources, spacing, has_tree;
-    std::getline(std::getline(std::getline(words, sources, '|'), spacing, '|'), has_tree);
+    std::vector<std::string> fields(1);
+    for(const char c : line)
+      if(c == '|')
+        fields.emplace_back();
+      else
+        fields.back() += c;
+    return fields;
+  }
+
+  static double number(const std::string& text) { return read_numbers(text, "curve").front(); }
+
+  // Fields: the sources, the distance between isolines, and 1 if the tree of geodesics is wanted.
+  void add_isolines(Scene& scene, const std::vector<std::string>& fields)
+  {
     Field_request field;
-    field.sources = read_named_points(m_mesh, {sources}, "sources");
-    field.spacing = read_numbers(spacing, "spacing").front();
-    add(scene, field_curves(m_mesh, field, m_progress).curves, std::nullopt);
-    if(has_tree == "1")
-      run(scene, {{}, {}, field.sources.front().at}, 0);
+    field.sources = read_named_points(m_mesh, {fields.front()}, "sources");
+    field.spacing = number(fields.at(1));
+    Field_curves found = field_curves(m_mesh, field, m_progress);
+    m_remarks = {found.remarks};
+    add(scene, found.curves, std::nullopt);
+    if(fields.at(2) == "1")
+      run(scene, {{}, {}, field.sources.front().at}, 0, *m_geodesics);
   }
 
-  void run(Scene& scene, const Network_request& request, std::size_t most_points)
+  // A vertex, an angle and a length.
+  Trace_request trace(const std::string& line) const
   {
-    m_engine->set_most_recorded_points(most_points);
-    const std::vector<Curve_result> results = m_engine->run(request);
-    if(results.front().is_error())
+    const std::size_t comma = line.find(',');
+    const std::vector<double> numbers = read_numbers(line.substr(comma + 1), "trace");
+    return {read_named_points(m_mesh, {line.substr(0, comma)}, "trace").front(), numbers.at(0), numbers.at(1)};
+  }
+
+  void add_ways(Scene& scene, const std::vector<Curve_request>& pairs, std::size_t count)
+  {
+    constexpr double most_memory = 1e9; // half of the memory that the engine may have
+    const Ways ways = other_ways(m_mesh, {pairs, count, {}, most_memory}, m_progress);
+    m_remarks = {ways.others};
+    add(scene, ways.curves, std::nullopt);
+  }
+
+  // An engine of its own, which is made when the first path is requested.
+  Curve_engine& shortest_paths()
+  {
+    if(!m_shortest_paths)
+      m_shortest_paths = make_certified_engine(m_mesh, m_metric, options(true), m_progress);
+    return *m_shortest_paths;
+  }
+
+  void run(Scene& scene, const Network_request& request, std::size_t most_points, Curve_engine& engine)
+  {
+    engine.set_most_recorded_points(most_points);
+    const std::vector<Curve_result> results = engine.run(request);
+    add(scene, results, engine.record());
+  }
+
+  // A failure among several results is a remark; if nothing else was found, it is an error.
+  void add(Scene& scene, const std::vector<Curve_result>& results, const std::optional<Shortening_record>& record)
+  {
+    if(!results.empty() && results.front().is_error())
       throw Bad_input(results.front().error);
-    add(scene, results, m_engine->record());
-  }
-
-  static void add(Scene& scene, const std::vector<Curve_result>& results,
-                  const std::optional<Shortening_record>& record)
-  {
     for(const Curve_result& r : results) {
+      if(r.is_error()) {
+        m_remarks.push_back(r.error);
+        continue;
+      }
       scene.curves.push_back({scene.curves.size(),
                               r.name,
                               r.status,
@@ -180,17 +242,18 @@ private:
     scene.records.push_back(record.value_or(Shortening_record()));
   }
 
+  std::string m_title;
   Input_mesh m_mesh;
   Program_metric m_metric;
   Progress m_progress;
-  std::unique_ptr<Curve_engine> m_engine;
-  Scene m_scene;
+  std::unique_ptr<Curve_engine> m_geodesics, m_shortest_paths;
+  std::vector<std::string> m_remarks; // about the curves that were computed last, for the user
 };
 
 std::string input, output;
 std::unique_ptr<Session> session;
 
-/// The words before a zero byte each, and the rest.
+/// Removes the next word from the input, up to a zero byte or the end, and returns it.
 std::string next_word()
 {
   const std::size_t end = input.find('\0');
@@ -199,7 +262,7 @@ std::string next_word()
   return word;
 }
 
-/// Sets the output, and says whether there is one or only a line for people that tells what went wrong.
+/// Sets the output, and returns whether it is a result and not an error message.
 template <class Compute>
 bool set_output(const Compute& compute)
 {
@@ -218,7 +281,7 @@ bool set_output(const Compute& compute)
 
 #define FLIP_GEODESICS_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
-/// A place for so many bytes of input.
+/// Returns where to put so many bytes of input.
 FLIP_GEODESICS_EXPORT(take_input) char* take_input(std::size_t size)
 {
   input.assign(size, '\0');
@@ -228,7 +291,7 @@ FLIP_GEODESICS_EXPORT(take_input) char* take_input(std::size_t size)
 FLIP_GEODESICS_EXPORT(output_bytes) const char* output_bytes() { return output.data(); }
 FLIP_GEODESICS_EXPORT(output_size) std::size_t output_size() { return output.size(); }
 
-/// The input is the name of a mesh's file and its bytes. The mesh before it stays if this one is of no use.
+/// Opens a mesh. The input is the name of its file and its bytes. If it fails, the previous mesh stays open.
 FLIP_GEODESICS_EXPORT(open_mesh) bool open_mesh()
 {
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
@@ -241,17 +304,25 @@ FLIP_GEODESICS_EXPORT(open_mesh) bool open_mesh()
   });
 }
 
-/// The input is what kind of curve, and a line for it. \param most_points of the edges whose flips are recorded
+/// Computes curves. The input is a kind and a line.
 FLIP_GEODESICS_EXPORT(compute_curve) bool compute_curve(std::size_t most_points)
 {
   return set_output([&] {
     const std::string kind = next_word();
-    return session->compute(kind, input, most_points);
+    return session->compute(kind, next_word(), most_points);
   });
 }
 
-/// The input is a format.
+/// Saves curves. The input is a format, and a kind and a line for each request.
 FLIP_GEODESICS_EXPORT(save_curves) bool save_curves()
 {
-  return set_output([] { return session->save(input); });
+  return set_output([] {
+    const std::string format = next_word();
+    std::vector<std::pair<std::string, std::string>> requests;
+    while(!input.empty()) {
+      std::string kind = next_word();
+      requests.emplace_back(std::move(kind), next_word());
+    }
+    return session->save(format, requests);
+  });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What the points on the surface stand for: an option of the program, and a line of the file that it takes.
+// The kinds of curves: what the engine is asked for, and the command of the program that computes the same.
 
 const exact = (x) => Math.floor(Math.min(1, Math.max(0, x)) * 1e6) / 1e6;
 
@@ -12,37 +12,88 @@ export function pointText({ weights }, corners) {
   return `${corners.join(',')},${t},${u}`;
 }
 
-export const through = (points) => points.map((p) => p.text).join(' ');
+const through = (points, separator = ' ') => points.map((p) => p.text).join(separator);
+const radians = (degrees) => (degrees * Math.PI) / 180;
+const trace = ([source], { angle, length }) => `${source.text},${radians(angle)},${length}`;
 
-// Each tool: what it needs, and what the engine and the program are asked for.
+/*
+ * Each kind: `option`, by which engine and program know it; the fewest points, and the most; the options in the panel;
+ * `line`, the line of a file of the program; `request`, what the engine takes instead if it differs; and `command`.
+ */
 export const tools = {
   path: {
-    hint: 'Click two points or more; the path goes through all of them.',
-    least: 2,
-    kind: 'points',
-    line: (points) => through(points),
+    hint: 'A geodesic through all points. Click two or more.',
+    option: 'points',
+    options: ['closed', 'snap'],
+    least: () => 2,
+    line: (points, { closed }) => through(closed ? [...points, points[0]] : points),
     command: (mesh) => `path ${mesh} --points points.txt`,
   },
   loop: {
-    hint: 'Click three points or more around a handle or a neck; the loop through them is pulled tight.',
-    least: 3,
-    kind: 'draw',
-    line: (points) => `o ${through(points)}`,
+    hint: 'The polyline through the points, shortened within its homotopy class. Click three or more around a handle or a neck.',
+    option: 'draw',
+    options: ['closed', 'snap'],
+    isClosed: true,
+    least: ({ closed }) => (closed ? 3 : 2),
+    line: (points, { closed }) => (closed ? 'o ' : '') + through(points),
     command: (mesh) => `path ${mesh} --draw points.txt`,
   },
   spline: {
-    hint: 'Click two control points or more of a Bezier curve.',
-    least: 2,
-    kind: 'bezier',
-    line: (points) => through(points),
+    hint: 'A Bezier curve or a cubic B-spline; a closed one is a B-spline. Click its control points.',
+    option: 'bezier',
+    options: ['closed', 'bspline', 'snap'],
+    least: ({ closed }) => (closed ? 3 : 2),
+    line: (points, { closed, bspline }) => (closed ? 'o ' : bspline ? 's ' : '') + through(points),
     command: (mesh) => `spline ${mesh} --bezier points.txt`,
   },
-  distances: {
-    hint: 'Click a source or several; the curves are at equal distances from the nearest.',
-    least: 1,
-    kind: 'distances',
+  shortest: {
+    hint: 'The shortest of all paths between two vertices.',
+    option: 'shortest',
+    options: [],
     isAtVertices: true,
-    line: (points, { spacing, hasTree }) => `${points.map((p) => p.text).join(',')}|${spacing}|${hasTree ? 1 : 0}`,
-    command: (mesh, points, { spacing }) => `distance ${mesh} --source ${points.map((p) => p.text).join(',')} --spacing ${spacing}`,
+    least: () => 2,
+    most: 2,
+    line: (points) => through(points),
+    command: (mesh, [a, b]) => `shortest ${mesh} --from ${a.text} --to ${b.text}`,
+  },
+  classes: {
+    hint: 'The shortest paths of several homotopy classes between two vertices.',
+    option: 'ways',
+    options: ['count'],
+    isAtVertices: true,
+    least: () => 2,
+    most: 2,
+    line: (points) => through(points),
+    request: (points, { count }) => `${through(points)}|${count}`,
+    command: (mesh, [a, b], { count }) => `shortest ${mesh} --from ${a.text} --to ${b.text} --ways ${count}`,
+  },
+  trace: {
+    hint: 'A straightest geodesic: click the vertex where it starts, and give its direction and length.',
+    option: 'trace',
+    options: ['angle', 'length'],
+    isAtVertices: true,
+    least: () => 1,
+    most: 1,
+    line: (points) => through(points),
+    request: trace,
+    command: (mesh, points, options) => `trace ${mesh} --trace ${trace(points, options)}`,
+  },
+  distances: {
+    hint: 'Isolines of the distance to the nearest source. Click one source or several.',
+    option: 'distances',
+    options: ['spacing', 'tree'],
+    isAtVertices: true,
+    least: () => 1,
+    line: (points) => through(points),
+    request: (points, { spacing, tree }) => `${through(points, ',')}|${spacing}|${tree ? 1 : 0}`,
+    command: (mesh, points, { spacing, tree }) =>
+      `distance ${mesh} --source ${through(points, ',')} --spacing ${spacing}` +
+      (tree ? `; flip_geodesics log ${mesh} --source ${points[0].text}` : ''),
   },
 };
+
+// Numbers of two digits of which the first is 1, 2 or 5: the greatest that is not above x.
+export function roundNumber(x) {
+  const power = 10 ** Math.floor(Math.log10(x));
+  return Number(((x >= 5 * power ? 5 : x >= 2 * power ? 2 : 1) * power).toPrecision(2));
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The engine as the page sees it: calls that promise their answer.
+// The engine as the page sees it: calls that return promises. It runs in a worker, which is replaced when a call is
+// cancelled or has stopped the engine. A new one opens the mesh again, and nothing else is lost.
 
 /* global ENGINE_WORKER */
 
@@ -10,50 +11,68 @@ async function inflate(base64) {
   return new Response(stream).arrayBuffer();
 }
 
+const encode = (text) => new TextEncoder().encode(text);
+const decode = (bytes) => new TextDecoder().decode(bytes);
+
 export class Engine {
-  // From the text of the page; resolves when it is ready.
-  static async start(base64) {
-    const engine = new Engine();
-    const code = await inflate(base64);
-    await engine.call({ call: 'start', code }, [code]);
-    return engine;
+  static async load(base64) {
+    return new Engine(await inflate(base64));
   }
 
-  constructor() {
-    this.waiting = new Map();
+  constructor(code) {
+    this.code = code;
+    this.script = URL.createObjectURL(new Blob([ENGINE_WORKER], { type: 'text/javascript' }));
     this.next = 0;
-    const script = URL.createObjectURL(new Blob([ENGINE_WORKER], { type: 'text/javascript' }));
-    this.worker = new Worker(script);
+    this.start();
+  }
+
+  start() {
+    this.waiting = new Map();
+    this.worker = new Worker(this.script);
     this.worker.onmessage = ({ data }) => this.settle(data);
-    this.worker.onerror = (event) => {
-      for (const id of [...this.waiting.keys()]) this.settle({ id, error: event.message });
-    };
+    this.worker.onerror = (event) => this.restart(event.message);
+    this.worker.postMessage(this.code);
+    if (this.mesh) this.call('open_mesh', this.mesh).catch(() => undefined); // it was opened before
   }
 
-  settle(answer) {
-    const { resolve, reject } = this.waiting.get(answer.id);
-    this.waiting.delete(answer.id);
-    if (answer.error !== undefined) reject(new Error(answer.error));
-    else resolve(answer.text ?? answer.bytes);
+  // All calls that wait fail with this message.
+  restart(message) {
+    this.worker.terminate();
+    const { waiting } = this;
+    this.start();
+    for (const { reject } of waiting.values()) reject(new Error(message));
   }
 
-  call(message, transfer = []) {
+  settle({ id, bytes, error, isStopped }) {
+    if (isStopped) return this.restart(error);
+    const { resolve, reject } = this.waiting.get(id);
+    this.waiting.delete(id);
+    return error === undefined ? resolve(bytes) : reject(new Error(error));
+  }
+
+  call(name, input, argument = 0) {
     const id = this.next++;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
-      this.worker.postMessage({ id, ...message }, transfer);
+      this.worker.postMessage({ id, call: name, input, argument });
     });
   }
 
-  open(name, bytes) {
-    return this.call({ call: 'open', name, bytes });
+  async open(name, bytes) {
+    const head = encode(`${name}\0`);
+    const input = new Uint8Array(head.length + bytes.length);
+    input.set(head);
+    input.set(bytes, head.length);
+    const answer = await this.call('open_mesh', input);
+    this.mesh = input;
+    return decode(answer);
   }
 
-  compute(kind, line, mostPoints) {
-    return this.call({ call: 'compute', kind, line, mostPoints });
+  async compute({ option, line, mostPoints }) {
+    return decode(await this.call('compute_curve', encode(`${option}\0${line}`), mostPoints));
   }
 
-  save(format) {
-    return this.call({ call: 'save', format });
+  save(format, requests) {
+    return this.call('save_curves', encode([format, ...requests.flatMap(({ option, line }) => [option, line])].join('\0')));
   }
 }

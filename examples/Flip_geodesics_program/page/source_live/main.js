@@ -1,242 +1,224 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Puts the parts of the live page together: the engine, the stage, and the panel.
+// Puts the parts of the interactive viewer together: the engine, the curves, the stage and the panel.
 
-import { Color } from 'three';
-import { readResults, readMesh } from '../source/data.js';
-import { Playback } from '../source/playback.js';
-import { statusText, verdictText } from '../source/words.js';
-import { pointText, through, tools } from './curve_tools.js';
+import { Color, Vector3 } from 'three';
+import { readMesh } from '../source/data.js';
+import { Canvas_input } from './canvas_input.js';
+import { Computation } from './computation.js';
+import { Curve_list } from './curve_list.js';
+import { pointText, roundNumber, tools } from './curve_tools.js';
 import { Engine } from './engine.js';
 import { exampleMesh } from './example_mesh.js';
 import { Live_stage } from './live_stage.js';
+import { at, Panel } from './panel.js';
+import { Player } from './player.js';
+import { distance, middle } from './polyline.js';
 
-// From the set of Okabe and Ito, which the colour-blind can tell apart.
+// After the set of Okabe and Ito for the colour-blind, darker or lighter than the surface.
 const palettes = {
-  light: { curve: '#0b4fb3', point: '#d55e00', tree: '#8a5a00' },
-  dark: { curve: '#6fb1ff', point: '#ff9a4d', tree: '#e6c067' },
+  light: { curves: ['#0b4fb3', '#007a5a', '#a8467f', '#b34700', '#1c7fb0', '#6b5b00'], point: '#d55e00', chosen: '#000000', tree: '#8a5a00' },
+  dark: { curves: ['#6fb1ff', '#35d6a6', '#f09cc8', '#ff9a4d', '#8fd3ff', '#f0e442'], point: '#ff9a4d', chosen: '#ffffff', tree: '#e6c067' },
 };
 const mostRecordedPoints = 300000;
 const mostVerticesOfTree = 50000;
+const mostLabels = 60;
 const longestFrame = 300; // milliseconds that a curve takes, to follow a point at once
-const reach = 12; // in pixels, of a press to a point
-const at = (id) => document.getElementById(id);
-const format = (x) => (x === null ? '?' : Number(x).toPrecision(8));
+const isolinesAtFirst = 16; // over the diameter of the mesh
+const cancelled = 'cancelled';
 const mark = (name, value) => (document.documentElement.dataset[name] = value);
-
-// Sets a line of the results; one without a value is not shown.
-function tell(id, text) {
-  at(id).textContent = text;
-  at(id).hidden = at(id).previousElementSibling.hidden = text === '';
-}
 
 class Live_page {
   constructor(engine) {
     this.engine = engine;
-    this.points = [];
-    this.tool = 'path';
+    this.unit = '';
+    this.selected = -1; // the point that is chosen
+    this.shown = new Map(); // the last answer of each curve, until there is a newer one
     this.theme = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
-    this.revision = 0;
-    this.listen();
+    this.computation = new Computation(engine, {
+      wanted: () => this.wanted(),
+      onAnswer: (request, answer) => this.onAnswer(request, answer),
+      onIdle: () => {
+        this.setBusy();
+        mark('isIdle', true);
+      },
+    });
+    this.panel = new Panel(this);
+    this.player = new Player(() => this.draw());
+    this.listenToDrops();
   }
 
-  // Opens a mesh. One that cannot be read leaves everything as it is.
-  async open({ name, format, bytes }) {
-    this.say(`Reading ${name}\u2026`);
+  // Opens a mesh. If that fails or is cancelled, everything stays as it is.
+  async open({ name, format: extension, bytes }) {
+    this.fail('');
+    mark('isIdle', false);
     try {
-      const mesh = readMesh(await this.engine.open(format ? `${name}.${format}` : name, bytes));
-      this.show(mesh, name);
-      this.say(mesh.remarks.join('; '));
+      const text = await this.whileBusy(`reading ${name}`, this.engine.open(extension ? `${name}.${extension}` : name, bytes));
+      this.show(readMesh(text), name);
     } catch (error) {
-      this.say('');
-      this.fail(error.message);
+      this.fail(error.message === cancelled ? `reading ${name} was cancelled` : error.message);
     }
+    at('message').textContent = '';
+    mark('isIdle', !this.computation.isRunning);
   }
 
   show(mesh, name) {
-    this.mesh = mesh;
-    this.name = name;
-    this.results = null;
-    this.points = [];
+    Object.assign(this, { mesh, name, selected: -1 });
+    this.list = new Curve_list(this.firstOptions());
+    this.computation.forget();
+    this.shown.clear();
     if (this.stage) {
       this.stage.setSurface(mesh);
-      this.showResults(null);
+      this.player.show(undefined);
+      this.draw();
     } else {
       this.stage = new Live_stage(at('view'), mesh);
-      this.listenToCanvas(at('view'));
+      this.input = new Canvas_input(this, at('view'));
     }
     this.stage.setTheme(this.theme);
     document.documentElement.dataset.theme = this.theme;
-    at('title').textContent = name;
-    document.title = `${name} - geodesics, live`;
-    at('facts').textContent = `${mesh.vertices.toLocaleString('en')} vertices, ${mesh.triangles.toLocaleString('en')} triangles`;
+    this.panel.setMesh(this);
     this.stage.setSmooth(this.stage.isSmooth());
     this.stage.setShowsHidden(at('show-hidden').checked);
     this.stage.showMeshEdges(at('show-mesh').checked);
-    this.milliseconds = 0;
     this.stage.findHome();
-    this.chooseTool(this.tool);
     this.begin();
+  }
+
+  firstOptions() {
+    const { radius } = this.mesh;
+    return { closed: false, bspline: false, snap: false, tree: false, count: 3, angle: 0, length: roundNumber(2 * radius), spacing: roundNumber((2 * radius) / isolinesAtFirst) };
   }
 
   // Two points in sight, so that there is something to drag.
   begin() {
-    const box = this.stage.canvas.getBoundingClientRect();
-    const find = (from, to) => {
-      for (let x = from; Math.abs(x - to) > 0.01; x += 0.02 * Math.sign(to - from))
-        for (const y of [0.5, 0.6, 0.4]) {
-          const place = this.stage.pick(box.left + x * box.width, box.top + y * box.height);
-          if (place) return this.point(place);
-        }
-      return null;
-    };
-    const ends = [find(0.22, 0.5), find(0.78, 0.5)].filter(Boolean);
-    if (this.tool !== 'path' || ends.length < 2) return;
-    this.isBeginning = true;
-    this.setPoints(ends);
+    const ends = [0.3, 0.7].map((x) => this.stage.pickNear(x, 0.5)).filter(Boolean);
+    this.isBeginning = ends.length === 2;
+    this.list.changeCurve(this.list.active.id, { points: ends });
+    this.list.forget();
+    this.update();
   }
 
-  get isAtVertices() {
-    return at('snap').checked || tools[this.tool].isAtVertices;
+  // What is shown and computed follows the list of curves.
+  update() {
+    this.selected = Math.min(this.selected, this.pointsOf(this.list.active).length - 1);
+    mark('isIdle', false);
+    this.computation.run();
+    this.render();
   }
 
-  // A point of a curve at a place of the surface. The place stays as it was chosen while the point is at a vertex.
-  point(place) {
-    const corners = this.stage.cornersOf(place.face);
-    if (!this.isAtVertices) return { place, position: place.position, text: pointText(place, corners) };
-    const nearest = corners[place.weights.indexOf(Math.max(...place.weights))];
-    return { place, position: this.stage.vertex(nearest).toArray(), text: String(nearest) };
+  get canHaveTree() {
+    return this.mesh.vertices <= mostVerticesOfTree;
   }
 
-  chooseTool(tool) {
-    this.tool = tool;
-    document.querySelectorAll('[data-tool]').forEach((b) => {
-      b.setAttribute('role', 'radio');
-      b.setAttribute('aria-checked', String(b.dataset.tool === tool));
+  optionsOf({ options }) {
+    return this.canHaveTree ? options : { ...options, tree: false };
+  }
+
+  // The points of a curve: {place, position, text}. A point at a vertex keeps the place where it was set.
+  pointsOf({ tool, points, options }) {
+    const { isAtVertices, options: own, most } = tools[tool];
+    const snaps = isAtVertices || (own.includes('snap') && options.snap);
+    return points.slice(0, most).map((place) => {
+      if (!snaps) return { place, position: place.position, text: pointText(place, this.stage.cornersOf(place.face)) };
+      const nearest = this.stage.nearestVertex(place);
+      return { place, position: this.stage.vertex(nearest).toArray(), text: String(nearest) };
     });
-    document.querySelectorAll('.of-distances').forEach((e) => (e.hidden = tool !== 'distances'));
-    at('hint').textContent = tools[tool].hint;
-    at('tree').disabled = !this.mesh || this.mesh.vertices > mostVerticesOfTree;
-    this.setPoints(this.points.map((p) => this.point(p.place)));
   }
 
-  setPoints(points) {
-    this.points = points;
-    this.compute();
+  coordinates(position, digits = 4) {
+    return `(${this.stage.inFile(position).map((x) => Number(x.toPrecision(digits))).join(', ')}) ${this.unit}`.trim();
   }
 
-  // While a point is dragged: a curve that takes long is computed once, where the point is let go.
-  dragPoint(i, place) {
-    const points = this.points.map((p, k) => (k === i ? this.point(place) : p));
-    if (!(this.milliseconds > longestFrame)) return this.setPoints(points);
-    this.points = points;
-    this.isBehind = true;
-    return this.draw();
+  describe({ text, position }) {
+    return text.includes(',') ? this.coordinates(position) : `vertex ${text}`;
   }
 
-  endDrag() {
-    if (this.isBehind) this.compute();
-    this.isBehind = false;
+  requestOf(curve) {
+    const { option, least, line, request } = tools[curve.tool];
+    const points = this.pointsOf(curve);
+    const options = this.optionsOf(curve);
+    if (points.length < least(options)) return null;
+    const recorded = curve === this.list.active && at('show-intrinsic').checked ? mostRecordedPoints : 0;
+    return { id: curve.id, option, line: (request ?? line)(points, options), mostPoints: recorded };
   }
 
-  settings() {
-    const spacing = Number(((2 * this.mesh.radius) / Number(at('spacing').value)).toPrecision(4)); // as the command shows it
-    return { spacing, hasTree: at('tree').checked && !at('tree').disabled };
+  // A curve that takes long is computed where its point is let go.
+  wanted() {
+    const { list } = this;
+    const isSlow = this.shown.get(list.active.id)?.answer.milliseconds > longestFrame;
+    if (this.isDragging && isSlow) return [];
+    return [list.active, ...list.curves].map((curve) => this.requestOf(curve)).filter(Boolean);
   }
 
-  // Asks the engine for the curve of the points as they are. While it computes, only the last change is kept.
-  compute() {
-    if (!this.mesh) return;
-    this.pause();
-    this.isChanged = true;
+  // What is known of a curve: until there is an answer for its points, the one before.
+  answerOf(curve) {
+    const request = this.requestOf(curve);
+    if (!request) return null;
+    const answer = this.computation.answer(request);
+    if (answer) this.shown.set(curve.id, { tool: curve.tool, answer });
+    const last = this.shown.get(curve.id);
+    return last?.tool === curve.tool ? last.answer : null;
+  }
+
+  onAnswer({ id, option }, answer) {
+    const curve = this.list.curves.find((c) => c.id === id);
+    if (curve && !answer.error && tools[curve.tool].option === option) this.shown.set(id, { tool: curve.tool, answer });
+    if (this.isBeginning && answer.error) this.list = new Curve_list(this.firstOptions()); // nobody has chosen the points
+    this.isBeginning = false;
+    this.render();
+  }
+
+  render() {
+    const { list } = this;
+    const answer = this.answerOf(list.active);
+    this.panel.render();
+    this.player.show(answer?.results?.runs[0], this.stage);
     this.draw();
-    if (!this.isBusy) this.computeChanges();
+    this.setBusy();
+    const curves = answer?.results?.curves ?? [];
+    const request = this.requestOf(list.active);
+    mark('line', request?.line ?? '');
+    mark('isCurrent', Boolean(request && this.computation.answer(request)));
+    mark('lengths', curves.map((curve) => curve.length).join(' '));
+    mark('certificates', curves.map((curve) => curve.certificate).join(' '));
   }
 
-  async computeChanges() {
-    this.isBusy = true;
-    while (this.isChanged) {
-      this.isChanged = false;
-      await this.computeOnce();
-    }
-    this.isBusy = false;
-    mark('revision', ++this.revision);
+  colorOf({ color, id }) {
+    const { curves } = palettes[this.theme];
+    return color ?? curves[(id - 1) % curves.length];
   }
 
-  async computeOnce() {
-    const { tool, points, mesh } = this;
-    const { least, kind, line } = tools[tool];
-    this.fail('');
-    if (points.length < least) return this.showResults(null);
-    const text = line(points, this.settings());
-    const started = performance.now();
-    const waiting = setTimeout(() => tell('time', 'computing\u2026'), 500);
-    try {
-      const answer = await this.engine.compute(kind, text, at('show-intrinsic').checked ? mostRecordedPoints : 0);
-      if (mesh !== this.mesh) return undefined; // another one was opened
-      this.milliseconds = performance.now() - started;
-      this.showResults(readResults(answer));
-      mark('line', text);
-    } catch (error) {
-      if (this.isBeginning) this.points = []; // nobody has chosen them
-      this.showResults(null);
-      if (!this.isBeginning) this.fail(error.message.replace(/^points line 1: /, ''));
-    } finally {
-      this.isBeginning = false;
-      clearTimeout(waiting);
-    }
-    return undefined;
+  draw() {
+    if (!this.list) return;
+    const colors = palettes[this.theme];
+    const { active, curves } = this.list;
+    const answers = curves.map((curve) => [curve, this.answerOf(curve)?.results]).filter(([, results]) => results);
+    const lines = answers.flatMap(([curve, results]) => results.curves.map((line, i) => ({
+      pieces: this.pieces(curve, results, i), ends: [], color: new Color(line.tree ? colors.tree : this.colorOf(curve)), isThin: line.tree,
+    })));
+    const ends = curves.flatMap((curve) => this.pointsOf(curve).map(({ position }, i) => ({
+      pieces: [], ends: position, color: new Color(curve !== active ? this.colorOf(curve) : i === this.selected ? colors.chosen : colors.point),
+    })));
+    mark('curvePieces', this.stage.setCurves([...lines, ...ends]));
+    this.stage.setLabels(at('show-labels').checked ? answers.flatMap(([, results]) => this.labels(results)).slice(0, mostLabels) : []);
+    const shows = Boolean(this.player.playback) && at('show-intrinsic').checked;
+    this.stage.setEdges(...(shows ? this.player.edges() : [[], []]), shows);
   }
 
-  showResults(results) {
-    this.results = results;
-    const curves = results?.curves ?? [];
-    const [first] = curves;
-    const isOne = curves.length === 1 && this.tool !== 'distances';
-    tell('count', isOne || curves.length === 0 ? '' : curves.length.toLocaleString('en'));
-    tell('length', isOne ? format(first.length) : '');
-    tell('status', isOne ? statusText(first.status) : '');
-    tell('certificate', isOne ? verdictText(first.certificate) : '');
-    tell('flips', isOne ? first.flips.toLocaleString('en') : '');
-    tell('time', results ? `${this.milliseconds.toFixed(1)} ms` : '');
-    const command = results ? tools[this.tool].command(this.name, this.points, this.settings()) : '';
-    at('command').textContent = command && `flip_geodesics ${command}`;
-    mark('length', isOne ? first.length : '');
-    mark('certificate', isOne ? first.certificate : '');
-    mark('flips', isOne ? first.flips : '');
-    mark('curves', curves.length);
-    this.showRun(results?.runs[0]);
-    this.draw();
+  // Where one computation has several curves, each has its value: isolines anywhere, paths in their middle third.
+  labels({ curves, curvePoints, curveStarts }) {
+    if (curves.length < 2) return [];
+    return curves.flatMap((curve, i) => {
+      if (curve.tree) return [];
+      const [start, end] = [curveStarts[i], curveStarts[i + 1]];
+      const margin = curve.closed || curve.status === 'ISOLINE' ? 0 : Math.floor((end - start) / 3);
+      return [{ text: this.panel.member(curve), points: curvePoints.subarray(3 * (start + margin), 3 * (end - margin)) }];
+    });
   }
 
-  // The flips of the curve, if they were recorded.
-  showRun(run) {
-    this.playback = run && run.edges.length > 0 ? new Playback(run) : null;
-    at('player').hidden = !this.playback || this.playback.length === 0;
-    if (!this.playback) return;
-    const touched = [];
-    for (let i = 0; i < run.inputEdges.length; i += 3) touched.push(run.inputEdges[i + 1], run.inputEdges[i + 2]);
-    this.stage.setQuietEdges(touched);
-    at('step').max = this.playback.length;
-    this.playback.goTo(this.playback.length);
-    this.describeStep();
-  }
-
-  describeStep() {
-    const { step, length, flips } = this.playback;
-    at('step').value = step;
-    at('step-text').textContent = `step ${step} of ${length}, ${flips} flips`;
-  }
-
-  goTo(step) {
-    this.playback.goTo(Math.max(0, Math.min(step, this.playback.length)));
-    this.describeStep();
-    this.draw();
-  }
-
-  pieces(i) {
-    const { curveStarts, curvePoints } = this.results;
-    if (this.playback && this.playback.step < this.playback.length) return this.playback.curvePieces(i);
+  pieces(curve, { curveStarts, curvePoints }, i) {
+    if (curve === this.list.active && this.player.isInTheMiddle) return this.player.playback.curvePieces(i);
     const count = Math.max(0, curveStarts[i + 1] - curveStarts[i] - 1);
     const pieces = new Float32Array(6 * count);
     for (let k = 0; k < count; ++k) {
@@ -246,100 +228,182 @@ class Live_page {
     return pieces;
   }
 
-  draw() {
-    if (!this.stage) return;
-    const colors = palettes[this.theme];
-    const curves = (this.results?.curves ?? []).map((curve, i) => ({
-      pieces: this.pieces(i), ends: [], color: new Color(curve.tree ? colors.tree : colors.curve), isThin: curve.tree,
-    }));
-    curves.push({ pieces: [], ends: this.points.flatMap((p) => p.position), color: new Color(colors.point) });
-    mark('curvePieces', this.stage.setCurves(curves));
-    const shows = this.playback !== null && this.playback !== undefined && at('show-intrinsic').checked;
-    const pieces = shows ? this.playback.piecesOf(this.playback.edges) : [];
-    this.stage.setEdges(pieces, shows ? this.playback.piecesOf(this.playback.fresh) : [], shows);
+  // Actions on the list of curves.
+
+  undo() {
+    this.list.undo();
+    this.update();
   }
 
-  play() {
-    if (this.timer) return this.pause();
-    if (this.playback.step === this.playback.length) this.goTo(0);
-    at('play').textContent = '|| Pause';
-    const stride = Math.max(1, Math.ceil(this.playback.length / 300));
-    const period = Math.max(16, Math.min(300, 6000 / this.playback.length));
-    this.timer = setInterval(() => {
-      this.goTo(this.playback.step + stride);
-      if (this.playback.step === this.playback.length) this.pause();
-    }, period);
-    return undefined;
+  redo() {
+    this.list.redo();
+    this.update();
   }
 
-  pause() {
-    clearInterval(this.timer);
-    this.timer = undefined;
-    at('play').textContent = '\u25B6 Play the flips';
+  newCurve() {
+    const { tool, options } = this.list.active;
+    this.list.addCurve(tool, options);
+    this.selected = -1;
+    this.update();
   }
 
-  // Which point is under the pointer, or -1.
-  pointAt(x, y) {
-    let [nearest, least] = [-1, reach];
-    this.points.forEach(({ position }, i) => {
-      const [px, py] = this.stage.project(position);
-      const distance = Math.hypot(px - x, py - y);
-      if (distance < least && this.stage.isVisible(position)) [nearest, least] = [i, distance];
-    });
-    return nearest;
+  removeCurve(id) {
+    this.list.removeCurve(id);
+    this.update();
   }
 
-  // A press on a point drags it; elsewhere one that does not move adds a point. The stage turns by all others.
-  listenToCanvas(canvas) {
-    let dragged = -1;
-    let pressed = null;
-    canvas.addEventListener('pointerdown', (event) => {
-      pressed = event.button === 0 ? [event.clientX, event.clientY] : null;
-      dragged = event.button === 0 ? this.pointAt(event.clientX, event.clientY) : -1;
-      this.stage.controls.enabled = dragged < 0;
-      if (dragged >= 0) canvas.setPointerCapture?.(event.pointerId);
-    }, { capture: true });
-    canvas.addEventListener('pointermove', (event) => {
-      if (dragged < 0) return;
-      const place = this.stage.pick(event.clientX, event.clientY);
-      if (place) this.dragPoint(dragged, place);
-    });
-    canvas.addEventListener('pointerup', (event) => {
-      const isClick = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4;
-      const place = isClick && dragged < 0 ? this.stage.pick(event.clientX, event.clientY) : null;
-      dragged = -1;
-      pressed = null;
-      this.endDrag();
-      this.stage.controls.enabled = true;
-      if (place) this.setPoints([...this.points, this.point(place)]);
-    });
-    canvas.addEventListener('contextmenu', (event) => {
-      event.preventDefault();
-      const i = this.pointAt(event.clientX, event.clientY);
-      if (i >= 0) this.setPoints(this.points.filter((_, k) => k !== i));
-    });
+  chooseCurve(id) {
+    if (id === this.list.active.id) return;
+    this.list.choose(id);
+    this.selected = -1;
+    this.update();
   }
 
-  listen() {
-    document.querySelectorAll('[data-tool]').forEach((b) => b.addEventListener('click', () => this.chooseTool(b.dataset.tool)));
-    document.querySelectorAll('[data-format]').forEach((b) => b.addEventListener('click', () => this.save(b.dataset.format)));
-    const clicks = {
-      undo: () => this.setPoints(this.points.slice(0, -1)), clear: () => this.setPoints([]), play: () => this.play(),
-      reset: () => this.stage.reset(), theme: () => this.switchTheme(),
-    };
-    for (const [id, action] of Object.entries(clicks)) at(id).addEventListener('click', action);
-    const changes = {
-      'show-intrinsic': () => this.compute(), tree: () => this.compute(), spacing: () => this.compute(),
-      'show-mesh': () => this.stage.showMeshEdges(at('show-mesh').checked),
-      'show-hidden': () => this.stage.setShowsHidden(at('show-hidden').checked),
-      snap: () => this.chooseTool(this.tool),
-      file: () => this.openFile(at('file').files[0]),
-    };
-    for (const [id, action] of Object.entries(changes)) at(id).addEventListener('change', action);
-    at('step').addEventListener('input', () => {
-      this.pause();
-      this.goTo(Number(at('step').value));
+  changeCurve(id, changes, step) {
+    this.list.changeCurve(id, changes, step);
+    this.update();
+  }
+
+  chooseTool(tool) {
+    this.list.chooseTool(tool);
+    this.update();
+  }
+
+  setOption(name, value) {
+    const { id, options } = this.list.active;
+    this.changeCurve(id, { options: { ...options, [name]: value } });
+  }
+
+  toggleOption(name) {
+    const { tool, options } = this.list.active;
+    if (tools[tool].options.includes(name)) this.setOption(name, !options[name]);
+  }
+
+  // Actions on the points of the curve that is edited, or of another one.
+
+  setPoints(points, selected, step) {
+    this.selected = selected;
+    this.changeCurve(this.list.active.id, { points }, step);
+  }
+
+  choosePoint(i) {
+    if (i === this.selected) return;
+    this.selected = i;
+    this.render();
+  }
+
+  // At the end, or between the two points where the detour is the shortest.
+  addPoint(place, isBetween) {
+    const { active } = this.list;
+    const { most } = tools[active.tool];
+    const points = active.points.slice(0, most && most - 1);
+    const behind = isBetween && points.length > 1 ? this.nearestGap(place, points) : points.length - 1;
+    this.setPoints(points.toSpliced(behind + 1, 0, place), behind + 1);
+  }
+
+  nearestGap({ position }, points) {
+    const gaps = this.list.active.options.closed ? points : points.slice(0, -1);
+    const detours = gaps.map((p, i) => {
+      const next = points[(i + 1) % points.length].position;
+      return distance(p.position, position) + distance(position, next) - distance(p.position, next);
     });
+    return detours.indexOf(Math.min(...detours));
+  }
+
+  addInView() {
+    const place = this.stage.pickNear(0.5, 0.5);
+    if (place) this.addPoint(place, false);
+    else this.fail('the surface is not in the middle of the view; turn the view, or give a vertex');
+  }
+
+  // text: the number of a vertex, or coordinates, for the nearest point of the surface
+  addAt(text) {
+    const numbers = text.trim().split(/[\s,;]+/).map(Number);
+    const isVertex = numbers.length === 1 && Number.isInteger(numbers[0]) && text.trim() !== '';
+    const place = isVertex ? this.stage.placeOfVertex(numbers[0])
+      : numbers.length === 3 && numbers.every(Number.isFinite) ? this.stage.nearestPlace(this.stage.fromFile(numbers)) : undefined;
+    if (place) return this.addPoint(place, false);
+    return this.fail(place === null ? `vertex ${numbers[0]} does not exist or has no faces` : 'give the number of a vertex, or three coordinates');
+  }
+
+  // Behind a point, in the middle of the curve to the next one.
+  insertBehind(i) {
+    const { points } = this.list.active;
+    const ends = [points[i].position, points[(i + 1) % points.length].position];
+    const results = this.answerOf(this.list.active)?.results;
+    const line = results ? results.curvePoints.subarray(0, 3 * results.curveStarts[1]) : new Float32Array(ends.flat());
+    const place = this.stage.nearestPlace(new Vector3(...middle(line, ...ends)));
+    this.setPoints(points.toSpliced(i + 1, 0, place), i + 1);
+  }
+
+  removePoint(i, id = this.list.active.id) {
+    const { points } = this.list.curves.find((curve) => curve.id === id);
+    if (i < 0 || i >= points.length) return;
+    this.chooseCurve(id);
+    this.setPoints(points.toSpliced(i, 1), -1);
+  }
+
+  movePoint(i, place, step) {
+    this.setPoints(this.list.active.points.with(i, place), i, step);
+  }
+
+  beginDrag() {
+    this.isDragging = true;
+  }
+
+  endDrag() {
+    this.isDragging = false;
+    this.update();
+  }
+
+  // Computations that take longer are shown, and can be cancelled.
+
+  async whileBusy(text, promise) {
+    this.busy = { text, started: performance.now() };
+    this.setBusy();
+    try {
+      return await promise;
+    } finally {
+      this.busy = null;
+      this.setBusy();
+    }
+  }
+
+  setBusy() {
+    const busy = this.busy ?? (this.computation.isRunning ? { text: 'computing', started: this.computation.started } : null);
+    clearTimeout(this.busyTimer);
+    const seconds = busy ? (performance.now() - busy.started) / 1000 : 0;
+    at('busy').hidden = seconds < 0.4;
+    if (!busy) return;
+    at('busy-text').textContent = `${busy.text}, ${seconds.toFixed(0)} s`;
+    this.busyTimer = setTimeout(() => this.setBusy(), 500);
+  }
+
+  // Returns whether there was something to cancel.
+  cancel() {
+    if (!this.busy && !this.computation.isRunning) return false;
+    this.engine.restart(cancelled);
+    return true;
+  }
+
+  retry() {
+    this.computation.retry(this.requestOf(this.list.active));
+    this.update();
+  }
+
+  setUnit(unit) {
+    this.unit = this.stage.unit = unit;
+    this.update();
+  }
+
+  switchTheme() {
+    this.theme = this.theme === 'dark' ? 'light' : 'dark';
+    document.documentElement.dataset.theme = this.theme;
+    this.stage.setTheme(this.theme);
+    this.render();
+  }
+
+  listenToDrops() {
     addEventListener('dragover', (event) => {
       event.preventDefault();
       document.body.classList.add('is-dropping');
@@ -350,51 +414,42 @@ class Live_page {
       document.body.classList.remove('is-dropping');
       if (event.dataTransfer.files.length > 0) this.openFile(event.dataTransfer.files[0]);
     });
-    addEventListener('keydown', (event) => this.onKey(event));
-  }
-
-  onKey(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey || event.target.tagName === 'INPUT' || !this.stage) return;
-    const boxes = { e: 'show-intrinsic', m: 'show-mesh', h: 'show-hidden', v: 'snap' };
-    if (event.key in boxes) at(boxes[event.key]).click();
-    else if (event.key === 'Backspace') at('undo').click();
-    else if (event.key === 'r') at('reset').click();
-    else if (event.key === 't') at('theme').click();
-  }
-
-  switchTheme() {
-    this.theme = this.theme === 'dark' ? 'light' : 'dark';
-    document.documentElement.dataset.theme = this.theme;
-    this.stage.setTheme(this.theme);
-    this.draw();
   }
 
   async openFile(file) {
     if (file) await this.open({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
   }
 
-  // What a file of points has: a line of the program's, or the sources.
-  pointsLine() {
-    return this.tool === 'distances' ? through(this.points) : tools[this.tool].line(this.points, this.settings());
+  command() {
+    const { active } = this.list;
+    return tools[active.tool].command(this.name, this.pointsOf(active), this.optionsOf(active));
+  }
+
+  // A file of points: a line for each curve of the same kind, in the order of the list.
+  pointsFile() {
+    const { tool } = this.list.active;
+    const curves = this.list.curves.filter((curve) => curve.tool === tool && this.requestOf(curve));
+    return curves.map((curve) => `${tools[tool].line(this.pointsOf(curve), curve.options)}\n`).join('');
+  }
+
+  async contentOf(kind) {
+    if (kind === 'png') return this.stage.image();
+    if (kind === 'points') return this.pointsFile();
+    const requests = this.list.curves.map((curve) => this.requestOf(curve)).filter(Boolean);
+    if (requests.length === 0) throw new Error('set the points of a curve before saving');
+    return this.whileBusy('saving', this.engine.save(kind.replace('.txt', ''), requests));
   }
 
   async save(kind) {
-    if (!this.results) return this.fail('There is no curve to save yet.');
     try {
-      const content = kind === 'points' ? `${this.pointsLine()}\n` : await this.engine.save(kind.slice(0, 9));
       const link = document.createElement('a');
-      link.href = URL.createObjectURL(new Blob([content]));
+      link.href = URL.createObjectURL(new Blob([await this.contentOf(kind)]));
       link.download = kind === 'points' ? 'points.txt' : `${this.name.replace(/\.[^.]*$/, '')}_curves.${kind}`;
       link.click();
       setTimeout(() => URL.revokeObjectURL(link.href), 10000);
     } catch (error) {
       this.fail(error.message);
     }
-    return undefined;
-  }
-
-  say(text) {
-    at('message').textContent = text;
   }
 
   fail(line) {
@@ -407,14 +462,14 @@ class Live_page {
 function firstMesh() {
   const text = at('scene').textContent;
   if (text.trim() === 'null') return exampleMesh();
-  const { name, format, mesh } = JSON.parse(text);
-  return { name, format, bytes: Uint8Array.from(atob(mesh), (c) => c.charCodeAt(0)) };
+  const { name, format: extension, mesh } = JSON.parse(text);
+  return { name, format: extension, bytes: Uint8Array.from(atob(mesh), (c) => c.charCodeAt(0)) };
 }
 
 async function start() {
   try {
-    if (!document.createElement('canvas').getContext('webgl2')) throw new Error('this browser shows no WebGL 2');
-    const page = new Live_page(await Engine.start(at('engine').textContent));
+    if (!document.createElement('canvas').getContext('webgl2')) throw new Error('this browser does not support WebGL 2');
+    const page = new Live_page(await Engine.load(at('engine').textContent));
     at('engine').textContent = '';
     await page.open(firstMesh());
     mark('state', 'ready');
