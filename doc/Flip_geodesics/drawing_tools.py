@@ -284,7 +284,8 @@ class Canvas:
         self._add('polyline', 'none', color, LINE, points=points)
 
     def text(self, p, label, color=INK, size=TEXT_SIZE, anchor='middle', is_bold=False, away=(0, 0), has_halo=False):
-        """A label with its middle, or its start or end, at p, moved by a vector of pixels with y upwards."""
+        """A label with its middle, or its start or end, at p, moved by a vector of pixels with y upwards.
+        Returns where it ends on the right."""
         x, y = self(p)
         x, y, width = x + away[0], y - away[1], text_width(label, size)
         left = x - {'start': 0, 'middle': 0.5, 'end': 1}[anchor] * width
@@ -293,6 +294,15 @@ class Canvas:
         style += f' stroke="{WHITE}" stroke-width="4" stroke-linejoin="round" paint-order="stroke"' if has_halo else ''
         place = f'x="{number(x)}" y="{number(y + 0.35 * size)}" text-anchor="{anchor}"'
         self._elements.append(f'<text {place} fill="{color}" font-size="{size}"{style}>{spans(label, size)}</text>')
+        return left + width
+
+    def upright_text(self, p, label, size):
+        """A label that is read from below, with its middle at p."""
+        x, y = p
+        half = text_width(label, size) / 2
+        self._labels.append((x - 0.42 * size, y - half, x + 0.42 * size, y + half, label))
+        place = f'transform="translate({number(x + 0.35 * size)} {number(y)}) rotate(-90)" text-anchor="middle"'
+        self._elements.append(f'<text {place} fill="{INK}" font-size="{size}">{spans(label, size)}</text>')
 
     def box(self, left, top, width, height, lines, fill=FAINT, stroke=INK, size=TEXT_SIZE, first_bold=False):
         """A box with centred lines of text. Returns the middles of its left, right, upper and lower side."""
@@ -351,3 +361,75 @@ class Panel(Canvas):
     def vertices(self, points, color=MESH, radius=3.0):
         for p in points:
             self.dot(p, color, radius)
+
+
+def power_name(value):
+    """A power of ten with its digits in groups."""
+    return f'{value:,.0f}'.replace(',', ' ') if value >= 1 else f'{value:.{-round(math.log10(value))}f}'
+
+
+class Plot(Canvas):
+    """A part of a canvas with axes, both logarithmic unless stated otherwise."""
+
+    MARGIN = 0.04  # between the ranges and the ends of the axes, relative to the axes
+    GRID = '#e1e3e6'
+
+    def __init__(self, canvas, box, x_range, y_range, is_y_logarithmic=True):
+        self.x_range, self.y_range, self.box = x_range, y_range, box
+        self._canvas, self._is_y_logarithmic = canvas, is_y_logarithmic
+        self._elements, self._labels = canvas._elements, canvas._labels
+
+    def __call__(self, p):
+        left, top, right, bottom = self.box
+        x = self._part(p[0], self.x_range, True)
+        y = self._part(p[1], self.y_range, self._is_y_logarithmic)
+        return left + x * (right - left), bottom - y * (bottom - top)
+
+    def _part(self, value, value_range, is_logarithmic):
+        low, high, value = (math.log(v) if is_logarithmic else v for v in (*value_range, value))
+        return self.MARGIN + (1 - 2 * self.MARGIN) * (value - low) / (high - low)
+
+    @staticmethod
+    def _powers(value_range, room, spacing):
+        """The powers of ten in a range, and whether they have labels, which are at least `spacing` pixels apart."""
+        low, high = (math.log10(value) for value in value_range)
+        step = math.ceil(spacing * (high - low) / room)
+        exponents = range(math.ceil(low), math.floor(high) + 1)
+        return [(10.0 ** e, (e - exponents[-1]) % step == 0) for e in exponents]
+
+    def axes(self, x_label, y_label):
+        """Draws the axes and the grid of powers of ten. An axis without a name has no numbers either."""
+        left, top, right, bottom = self.box
+        for x, has_label in self._powers(self.x_range, right - left, 58):
+            at = self((x, self.y_range[0]))[0]
+            self._canvas.line([(at, top), (at, bottom)], self.GRID, 1)
+            if has_label and x_label:
+                self._canvas.text((at, bottom + 14), power_name(x), size=12)
+        for y, has_label in self._powers(self.y_range, bottom - top, 18) if self._is_y_logarithmic else ():
+            at = self((self.x_range[0], y))[1]
+            self._canvas.line([(left, at), (right, at)], self.GRID, 1)
+            if has_label and y_label:
+                self._canvas.text((left - 7, at), power_name(y), size=12, anchor='end')
+        self._canvas.line([(left, top), (left, bottom), (right, bottom)], MESH)
+        if x_label:
+            self._canvas.text(((left + right) / 2, bottom + 34), x_label, size=13)
+        if y_label:
+            self._canvas.upright_text((left - 52, (top + bottom) / 2), y_label, size=13)
+
+    def dots(self, points, color, diameter=3.5):
+        """Many dots as one element."""
+        places = ''.join('M' + ','.join(map(number, self(p))) + 'h0' for p in points)
+        self._add('path', 'none', color, diameter, d=places, stroke_linecap='round')
+
+    def power_line(self, factor, power, color):
+        """The graph of a power function, as far as it lies inside the ranges."""
+        low, high = self.x_range
+        bounds = sorted((y / factor) ** (1 / power) for y in self.y_range)
+        self.line([(x, factor * x ** power) for x in (max(low, bounds[0]), min(high, bounds[1]))], color)
+
+    def slope_triangle(self, corner, power):
+        """A triangle over one power of ten with the slope of a power function, and with its exponent."""
+        x, y = corner
+        self.line([(x, y), (10 * x, y), (10 * x, y * 10 ** power), (x, y)], INK, 1.5)
+        self.text((10 * x, y * 10 ** (power / 2)), f'{power:g}', size=12, anchor='start', away=(6, 0))
+        self.text((x * 10 ** 0.5, y), '1', size=12, away=(0, -10))
