@@ -19,8 +19,8 @@ import statistics
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "doc/Flip_geodesics"))
-from drawing_tools import CURVE, FAINT, LINE, MESH, Canvas, Plot  # noqa: E402
-from figure_colors import FIXED, INK, RESULT, SECOND, START  # noqa: E402
+from drawing_tools import CURVE, FAINT, LINE, Canvas, Plot  # noqa: E402
+from figure_colors import FIXED, INK, MESH, RESULT, SECOND, START  # noqa: E402
 
 STAGES = {"dijkstra_s": ("Dijkstra's algorithm", MESH), "search_s": ("search", SECOND),
           "shorten_s": ("shortening", START), "certify_s": ("certificate", FIXED), "extract_s": ("extraction", INK),

@@ -6,11 +6,10 @@ import math
 import re
 from html import escape
 
-from figure_colors import INK, WHITE
+from figure_colors import INK, MESH, WHITE
 
 WIDTH = 700  # of all drawings, in pixels
 LINE, CURVE = 2, 3.5  # widths of lines and of curves on the surface
-MESH = '#aaaeb4'  # the edges of meshes
 FAINT = '#f4f2ee'  # faces, and boxes of diagrams
 DASHES = '9 5'
 DOTS = '2 5'

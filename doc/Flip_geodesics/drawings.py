@@ -15,10 +15,10 @@ import random
 import sys
 from pathlib import Path
 
-from drawing_tools import (CURVE, DASHES, DOTS, FAINT, LINE, MESH, WIDTH, Canvas, Panel, angle_at, between, centroid,
+from drawing_tools import (CURVE, DASHES, DOTS, FAINT, LINE, WIDTH, Canvas, Panel, angle_at, between, centroid,
                            crossed_edges, delaunay, direction, edges_of, flip_out, funnel_steps, line_meeting, minus,
                            plus, polar, shortest_in_class, shortest_in_strip, turn, unit, visible_part)
-from figure_colors import FIXED, INK, RESULT, SECOND, START, WHITE
+from figure_colors import FIXED, INK, MESH, RESULT, SECOND, START, WHITE
 
 DOC = Path(__file__).resolve().parent
 FIGURES = DOC / 'fig'

@@ -7,4 +7,5 @@ FIXED = '#c8102e'  # points that stay in place
 SECOND = '#00855f'  # a second result, and edges that were flipped
 SURFACE = '#e9e6df'
 INK = '#4a4f57'
+MESH = '#aaaeb4'  # edges in the background
 WHITE = '#ffffff'

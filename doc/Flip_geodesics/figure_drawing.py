@@ -7,10 +7,13 @@ import numpy as np
 import vtk
 from figure_colors import INK, SURFACE, WHITE
 from figure_light import Stage, light, points_of, unit
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
 OVERSAMPLING = 2
+THICK = 0.005  # the width from which on tubes have round ends, relative to what is drawn
+SHARP_CORNER = math.cos(math.radians(25))
+LETTER_SIZE = 1 / 46  # of panel letters, relative to the width of a picture
 
 
 def color(name):
@@ -54,18 +57,40 @@ def texture_of(picture):
     return texture
 
 
+def split_at_corners(line):
+    """The pieces of a polyline between sharp corners, at which a single tube would become thin."""
+    pieces = [[line[0]]]
+    for before, p, after in zip(line, line[1:], line[2:]):
+        pieces[-1].append(p)
+        if np.dot(unit(np.subtract(p, before)), unit(np.subtract(after, p))) < SHARP_CORNER:
+            pieces.append([p])
+    pieces[-1].append(line[-1])
+    return pieces
+
+
+def without_repetitions(line):
+    return [p for p, before in zip(line, [None, *line]) if p != before]
+
+
 def cut_into_dashes(line, length):
-    """Pieces of a polyline of about this length with gaps of half of it, from the first point to the last."""
+    """Dashes of about this length with gaps of the same length, which leave no gap at a sharp corner: zigzags of edges
+    stay recognizable when their edges are shorter than the dashes."""
+    pieces = split_at_corners(without_repetitions(line))
+    return [dash for piece in pieces for dash in dashes_between_corners(piece, length)]
+
+
+def dashes_between_corners(line, length):
     line = [np.array(p, float) for p in line]
     ends = np.concatenate(([0], np.cumsum([np.linalg.norm(b - a) for a, b in zip(line, line[1:])])))
-    count = max(1, round(ends[-1] / length / 1.5))
-    period = ends[-1] / (count + 2 / 3)
+    count = max(1, round(ends[-1] / length / 2)) if ends[-1] > length else 0
+    period = ends[-1] / max(1, count)
 
     def at(d):
         return tuple(np.interp(d, ends, [p[i] for p in line]) for i in range(3))
 
-    spans = [(k * period, (k + 2 / 3) * period) for k in range(count + 1)]
-    return [[at(a), *(tuple(p) for p, d in zip(line, ends) if a < d < b), at(b)] for a, b in spans]
+    middles = [(k + 0.5) * period for k in range(count)]  # of the gaps
+    starts, stops = [0, *(m + period / 4 for m in middles)], [*(m - period / 4 for m in middles), ends[-1]]
+    return [[at(a), *(tuple(p) for p, d in zip(line, ends) if a < d < b), at(b)] for a, b in zip(starts, stops)]
 
 
 class Panel:
@@ -143,17 +168,21 @@ class Panel:
         actor.SetTexture(texture_of(picture))
 
     def tubes(self, polylines, name, width):
+        """Polylines as tubes, and unless they are thin, with round ends and corners."""
+        lines = [line for line in map(without_repetitions, polylines) if len(line) > 1]
+        if width >= THICK:
+            lines = [piece for line in lines for piece in split_at_corners(line)]
+            self.balls([p for line in lines for p in (line[0], line[-1])], name, width, 12)
         tubes = vtk.vtkTubeFilter()
-        tubes.SetInputData(polyline_data([line for line in polylines if len(line) > 1]))
+        tubes.SetInputData(polyline_data(lines))
         tubes.SetRadius(width / 2 * self.size)
-        tubes.SetNumberOfSides(6 if width < 0.005 else 12)
+        tubes.SetNumberOfSides(12 if width >= THICK else 6)
         tubes.CappingOn()
-        actor = self._add(tubes, name)
-        return actor
+        return self._add(tubes, name)
 
     def dashes(self, polylines, name, width):
-        """Tubes with gaps, for what is no result."""
-        self.tubes([dash for line in polylines for dash in cut_into_dashes(line, 4 * width * self.size)], name, width)
+        """Tubes with gaps, for curves that are not results."""
+        self.tubes([dash for line in polylines for dash in cut_into_dashes(line, 3 * width * self.size)], name, width)
 
     def contours(self, points, faces, values, levels, name, width):
         """The lines on a surface where a number per point has certain levels, as tubes."""
@@ -178,11 +207,11 @@ class Panel:
         pairs = {tuple(sorted((f[i], f[i - 1]))) for f in faces for i in range(len(f))}
         return self.tubes([[points[a], points[b]] for a, b in sorted(pairs)], name, width)
 
-    def balls(self, points, name, width):
+    def balls(self, points, name, width, sides=20):
         ball = vtk.vtkSphereSource()
         ball.SetRadius(width / 2 * self.size)
-        ball.SetThetaResolution(20)
-        ball.SetPhiResolution(20)
+        ball.SetThetaResolution(sides)
+        ball.SetPhiResolution(sides)
         glyphs = vtk.vtkGlyph3D()
         glyphs.SetInputData(poly_data(points))
         glyphs.SetSourceConnection(ball.GetOutputPort())
@@ -224,15 +253,26 @@ class Panel:
         return many.reshape(height, OVERSAMPLING, width, OVERSAMPLING, 3).mean(axis=(1, 3))[::-1]
 
 
+def add_letter(image, index, left):
+    """The letter of a panel in its upper left corner."""
+    size = round(LETTER_SIZE * image.width)
+    font = ImageFont.truetype('DejaVuSans-Bold.ttf', size)
+    ImageDraw.Draw(image).text((left + size // 4, size // 4), f'({"abcdefgh"[index]})', INK, font,
+                              stroke_width=size // 8, stroke_fill=WHITE)
+
+
 def to_image(panels, width, height, gap=0.02):
-    """Panels side by side."""
+    """Panels side by side, with letters if there are several."""
     share = round(width * (1 - gap * (len(panels) - 1)) / len(panels))
     result = np.ones((height, width, 3))
     for i, panel in enumerate(panels):
         left = round(i * (share + gap * width))
         part = panel.picture(min(share, width - left), height)
         result[:, left:left + part.shape[1]] = part
-    return Image.fromarray((255 * result + 0.5).astype(np.uint8))
+    image = Image.fromarray((255 * result + 0.5).astype(np.uint8))
+    for i in range(len(panels) if len(panels) > 1 else 0):
+        add_letter(image, i, round(i * (share + gap * width)))
+    return image
 
 
 def write_picture(path, image):

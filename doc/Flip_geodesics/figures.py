@@ -29,7 +29,7 @@ root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics_program/page')]
 
 from figure_browser import Browser  # noqa: E402
-from figure_colors import FIXED, INK, RESULT, SECOND, START, WHITE  # noqa: E402
+from figure_colors import FIXED, INK, MESH, RESULT, SECOND, START, WHITE  # noqa: E402
 from figure_drawing import Panel, size_of, to_image, write_picture  # noqa: E402
 from figure_light import frame, unit  # noqa: E402
 from figure_pictures import checker, compass  # noqa: E402
@@ -250,7 +250,7 @@ def conforming_triangulation(tools):
     before.dashes(run.state(0).lines, START, 0.012)
     after = surface_panel(page.points, page.faces, is_smooth=False)
     sides = untouched_sides(page) | {frozenset((a, b)) for edge, a, b in run.input_edges if edge in state.present}
-    after.tubes([[page.points[v] for v in side] for side in sides], INK, 0.0025)
+    after.tubes([[page.points[v] for v in side] for side in sides], MESH, 0.0025)
     after.tubes([run.polylines[e] for e in state.present - inputs], SECOND, 0.0045)
     after.tubes(state.lines, RESULT, 0.012)
     for panel in (before, after):
