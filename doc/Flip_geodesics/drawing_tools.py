@@ -71,6 +71,11 @@ def angle_at(q, p, r):
     return abs((direction(q, p) - direction(q, r) + 180) % 360 - 180)
 
 
+def is_convex(polygon):
+    turns = [turn(polygon[i - 2], polygon[i - 1], p) for i, p in enumerate(polygon)]
+    return min(turns) > 0 or max(turns) < 0
+
+
 def crossing(p, q, a, b):
     """The parameter along pq at which that segment crosses the interior of ab; None if it does not."""
     at_p, at_q, at_a, at_b = turn(a, b, p), turn(a, b, q), turn(p, q, a), turn(p, q, b)
@@ -185,7 +190,7 @@ def flip_out(b, fan):
         i = next((i for i in range(1, len(fan) - 1) if outer_angle(fan, i) < 180), None)
         if i is None:
             return
-        assert turn(fan[i - 1], fan[i], b) * turn(fan[i], fan[i + 1], b) > 0, 'the quadrilateral is not convex'
+        assert is_convex([b, *fan[i - 1:i + 2]]), 'the edge cannot be flipped'
         flipped, fan = fan[i], fan[:i] + fan[i + 1:]
         yield list(fan), flipped
 
@@ -210,7 +215,7 @@ def text_width(label, size):
 
 
 def number(x):
-    """A coordinate with one decimal, which does not depend on how a processor rounds."""
+    """A coordinate with one decimal, so that the last bits of a computation have no effect."""
     text = f'{round(x, 1) + 0.0:.1f}'
     return text[:-2] if text.endswith('.0') else text
 

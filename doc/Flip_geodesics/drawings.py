@@ -16,8 +16,9 @@ import sys
 from pathlib import Path
 
 from drawing_tools import (CURVE, DASHES, DOTS, FAINT, LINE, WIDTH, Canvas, Panel, angle_at, between, centroid,
-                           crossed_edges, delaunay, direction, edges_of, flip_out, funnel_steps, line_meeting, minus,
-                           plus, polar, shortest_in_class, shortest_in_strip, turn, unit, visible_part)
+                           crossed_edges, delaunay, direction, edges_of, flip_out, funnel_steps, is_convex,
+                           line_meeting, minus, plus, polar, shortest_in_class, shortest_in_strip, turn, unit,
+                           visible_part)
 from figure_colors import FIXED, INK, MESH, RESULT, SECOND, START, WHITE
 
 DOC = Path(__file__).resolve().parent
@@ -78,7 +79,7 @@ def draw_wedge(canvas):
     panel.text(centroid([b, fan[1], fan[2]]), 'wedge', RESULT, away=(-18, 20))
 
 
-def quad_panel(canvas, box, quad, names, colors=(INK, INK)):
+def quad_panel(canvas, box, quad, names):
     panel = Panel(canvas, box, quad)
     for p, name in zip(quad, names):
         away = unit(minus(p, centroid(quad)))
@@ -89,8 +90,8 @@ def quad_panel(canvas, box, quad, names, colors=(INK, INK)):
 def draw_flip(canvas):
     canvas.panel_letter('b', 384, 16)
     i, k, j, l = (0.0, -1.0), (-0.95, 0.1), (0.15, 1.0), (1.05, -0.25)
-    assert all(turn(p, q, r) < 0 for p, q, r in ((i, k, j), (k, j, l), (j, l, i), (l, i, k))), 'not convex'
     quad = [i, k, j, l]
+    assert is_convex(quad), 'the edge cannot be flipped'
     for box, ends, color in (((404, 42, 524, 152), (i, j), MESH), ((568, 42, 688, 152), (k, l), SECOND)):
         panel = quad_panel(canvas, box, quad, ('*i*', '*k*', '*j*', '*l*'))
         panel.polygon(quad, FAINT, MESH)
@@ -102,8 +103,8 @@ def draw_flip(canvas):
 def draw_flip_that_is_impossible(canvas):
     canvas.panel_letter('c', 384, 186)
     i, k, j, l = (0.0, -0.28), (-1.0, -0.75), (0.05, 1.0), (0.95, -0.8)
-    assert turn(k, l, i) > 0 and angle_at(i, k, j) + angle_at(i, j, l) < 360 - angle_at(i, k, l) + 1e-6
     quad = [i, k, j, l]
+    assert not is_convex(quad), 'the edge can be flipped'
     panel = Panel(canvas, (404, 210, 524, 306), quad)
     panel.polygon(quad, FAINT, MESH)
     panel.line([i, j], MESH)
@@ -144,7 +145,7 @@ def draw_flip_out_state(panel, b, fan, states, is_final):
         panel.line([b, flipped], MESH, LINE, DOTS)
     for p in arc[1:-1]:
         panel.line([b, p], MESH)
-    for (before, flipped), (after, gone) in zip(states, states[1:]):
+    for (before, _), (_, gone) in zip(states, states[1:]):
         i = before.index(gone)
         panel.line([before[i - 1], before[i + 1]], SECOND, CURVE)
     panel.line([fan[0], b, fan[-1]], START, CURVE, DASHES)
@@ -208,8 +209,7 @@ def draw_shortened_curve(panel, path, obstacles):
 
 # --- Normal coordinates and edge sequences ---
 
-def number_at(panel, p, label, color):
-    """A label in a disk."""
+def number_in_disk(panel, p, label, color):
     panel.dot(p, color, 11)
     panel.text(p, label, WHITE, is_bold=True)
 
@@ -245,7 +245,7 @@ def draw_counts(panel, points, sides, crossed, names):
         for t, _ in found:
             panel.dot(between(points[a], points[b], t), INK, 3)
     for (a, b), found in zip(sides, crossed):
-        number_at(panel, label_place(panel, points[a], points[b], middle, 17), str(len(found)), RESULT)
+        number_in_disk(panel, label_place(panel, points[a], points[b], middle, 17), str(len(found)), RESULT)
     for v, name in names.items():
         away = unit(minus(points[v], middle))
         panel.dot(points[v], RESULT)
