@@ -303,7 +303,8 @@ BOOST_AUTO_TEST_CASE(loops_contract_on_convex_surfaces)
   BOOST_TEST(counts["PRECISION_LIMIT"] * 1000 <= counts["CONTRACTED"]);
 }
 
-// ---------------------------------------------------------------- the closed forms themselves, compared with other routes
+// ---------------------------------------------------------------- the closed forms themselves, compared with other
+// routes
 
 BOOST_AUTO_TEST_CASE(distances_on_boxes, *within_1e_9)
 {

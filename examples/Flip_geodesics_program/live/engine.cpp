@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The engine of the interactive viewer, compiled to WebAssembly: the parts of the program that read meshes and curves and
-// compute, behind functions that take and return bytes. A curve is requested by its kind and a line of the program's
-// files, so that the program computes the same curve from the same line. The engine keeps the mesh and nothing else: a
-// page that has interrupted it opens the mesh again and continues.
+// The engine of the interactive viewer, compiled to WebAssembly: the parts of the program that read meshes and curves
+// and compute, behind functions that take and return bytes. A curve is requested by its kind and a line of the
+// program's files, so that the program computes the same curve from the same line. The engine keeps the mesh and
+// nothing else: a page that has interrupted it opens the mesh again and continues.
 
 #include "bad_input.h"
 #include "input/drawn_input.h"
@@ -78,8 +78,8 @@ public:
     return out.str();
   }
 
-  /// The mesh with the curves of some requests, pairs of a kind and a line, as the program writes them: obj, ply, glb, or
-  /// polylines.
+  /// The mesh with the curves of some requests, pairs of a kind and a line, as the program writes them: obj, ply, glb,
+  /// or polylines.
   std::string save(const std::string& format, const std::vector<std::pair<std::string, std::string>>& requests)
   {
     Scene scene;

@@ -85,7 +85,8 @@ Curve_result certified_curve(const Mesh& mesh, const Triangulation& triangulatio
   return result;
 }
 
-// A slit of one edge would have both ends in common on its two sides, and could not open: it gets a vertex in its middle.
+// A slit of one edge would have both ends in common on its two sides, and could not open: it gets a vertex in its
+// middle.
 void divide_single_edges(Mesh& mesh, Marks is_marked)
 {
   const auto is_tip = [&](Mesh::Halfedge_index h) {

@@ -65,8 +65,8 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals, from the calling thread. If it
-   *       returns `false`, `is_complete()` returns `false`, the object has no landmarks, and all bounds are zero}
+   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals, from the calling thread.
+   *       If it returns `false`, `is_complete()` returns `false`, the object has no landmarks, and all bounds are zero}
    *     \cgalParamType{a model of `FlipOutVisitor`, of which only `go_further()` is called}
    *     \cgalParamDefault{no visitor}
    *   \cgalParamNEnd

@@ -19,13 +19,13 @@ namespace Flip_geodesics {
  *
  * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from it.
  *
- * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is a side of
- * a face that contains the location, or starts there. The free functions pass both as a `std::pair` of a halfedge of the
- * mesh and an angle. A function that chooses the halfedge takes that of the location, or its twin if that is a border
- * halfedge. It is `halfedge(face, mesh)` for a `Face_location` in the face, and starts at a location that was made from a
- * vertex. Only two functions choose otherwise: a `Trace_report` refers to the side over which the geodesic has entered
- * its last face, and `logarithmic_map()` of a tree, at the border and at inserted vertices, to a direction that its page
- * states.
+ * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is a side
+ * of a face that contains the location, or starts there. The free functions pass both as a `std::pair` of a halfedge of
+ * the mesh and an angle. A function that chooses the halfedge takes that of the location, or its twin if that is a
+ * border halfedge. It is `halfedge(face, mesh)` for a `Face_location` in the face, and starts at a location that was
+ * made from a vertex. Only two functions choose otherwise: a `Trace_report` refers to the side over which the geodesic
+ * has entered its last face, and `logarithmic_map()` of a tree, at the border and at inserted vertices, to a direction
+ * that its page states.
  */
 struct Surface_direction
 {
@@ -60,7 +60,8 @@ public:
   /*!
    * Transports a direction along a curve that is straight between consecutive locations.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two consecutive ones lie in one face or on its boundary;
+   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two
+   * consecutive ones lie in one face or on its boundary;
    *        consecutive equal points count once
    * \param direction the direction at the first location; its halfedge is a side of a face that contains the location,
    *        or starts there

@@ -542,8 +542,9 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. Locating
- * points in space takes \f$O(n \log n)\f$, and logarithmic time for each point close to the surface. The search takes \f$O(w \log w)\f$ for \f$w\f$ windows, whose limit is that of the
- * field. It creates twice as many, with double-double arithmetic, if the errors of doubles are too large.
+ * points in space takes \f$O(n \log n)\f$, and logarithmic time for each point close to the surface. The search takes
+ * \f$O(w \log w)\f$ for \f$w\f$ windows, whose limit is that of the field. It creates twice as many, with double-double
+ * arithmetic, if the errors of doubles are too large.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>

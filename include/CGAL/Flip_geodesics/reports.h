@@ -206,8 +206,8 @@ struct Shortening_report
     return sum;
   }
 
-  /// Returns the status of the curve. If there are several, it is that of the first one that is neither locally shortest
-  /// nor a point; otherwise `LOCALLY_SHORTEST`, or `CONTRACTED` if all curves are points.
+  /// Returns the status of the curve. If there are several, it is that of the first one that is neither locally
+  /// shortest nor a point; otherwise `LOCALLY_SHORTEST`, or `CONTRACTED` if all curves are points.
   Shortening_status status() const
   {
     bool has_curve = curves.empty();
@@ -220,7 +220,8 @@ struct Shortening_report
   }
 
   /// Returns the verdict on the claim that the curve, or every curve, is locally shortest: that of the first curve for
-  /// which it is false, or else the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. It is never confirmed without curves.
+  /// which it is false, or else the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. It is never confirmed without
+  /// curves.
   Verdict verdict() const
   {
     Verdict result = curves.empty() ? Verdict::UNDECIDED : Verdict::PROVEN;

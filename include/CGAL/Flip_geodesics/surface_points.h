@@ -164,7 +164,8 @@ private:
     const Vertex_index v = input.tail(h);
     const Place_in_space p = half_of(triangulation->metric().point(input, v));
     if(!are_finite(p))
-      throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) + " has a coordinate that is not a finite number",
+      throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) +
+                                         " has a coordinate that is not a finite number",
                                      {static_cast<std::size_t>(v.idx())});
     return p;
   }
@@ -197,8 +198,8 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
  * points are equally near, one of them is chosen.
  *
  * The location is moved to an edge or a vertex if barycentric coordinates are at most 1e-9. All faces are considered.
- * Functions that take many points build a tree of bounding boxes for them, with the same results. For many single calls,
- * `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
+ * Functions that take many points build a tree of bounding boxes for them, with the same results. For many single
+ * calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
  * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite

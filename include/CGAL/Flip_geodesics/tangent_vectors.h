@@ -84,7 +84,8 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{a visitor, as for `Geodesic_distance_field::compute()`. If it stops the computation, `report()`
+   *     \cgalParamDescription{a visitor, as for `Geodesic_distance_field::compute()`. If it stops the computation,
+   *     `report()`
    *       has the status `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known up to
    *       `distance_field().reach()`}
    *     \cgalParamType{a model of `FlipOutVisitor`, of which only `go_further()` is called}
@@ -482,9 +483,9 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  *
  * Transports a tangent vector in space along a curve, parallel in the sense of the Levi-Civita connection.
  *
- * The vector is projected to the plane of the face of the first location. The result lies in the plane of the face of the
- * last location, and has the length of the projection. At a vertex, vectors may point out of the face: they are turned
- * out of its plane by the angle on the surface, which requires no choice where the angles sum to \f$2\pi\f$.
+ * The vector is projected to the plane of the face of the first location. The result lies in the plane of the face of
+ * the last location, and has the length of the projection. At a vertex, vectors may point out of the face: they are
+ * turned out of its plane by the angle on the surface, which requires no choice where the angles sum to \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
  * \param curve a range as for the overload with an angle, of locations in faces, since vectors lie in the planes of

@@ -388,8 +388,9 @@ public:
     return trace(location, direction, limits, internal::No_visitor_of_points());
   }
 
-  /// Traces a geodesic from a point of any other type that `surface_location()` takes. The other arguments are those for
-  /// a location. A `Face_location` is not moved to a nearby edge or vertex, so that tracing can continue from every end.
+  /// Traces a geodesic from a point of any other type that `surface_location()` takes. The other arguments are those
+  /// for a location. A `Face_location` is not moved to a nearby edge or vertex, so that tracing can continue from every
+  /// end.
   template <class Point, class... Arguments, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
   Trace_report trace(const Point& point, const Arguments&... arguments) const
   {

@@ -256,7 +256,8 @@ BOOST_AUTO_TEST_CASE(least_stretch_of_what_is_no_triangle)
   BOOST_TEST(least_stretch({3, 4, 7}, {6, 8, 10}) > 0);
 }
 
-// Sides that all become longer by one amount shorten no segment. So a mollified metric has the bounds of the one before.
+// Sides that all become longer by one amount shorten no segment. So a mollified metric has the bounds of the one
+// before.
 BOOST_AUTO_TEST_CASE(longer_sides_shorten_nothing)
 {
   Random_numbers random(7);

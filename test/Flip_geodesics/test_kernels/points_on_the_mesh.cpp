@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Over a kernel that constructs exactly, all points that are returned lie on the mesh exactly, on meshes that CGAL makes.
+// Over a kernel that constructs exactly, all points that are returned lie on the mesh exactly, on meshes that CGAL
+// makes.
 
 #include "test_kernels/exact_coordinates.h"
 

@@ -75,7 +75,7 @@ struct Material
     std::array<std::uint8_t, 3> result;
     for(std::size_t i = 0; i < result.size(); ++i) {
       const double x = color[i];
-      const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+      const double encoded = 12.92 * x <= 0.04045 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
       result[i] = static_cast<std::uint8_t>(std::lround(255 * encoded));
     }
     return result;

@@ -166,9 +166,9 @@ NT from_rational(const Rational& x)
 }
 
 /*
- * A fraction in double-double numbers. The first 119 digits are taken as three doubles, of which the sum of the last two
- * is rounded once: so the result errs by little more than 2^-106 of itself, unless it leaves the range of doubles. Its
- * second half is zero only if the first one is the exact value. \pre d > 0
+ * A fraction in double-double numbers. The first 119 digits are taken as three doubles, of which the sum of the last
+ * two is rounded once: so the result errs by little more than 2^-106 of itself, unless it leaves the range of doubles.
+ * Its second half is zero only if the first one is the exact value. \pre d > 0
  */
 inline Double_double precise_quotient(const Integer& n, const Integer& d)
 {

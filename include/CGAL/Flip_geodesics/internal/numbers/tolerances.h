@@ -438,9 +438,9 @@ inline constexpr double hessian_regularization = 1e-12;
 /* Steps of a line search below these parts of the full step are not tried any more. */
 inline constexpr double least_line_search_step = 1e-10, least_mean_step = 0x1p-40;
 
-/* Computed distances of a triangle from a point are at least those of a box around it, less this part of the distance of
- * the farthest point of the box. Weights are not negative and sum to one within 3 u. A coordinate of the nearest point
- * errs by 8 u of that distance (a difference, a quotient, weights, three products and two sums), its distance by
+/* Computed distances of a triangle from a point are at least those of a box around it, less this part of the distance
+ * of the farthest point of the box. Weights are not negative and sum to one within 3 u. A coordinate of the nearest
+ * point errs by 8 u of that distance (a difference, a quotient, weights, three products and two sums), its distance by
  * 8 sqrt(3) u and 6 sqrt(3) u for the root of squares and the scale, which is 25 u; that of the box errs by less than
  * 6 u. */
 inline constexpr double nearest_face_error = rounding_errors(64);

@@ -94,9 +94,9 @@ Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_ind
 }
 
 /*
- * The sign of the sine of the wedge from the direction of one edge sequence clockwise over `steps` input corners to that
- * of another, exactly, if the faces lie unfolded in one plane of space, or bend along parallel edges only. `flat_edges`
- * caches results for edges. Returns whether the faces lie so, which is false if the metric has no points.
+ * The sign of the sine of the wedge from the direction of one edge sequence clockwise over `steps` input corners to
+ * that of another, exactly, if the faces lie unfolded in one plane of space, or bend along parallel edges only.
+ * `flat_edges` caches results for edges. Returns whether the faces lie so, which is false if the metric has no points.
  */
 template <class Metric, class Mesh>
 bool sine_in_plane(const Metric& metric, const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,

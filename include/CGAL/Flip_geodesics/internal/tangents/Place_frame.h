@@ -152,8 +152,9 @@ public:
     return std::arg(-direction / direction_of_side(m_triangulation, h, twin_index(m_place.halfedge)));
   }
 
-  /* Returns the direction, of length 1, at a position in the frame of a halfedge h of a face that contains the point. At
-   * a vertex, a direction outside of the face is turned out of it by its angle, on the side where that is smaller. */
+  /* Returns the direction, of length 1, at a position in the frame of a halfedge h of a face that contains the point.
+   * At a vertex, a direction outside of the face is turned out of it by its angle, on the side of the smaller
+   * angle. */
   Vector direction(double position, Input_halfedge_index h) const
   {
     if(!is_vertex())
