@@ -214,7 +214,7 @@ public:
    * returns the locations of a curve of a network.
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two
-   * consecutive ones lie in one face or on its boundary
+   *        consecutive ones lie in one face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations

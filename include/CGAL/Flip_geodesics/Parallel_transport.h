@@ -61,8 +61,7 @@ public:
    * Transports a direction along a curve that is straight between consecutive locations.
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two
-   * consecutive ones lie in one face or on its boundary;
-   *        consecutive equal points count once
+   *        consecutive ones lie in one face or on its boundary; consecutive equal points count once
    * \param direction the direction at the first location; its halfedge is a side of a face that contains the location,
    *        or starts there
    * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last

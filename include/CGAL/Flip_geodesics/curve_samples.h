@@ -46,8 +46,7 @@ public:
    *
    * \param triangulation the triangulation, which must outlive the curve
    * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two
-   * consecutive ones lie in one face or on its boundary;
-   *        consecutive equal points count once
+   *        consecutive ones lie in one face or on its boundary; consecutive equal points count once
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Degenerate_face_error for a face along the curve
