@@ -301,7 +301,7 @@ int run_without_curves(Run run)
   std::string lines;
   std::optional<Mesh_info> info;
   if(command == "info") {
-    info = mesh_info(run.input, run.input.repairs());
+    info = mesh_info(run.input, run.input.remarks());
     lines = describe(*info, run.input);
   }
   Result_meshes meshes;

@@ -308,7 +308,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(cut_graph_cuts 0 "components  1\n[^\n]*genus 0, 1 border\n" info disk.off)
   set_tests_properties(program_cut_graph_cuts PROPERTIES DEPENDS program_cut_graph)
   flip_geodesics_add_program_test(info 0 "576 triangles, genus 1, 0 borders\ndefects     none" info torus.off)
-  flip_geodesics_add_program_test(info_defects 0 "defects .*\n  1 polygon of more than three" info
+  flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon of more than three" info
                                   pyramid.off)
   flip_geodesics_add_program_test(info_near_borders 0 "nearly coincide with others and stay open" info seam.off)
   flip_geodesics_add_program_test(info_json 0 "\"components\":.{\"vertices\":288,.*\"genus\":1}.*\"defects\":" info

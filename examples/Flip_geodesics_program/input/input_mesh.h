@@ -91,15 +91,13 @@ public:
     return std::find(parts.begin(), parts.end(), number) != parts.end();
   }
 
-  /// What a repair did.
-  std::vector<std::string> repairs() const { return m_report ? m_report->lines() : std::vector<std::string>(); }
-
   /// Lines about the file, what a repair did, and which of the vertices that the user named it has split.
   std::vector<std::string> remarks() const
   {
     std::vector<std::string> lines = m_remarks;
-    for(const std::string& line : repairs())
-      lines.push_back("repair: " + line);
+    if(m_report)
+      for(const std::string& line : m_report->lines())
+        lines.push_back("repair: " + line);
     for(const auto& point_and_line : m_splits)
       lines.push_back(point_and_line.second);
     return lines;

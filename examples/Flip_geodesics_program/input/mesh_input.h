@@ -95,6 +95,17 @@ inline Input_mesh repair_mesh(Input_text input, double weld_tolerance = 0)
   }
 }
 
+/// The mesh in a text as it is, or repaired if it has to be, with the remarks of a repair. \throws Bad_input
+inline Input_mesh inspect_mesh(const Input_text& input, double weld_tolerance)
+{
+  Input_mesh repaired = repair_mesh(input, weld_tolerance);
+  try {
+    return Input_mesh(read_mesh(input).mesh(), repaired.remarks());
+  } catch(const Bad_input&) {
+    return repaired;
+  }
+}
+
 } // namespace program
 
 #endif // CGAL_FLIP_GEODESICS_PROGRAM_MESH_INPUT_H

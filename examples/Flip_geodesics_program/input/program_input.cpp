@@ -19,8 +19,10 @@ program::Input_mesh program::read_input_mesh(const Options& options)
   if(!options.format.empty() && mesh_formats().count(lower_case(options.format)) == 0)
     throw Bad_input("--format " + printable(options.format) + ": not known; use one of" + names_of_mesh_formats());
   const Input_text input = read_text(options.mesh, lower_case(options.format));
-  const bool is_repaired = options.is_repaired || options.command == "repair" || options.command == "info";
-  Input_mesh mesh = is_repaired ? repair_mesh(input, options.weld) : read_mesh(input);
+  if(options.command == "info")
+    return inspect_mesh(input, options.weld);
+  Input_mesh mesh =
+      options.is_repaired || options.command == "repair" ? repair_mesh(input, options.weld) : read_mesh(input);
   if(options.has_seams)
     mesh.keep_text(input);
   return mesh;

@@ -68,7 +68,7 @@ std::string describe(const Mesh_info& info, const Mesh& mesh)
         << counted(c.faces, "triangle", "triangles") << ", genus " << c.genus() << ", "
         << counted(c.borders, "border", "borders") << '\n';
   }
-  out << "defects     " << (info.defects.empty() ? "none\n" : "mended by --repair, without which they are refused:\n");
+  out << "defects     " << (info.defects.empty() ? "none\n" : "and what --repair does:\n");
   for(const std::string& line : info.defects)
     out << "  " << line << '\n';
   return out.str();

@@ -24,10 +24,9 @@ struct Mesh_info
   std::vector<Component_info> components;
   std::size_t isolated_vertices = 0, degenerate_edges = 0, degenerate_faces = 0;
   double area = 0, shortest_edge = 0, longest_edge = 0;
-  std::vector<std::string> defects; ///< lines about what a repair mends
+  std::vector<std::string> defects; ///< lines about the file and what a repair does
 };
 
-/// \param defects what the mesh has been repaired of
 Mesh_info mesh_info(const Mesh& mesh, const std::vector<std::string>& defects);
 
 /// Lines for people.
