@@ -208,7 +208,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                        "^(0 [^\n]*\n)(0 [^\n]*\n)(0 [^\n]*\n)(0 [^\n]*\n)(0 [^\n]*\n)1 [^\n]*\n1 [^\n]*\n2 [^\n]*\n2 [^\n]*\n$")
   flip_geodesics_add_program_test(sample_of_paths 0 "2 LOCALLY_SHORTEST" path torus.off --pairs pairs.txt --sample 0.1 -o
                                   samples.vtp)
-  flip_geodesics_add_program_test(stop_curve_length 0 "CURVE_LENGTH_LIMIT" network torus.off --network network.txt
+  flip_geodesics_add_program_test(stop_curve_length 0 "4 curves: 2 LENGTH_LIMIT 2 LOCALLY_SHORTEST" network torus.off --network network.txt
                                   --stop-curve-length 0.99)
   flip_geodesics_add_program_test(distance_from_points 0 "between vertex 5 and point 0,1,0.25" distance torus.off --source
                                   5,100 --source 0,1,0.25 --source 1.5,0,0.1 --voronoi --isolines 0.2)
