@@ -12,8 +12,8 @@
 #include "processor_time.h"
 
 #include <CGAL/Flip_geodesics/Curve_editor.h>
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 
 #include <algorithm>
 #include <cstddef>

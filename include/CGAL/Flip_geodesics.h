@@ -18,8 +18,6 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
-#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
@@ -30,12 +28,10 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
-#include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/certify_curve.h>
-#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
@@ -50,7 +46,6 @@
 #include <CGAL/Flip_geodesics/graph_traits.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/isolines.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 

@@ -9,7 +9,6 @@
 #include "rolled_out_surfaces.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 
 #include <cstddef>

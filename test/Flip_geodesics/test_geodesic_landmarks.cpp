@@ -9,7 +9,6 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -4,7 +4,7 @@
 
 #include "test_hostile_traits/checked_shortening.h"
 
-#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 
 using namespace Flip_geodesics_test;
 

@@ -13,7 +13,6 @@
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/shortest_paths_by_class.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 

@@ -7,7 +7,7 @@
 
 #include "test_tangents/surfaces.h"
 
-#include <CGAL/Flip_geodesics/Parallel_transport.h>
+#include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <boost/test/unit_test.hpp>

@@ -6,8 +6,8 @@
 #include "program_mesh.h"
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 
 #include <optional>
 #include <string>

@@ -10,10 +10,10 @@
 #include "run/progress.h"
 #include "scene.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <cstddef>
 #include <limits>

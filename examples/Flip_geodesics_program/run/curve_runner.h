@@ -15,16 +15,15 @@
 #include "run/tree_results.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
-#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/geodesic_loops.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/shorten.h>

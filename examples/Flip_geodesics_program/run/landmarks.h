@@ -7,7 +7,7 @@
 #include "run/program_metric.h"
 #include "run/progress.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <cstddef>
 #include <string>

@@ -6,7 +6,6 @@
 #include "run/curve_engine.h"
 #include "run/progress.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <algorithm>

@@ -8,9 +8,9 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/certify.h>
-#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "program_mesh.h"
 #include "readable.h"
 
-#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 
 #include <cstddef>
 #include <sstream>

@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/located_points.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Split_triangulation.h>

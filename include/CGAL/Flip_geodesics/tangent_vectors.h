@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_TANGENT_VECTORS_H
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
-#include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>

@@ -3,7 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_TEXTURE_COORDINATES_H
 #define CGAL_FLIP_GEODESICS_TEXTURE_COORDINATES_H
 
-#include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>

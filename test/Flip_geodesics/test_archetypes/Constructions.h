@@ -9,12 +9,9 @@
 
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/IO/network.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
-#include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
@@ -23,7 +20,6 @@
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/geodesic_loops.h>
 #include <CGAL/Flip_geodesics/geodesic_mean.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/shorten.h>

@@ -13,7 +13,7 @@
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>

@@ -5,10 +5,10 @@
 
 #include "test_distance_field/asked_surface.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
 
 using namespace Flip_geodesics_test;
 

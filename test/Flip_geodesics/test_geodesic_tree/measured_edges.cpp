@@ -7,10 +7,10 @@
 #include "trees.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/graph_traits.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 

@@ -6,7 +6,6 @@
 #include "closed_forms.h"
 #include "generated_meshes.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>

@@ -9,7 +9,7 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <boost/test/unit_test.hpp>

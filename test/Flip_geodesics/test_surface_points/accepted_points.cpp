@@ -8,8 +8,6 @@
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
-#include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/geodesic_mean.h>

@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/path_computations.h>
 #include <CGAL/Flip_geodesics/shorten.h>

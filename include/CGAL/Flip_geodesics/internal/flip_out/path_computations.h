@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
-#define CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CONTRACTED_SURFACE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CONTRACTED_SURFACE_H
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
@@ -301,4 +301,4 @@ void note_contraction(const Triangulation& triangulation, Shortening_report& rep
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CONTRACTED_SURFACE_H
