@@ -39,7 +39,7 @@ public:
   double length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// Returns the length of the edge of a halfedge without checking it, for searches of edge paths. The result is zero
-  /// for an edge of length zero, and arbitrary if the length is not a usable number.
+  /// for a zero-length edge, and arbitrary if the length is not a usable number.
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The data of a vertex from which lower bounds are computed, such as the coordinates of its point. Default

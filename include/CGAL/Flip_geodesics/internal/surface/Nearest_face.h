@@ -64,7 +64,7 @@ inline std::array<double, 3> nearest_on_side(const Triangle_places& corners, std
   return weights;
 }
 
-/* Returns the foot of the perpendicular from the origin, by the areas that it cuts off; not finite without an area. */
+/* Returns the foot of the perpendicular from the origin, by the areas that it cuts off; not finite for a degenerate face. */
 inline std::array<double, 3> foot_of_perpendicular(const Triangle_places& corners)
 {
   const Place_in_space u = difference(corners[1], corners[0]), v = difference(corners[2], corners[0]);
@@ -100,7 +100,7 @@ inline Nearest_weights nearest_weights(Triangle_places corners)
   for(std::size_t i = 0; i < 3; ++i)
     consider(nearest_on_side(corners, i));
   const std::array<double, 3> foot = foot_of_perpendicular(corners);
-  if(*std::min_element(foot.begin(), foot.end()) > 0) // never without an area
+  if(*std::min_element(foot.begin(), foot.end()) > 0) // never degenerate
     consider(foot);
   return result;
 }
