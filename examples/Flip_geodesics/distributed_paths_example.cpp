@@ -48,7 +48,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_ker
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Lines = std::vector<std::string>;
 
-// A mesh, and a triangulation of it whose flips are taken back after each path.
+// A mesh, and a triangulation of it whose flips are rolled back after each path.
 class Surface
 {
 public:
@@ -76,7 +76,7 @@ public:
     m_triangulation->rollback();
     return report;
   } catch(...) {
-    m_search.reset(); // made anew for the next path, whatever state they are in
+    m_search.reset(); // recreated for the next path, whatever state they are in
     m_triangulation.reset();
     throw;
   }
@@ -144,7 +144,7 @@ std::size_t count_results(const std::string& file, const Lines& paths)
   return count;
 }
 
-// Paths are handed out by eight; a rank asks for the next eight before it computes those that it has.
+// Paths are handed out by eight; a rank requests the next eight before it computes those that it has.
 constexpr std::size_t PATHS_AT_ONCE = 8;
 constexpr int ASK = 0, HAND_OUT = 1, RESULT = 2;
 using Handful = std::pair<std::size_t, Lines>; // the index of the first, and the lines

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A polyline that is drawn on a mesh, across its faces: kept as it is, pulled tight, and snapped to a path of edges.
+// A polyline that is drawn on a mesh, across its faces: kept as it is, shortened, and snapped to a path of edges.
 // The positions of the pen are on a circle above the mesh.
 //
 //   drawn_polyline_example MESH
@@ -47,7 +47,7 @@ using Tree_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
 using Tree_traits = CGAL::AABB_traits<Kernel, Primitive>;
 #endif
 
-// Where the mesh is nearest to some points of a circle above it.
+// The points of the mesh that are nearest to some points of a circle above it.
 std::vector<FG::Surface_location> pen_positions(const Triangulation& triangulation, const Mesh& mesh)
 {
   CGAL::AABB_tree<Tree_traits> tree;
@@ -80,7 +80,7 @@ try {
   network.free_nodes(drawn);
   FG::shorten(network);
   extractor.points(drawn, std::back_inserter(curves[1]));
-  std::cout << "drawn: " << drawn_length << ", pulled tight: " << network.length(drawn);
+  std::cout << "drawn: " << drawn_length << ", shortened: " << network.length(drawn);
   network.clear();
   triangulation.rollback(); // the inserted points are gone, too
   const auto path = FG::halfedges_through(triangulation, FG::snap_polyline(triangulation, line, true), true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Texture coordinates by cutting and flattening. The way through some vertices is pulled tight, but for the first of
+// Texture coordinates by cutting and flattening. The path through some vertices is shortened, but for the first of
 // them, to which it may return, and is the seam. Without vertices, a cut graph is. The triangulation is refined, cut
 // open along the seam and flattened conformally, and the coordinates are carried to the common subdivision of the mesh
 // and the triangulation.

@@ -5,7 +5,7 @@
 //
 //   loop_basis_example MESH [VERTEX VERTEX VERTEX...]
 //
-// The vertices are way points of a closed curve, whose class is told. Writes loop_basis.vtp, the geodesics.
+// The vertices are waypoints of a closed curve, whose class is printed. Writes loop_basis.vtp, the geodesics.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>

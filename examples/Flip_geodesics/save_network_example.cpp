@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A curve that is half straight is saved with its triangulation, loaded again, and pulled tight to the end.
+// A curve that is half straight is saved with its triangulation, loaded again, and shortened to the end.
 //
 //   save_network_example MESH [SOURCE TARGET]
 //
@@ -64,12 +64,12 @@ try {
 
   std::ifstream in("network.flips");
   //! [Read]
-  FG::read_network(in, network); // as it was before, to the bit
+  FG::read_network(in, network); // bitwise as it was before
   //! [Read]
   const bool is_same = network.length(curve) == saved_length;
   FG::shorten(network);
   std::cout << "Saved with length " << saved_length << ", loaded " << (is_same ? "as it was" : "changed")
-            << ", pulled tight to length " << network.length(curve) << ".\n";
+            << ", shortened to length " << network.length(curve) << ".\n";
   return is_same && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';

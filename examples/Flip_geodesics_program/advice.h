@@ -20,7 +20,7 @@ inline std::string with_advice(const std::exception& error, const std::string& a
   return degenerate->problem() + "; " + advice;
 }
 
-/// Returns the message of an error where neither contraction nor `--mollify` is to be had.
+/// Returns the message of an error where neither contraction nor `--mollify` is available.
 inline std::string with_advice_to_repair(const std::exception& error)
 {
   return with_advice(error, "give --repair, which drops such edges");

@@ -7,7 +7,7 @@
 
 namespace program {
 
-/// Input that the program cannot use; the message is one line that says what is wrong where, and what to do.
+/// Input that the program cannot use; the message is one line with the position, the problem, and what to do.
 class Bad_input : public std::runtime_error
 {
 public:

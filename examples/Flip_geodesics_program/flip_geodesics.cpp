@@ -134,7 +134,7 @@ struct Run
         std::cerr << "flip_geodesics: " << remark << '\n';
   }
 
-  // Completes the files, and prints the table of the curves, if there are any to be had, and lines for people.
+  // Completes the files, and prints the table of the curves, if any were requested, and lines for people.
   int finish(const std::string& lines, bool has_curves = true)
   {
     progress.enter("writing");
@@ -154,7 +154,7 @@ struct Run
   }
 };
 
-// The curves that are asked for, in files or as those of the surface.
+// The requested curves, in files or as those of the surface.
 std::vector<Network_request> requests_of(const Run& run)
 {
   run.progress.enter("reading curves");

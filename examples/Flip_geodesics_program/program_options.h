@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// What the command line says.
+// The options of the command line.
 namespace program {
 
 /// The names of the other files that are written; empty for those that are not wanted.

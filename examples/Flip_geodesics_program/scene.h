@@ -14,7 +14,7 @@
 // What the files for viewers show of a computation: the curves, and how they were shortened. The mesh comes beside it.
 namespace program {
 
-/// A curve, and what its legend says.
+/// A curve, and its legend.
 struct Scene_curve
 {
   std::size_t number = 0; ///< in the order of the results
@@ -23,7 +23,7 @@ struct Scene_curve
   std::size_t flips = 0;
   bool is_closed = false;
   bool is_of_tree = false; ///< an edge of a tree of geodesics
-  std::size_t run = 0; ///< curves with one number were shortened together
+  std::size_t run = 0;     ///< curves with one number were shortened together
   std::vector<Point_3> points;
 };
 
@@ -44,7 +44,7 @@ struct Shortening_record
   /// An edge of the mesh that is flipped or split, or that a curve runs along.
   struct Input_edge
   {
-    std::uint32_t edge; ///< `none` if it is no edge at the start
+    std::uint32_t edge; ///< `none` if it is not an edge at the start
     std::uint32_t vertices[2];
   };
 

@@ -113,7 +113,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(many_threads 0 "30 LOCALLY_SHORTEST.*extract [^\n]*\n$" path torus.off --random 30
                                     --seed 7 --threads 1024)
   endif()
-  # The paths of edges pulled tight have other lengths.
+  # The shortened paths of edges have other lengths.
   flip_geodesics_add_program_test(shortest_pair 0 " 2.77034 .*1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150)
   flip_geodesics_add_program_test(shortest_pairs 0 "2 WITHIN_ROUNDING.*certificates: 2 PROVEN" shortest torus.off
                                   --pairs pairs.txt --stats shortest_pairs.csv)

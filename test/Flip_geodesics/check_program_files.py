@@ -226,7 +226,7 @@ def case_standard_streams(folder):
     folder.refuse('standard input can be read once', 'path', '-', '--format', 'off', '--pairs', '-')
     folder.refuse('two results', 'path', 'torus.off', *pairs, '--polylines', '-', '--stats', '/dev/stdout')
     folder.refuse('give --format with one of', 'path', '-', *pairs, stdin=torus())
-    folder.refuse('--output-format tells the format of --output', 'path', 'torus.off', *pairs, '--mesh', '-')
+    folder.refuse('--output-format determines the format of --output', 'path', 'torus.off', *pairs, '--mesh', '-')
     folder.refuse('--output-format is the format', 'path', 'torus.off', *pairs, '--mesh', 'a.obj', '--output-format', 'obj')
 
 

@@ -16,7 +16,7 @@
 
 namespace program {
 
-/// Goes through the binary part of a file and knows where it is, for messages.
+/// Goes through the binary part of a file and keeps the position for messages.
 class Byte_scanner
 {
 public:

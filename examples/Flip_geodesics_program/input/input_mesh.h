@@ -23,7 +23,7 @@ namespace program {
  * The mesh of the program, and what its elements are called in the file.
  *
  * A repair leaves vertices the numbers that they have in the file, and appends those that it adds; numbers of results
- * are those of the mesh. Faces are numbered anew.
+ * are those of the mesh. Faces are renumbered.
  */
 class Input_mesh
 {
@@ -116,7 +116,7 @@ private:
   std::optional<Repair_report> m_report;
   std::vector<std::string> m_remarks;
   std::optional<Input_text> m_text;
-  mutable std::map<std::size_t, std::string> m_splits; // that were asked for, by the vertex in the file
+  mutable std::map<std::size_t, std::string> m_splits; // the requested ones, by the vertex in the file
 };
 
 } // namespace program

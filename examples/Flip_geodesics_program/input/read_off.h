@@ -22,8 +22,8 @@ namespace program {
  * texture coordinates, which are passed over. With a 4 there is a fourth coordinate, by which the others are divided.
  *
  * In a text every vertex and face has its own line, and what is behind the vertices of a face is its color. A file that
- * is not like that is read by words: as many for each element as the keyword says, and none for the color of a face. If
- * the vertices have lines of equally many words, but not of as many as the keyword says, as colors of three components
+ * is not like that is read by words: as many for each element as the keyword implies, and none for the color of a face. If
+ * the vertices have lines of equally many words, but not of as many as the keyword implies, as colors of three components
  * have, words would mix up the vertices, and the lines alone count.
  */
 class Off_reader
@@ -53,7 +53,7 @@ public:
         return read_text(false);
       } catch(const Bad_input&) {
       }
-      throw; // lines are the rule: what is wrong with them says more
+      throw; // lines are the rule: their errors are more specific
     }
   }
 
@@ -276,7 +276,7 @@ private:
   const Input_text& m_input;
   Text_scanner m_words;
   bool m_is_homogeneous = false, m_is_binary = false, m_is_by_lines = true;
-  std::size_t m_words_of_vertex = 0; // behind its coordinates, as the keyword says
+  std::size_t m_words_of_vertex = 0; // behind its coordinates, as the keyword implies
   std::size_t m_words_of_line = 0;   // of a vertex, as the file has it
   std::size_t m_vertices = 0, m_faces = 0;
 };

@@ -116,7 +116,7 @@ public:
   }
 
 private:
-  // The first word of the next line that is no comment.
+  // The first word of the next line that is not a comment.
   std::string_view next_keyword()
   {
     while(m_lines.next_line_with_words()) {
@@ -181,7 +181,7 @@ private:
     for(const auto& [name, type] : names)
       if(word == name)
         return type;
-    m_lines.fail("'" + printable(word) + "' is no type of numbers in a PLY file; correct the header");
+    m_lines.fail("'" + printable(word) + "' is not a type of numbers in a PLY file; correct the header");
   }
 
   Text_scanner& m_lines;
@@ -407,7 +407,7 @@ private:
 /*!
  * Reads a PLY file, a text or binary: `x`, `y`, `z` of its vertices and the list `vertex_indices`, or `vertex_index`,
  * of its faces, of any types. All else is passed over. Coordinates are rounded to their type, in a text as in a binary
- * file; a remark says so if digits are lost.
+ * file; a remark is printed if digits are lost.
  *
  * \throws Bad_input
  */

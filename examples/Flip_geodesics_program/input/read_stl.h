@@ -22,7 +22,7 @@ namespace program {
  * Reads an STL file, a text or binary. Points with equal coordinates are one vertex. Normals and the 16 free bits of a
  * binary triangle are passed over.
  *
- * A file is binary if its size is what the number of triangles in it asks for, whatever its first word, and if its
+ * A file is binary if its size is what its number of triangles requires, whatever its first word, and if its
  * first word is not `solid`.
  */
 class Stl_reader

@@ -18,7 +18,7 @@ namespace program {
 /*!
  * Reads a triangulated surface of GOCAD: its lines `VRTX` or `PVRTX` with a number and coordinates, `ATOM` or `PATOM`
  * with a number and that of the vertex that it stands for, and `TRGL` with three such numbers. All others are passed
- * over, but `END` has to come. With several surfaces in a file numbers start anew at each.
+ * over, but `END` has to come. With several surfaces in a file numbers restart at each.
  */
 class Ts_reader
 {

@@ -23,7 +23,7 @@ struct Element
 };
 
 /*!
- * Goes through a text by lines and words and knows where it is, for messages. Lines end with LF, CR LF or CR; words
+ * Goes through a text by lines and words and keeps the position for messages. Lines end with LF, CR LF or CR; words
  * stand between blanks and tabs. A byte order mark at the beginning is passed over.
  */
 class Text_scanner
@@ -108,7 +108,7 @@ public:
   std::string_view rest_of_line() const { return m_text.substr(m_at, m_end - m_at); }
   void skip_line() { m_at = m_end; }
 
-  /// Where the next line starts.
+  /// The start of the next line.
   std::size_t next_position() const { return m_next; }
 
   /// The place for messages: file and line.

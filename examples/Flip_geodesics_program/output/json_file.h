@@ -23,7 +23,7 @@ namespace program {
 class Json_file
 {
 public:
-  /// An empty name means that nothing is to be written.
+  /// With an empty name, nothing is written.
   Json_file(const std::string& name, const std::string& command)
     : m_file(name)
   {

@@ -25,7 +25,7 @@ namespace program {
 class Live_file
 {
 public:
-  /// An empty name means that nothing is to be written.
+  /// With an empty name, nothing is written.
   explicit Live_file(const std::string& name)
     : m_file(name)
   {

@@ -40,7 +40,7 @@ private:
 class Mesh_file
 {
 public:
-  /// An empty name means that nothing is to be written.
+  /// With an empty name, nothing is written.
   Mesh_file(const std::string& name, const std::string& format)
     : m_format(format)
     , m_file(name)

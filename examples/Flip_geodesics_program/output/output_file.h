@@ -30,7 +30,7 @@ namespace program {
 class Output_file
 {
 public:
-  /// An empty name means that nothing is to be written. \throws Bad_input if it cannot be begun
+  /// With an empty name, nothing is written. \throws Bad_input if it cannot be begun
   explicit Output_file(const std::string& name)
     : m_name(name)
   {
@@ -62,7 +62,7 @@ public:
   std::ostream& stream() { return m_out; }
   const std::string& name() const { return m_name; }
 
-  /// Calls `write(stream())`, and says so if it throws an error of the library, since it cannot.
+  /// Calls `write(stream())`, and reports an error of the library, which cannot do so itself.
   template <class Write>
   void write(const Write& write)
   {
@@ -76,14 +76,14 @@ public:
     }
   }
 
-  /// Looks whether all could be written so far. If not, says so, once, and takes nothing more.
+  /// Looks whether all could be written so far. If not, reports it once and ignores further output.
   void check()
   {
     if(m_is_open && !m_out)
       fail(m_no_space);
   }
 
-  /// Completes the file, or says that this is not possible.
+  /// Completes the file, or reports that this is not possible.
   void close()
   {
     if(!m_is_open)

@@ -22,7 +22,7 @@ namespace program {
 class Page_file
 {
 public:
-  /// An empty name means that nothing is to be written.
+  /// With an empty name, nothing is written.
   explicit Page_file(const std::string& name)
     : m_file(name)
   {

@@ -24,7 +24,7 @@ class Outputs
 public:
   virtual ~Outputs() = default;
 
-  /// How many points of the next run are to be recorded for the page.
+  /// The number of points of the next run that are recorded for the page.
   virtual std::size_t most_recorded_points() const = 0;
 
   /// Writes the results of a run, and errors on standard error.

@@ -14,8 +14,8 @@
 namespace program {
 
 /// Lines `curve a b t x y z`, one per point: (1 - t) a + t b, where an input edge ab is crossed, or at a vertex if a is
-/// b. Where a curve starts, ends or may bend inside a face the line is `curve a b c t u x y z`: (1 - t - u) a + t b + u
-/// c, the corners counterclockwise; on an edge as well, with c equal to b and u zero.
+/// b. At points where a curve starts, ends or may bend inside a face the line is `curve a b c t u x y z`: (1 - t - u) a
+/// + t b + u c, the corners counterclockwise; on an edge as well, with c equal to b and u zero.
 inline void write_polyline(Output_file& file, std::size_t curve, const Curve_result& result)
 {
   for(const Curve_point& p : result.points) {

@@ -58,9 +58,10 @@ inline void check_result_format(const Options& options, const std::string& optio
   std::string formats;
   for(const std::string& format : known)
     formats += ' ' + format;
-  throw Bad_input(is_standard_output(name)
-                      ? "--output-format tells the format of " + option + " on standard output; give one of" + formats
-                      : printable(name) + ": the extension tells the format of " + option + "; use one of" + formats);
+  throw Bad_input(
+      is_standard_output(name)
+          ? "--output-format determines the format of " + option + " on standard output; give one of" + formats
+          : printable(name) + ": the extension determines the format of " + option + "; use one of" + formats);
 }
 
 /// Refuses names with which a page or a file of lines would replace a mesh by a slip in the command line.

@@ -121,7 +121,7 @@ private:
   double m_initial_length = 0, m_length = 0;
   std::vector<std::size_t> m_flips;
   std::vector<double> m_search, m_shorten, m_extract;
-  bool m_is_tree = false; // then the engine says what matters
+  bool m_is_tree = false; // then the engine prints what matters
   bool m_are_pulled_tight = true;
 };
 

@@ -61,7 +61,7 @@ struct Run_options
   CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
   std::optional<double> stop_length;       ///< stop at this share of the initial length; of the total one of a network
   std::optional<double> stop_curve_length; ///< the same of each curve of a network
-  bool is_shortest = false;                ///< paths of pairs and of a tree are to be globally shortest
+  bool is_shortest = false;                ///< paths of pairs and of a tree must be globally shortest
   const CGAL::Flip_geodesics::Geodesic_landmarks* landmarks = nullptr; ///< for pairs; null if there are none
   int rounds = 5;                                                      ///< how often the pieces of splines are halved
   bool is_snapped = false;             ///< move polylines to edges, and do not insert their points
@@ -71,7 +71,7 @@ struct Run_options
   bool has_map = false;                                                ///< compute the logarithmic map of a tree
 };
 
-/// The meshes that were asked for: they have the edges of a triangulation, or its curves.
+/// The requested meshes: they have the edges of a triangulation, or its curves.
 struct Result_meshes
 {
   std::optional<Mesh> subdivision, insertion, cut;
@@ -79,7 +79,7 @@ struct Result_meshes
 };
 
 /*!
- * Computes curves on a mesh: each by itself on the same triangulation, whose flips are taken back in between, or a
+ * Computes curves on a mesh: each by itself on the same triangulation, whose flips are rolled back in between, or a
  * network. The mesh, the metric and the progress must outlive it.
  */
 class Curve_engine
@@ -87,7 +87,7 @@ class Curve_engine
 public:
   virtual ~Curve_engine() = default;
 
-  /// Looks for curves that cross, which no order of their strands can mend. Paths between points are found, not given:
+  /// Looks for curves that cross, which no order of their segments can mend. Paths between points are found, not given:
   /// where those of one curve cross, it alone fails when it is computed. \throws Bad_input
   virtual void check(const Network_request& request) = 0;
 

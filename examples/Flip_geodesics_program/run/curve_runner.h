@@ -43,7 +43,7 @@
 #include <utility>
 #include <vector>
 
-// Computes the curves: each by itself on the same triangulation, whose flips are taken back in between, or a network.
+// Computes the curves: each by itself on the same triangulation, whose flips are rolled back in between, or a network.
 namespace program {
 
 /// \tparam Traits the arithmetic, a model of `IntrinsicTriangulationTraits`
@@ -489,8 +489,7 @@ private:
     if(curve.verdict != CGAL::Flip_geodesics::Verdict::UNDECIDED)
       result.certificate = to_string(curve.verdict);
     if(curve.status == CGAL::Flip_geodesics::Shortening_status::MEMORY_LIMIT)
-      result.error =
-          "it is not pulled tight to its end, as its flips take too much memory; give more with --most-memory";
+      result.error = "it is not shortened to its end, as its flips take too much memory; give more with --most-memory";
   }
 
   // Draws a polyline, whose length is the initial one, and frees it. \pre the network has no curve
@@ -608,7 +607,7 @@ private:
     return CGAL::Flip_geodesics::Memory_stop_predicate(m_options.most_memory);
   }
 
-  // A ratio of zero is no limit.
+  // A ratio of zero does not limit anything.
   auto limits() const
   {
     namespace FG = CGAL::Flip_geodesics;

@@ -116,7 +116,7 @@ std::string missing_levels(const std::vector<double>& levels, const std::set<dou
       if(level >= farthest)
         out << "the farthest vertex is " << farthest << " away\n";
       else
-        out << "the tolerance of " << tolerance << " does not tell it from a point\n";
+        out << "the tolerance of " << tolerance << " does not distinguish it from a point\n";
     }
   return out.str();
 }

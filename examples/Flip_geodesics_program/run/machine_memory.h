@@ -9,7 +9,7 @@
 
 namespace program {
 
-/// The memory of the machine, in bytes; that of a large one where it cannot be asked.
+/// The memory of the machine, in bytes; that of a large one if it cannot be queried.
 inline double memory_of_machine()
 {
 #ifdef _SC_PHYS_PAGES

@@ -30,7 +30,7 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
   case Refinement_status::BOUNDS_NOT_REACHABLE:
     return "; the bounds cannot be reached: " + std::to_string(report.given_up) +
            " faces would take far more vertices than allowed, " + std::to_string(report.missed - report.given_up) +
-           " are as fine as numbers can tell or lie beside such";
+           " are as fine as numbers can resolve or lie beside such";
   case Refinement_status::VERTEX_LIMIT:
     return "; ended since no more vertices are allowed";
   case Refinement_status::STOPPED_BY_VISITOR:
@@ -93,7 +93,7 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
   return text.str();
 }
 
-/// The meshes that were asked for.
+/// The requested meshes.
 template <class Network>
 Result_meshes result_meshes(const Mesh_result_options& options, const Mesh& mesh, const Network& network)
 {

@@ -200,7 +200,7 @@ private:
 
   const Mesh& m_mesh;
   const Ways_request& m_request;
-  const Triangulation m_triangulation; // to tell places in
+  const Triangulation m_triangulation; // in which places are given
   Ways m_ways;
   std::size_t m_number_of_notes = 0;
 };

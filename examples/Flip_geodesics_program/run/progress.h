@@ -35,7 +35,7 @@ public:
 
   /// Something else begins. \param name, steps a literal; the latter what `add_steps()` counts, null if it is not
   /// called
-  /// \param expected how many of them there will be, 0 if nobody knows
+  /// \param expected how many of them there will be, 0 if unknown
   void enter(const char* name, const char* steps = nullptr, std::size_t expected = 0)
   {
     m_steps.store(0, std::memory_order_relaxed);
@@ -123,7 +123,7 @@ public:
     }
   }
 
-  /// What is asked before each step counts it.
+  /// Called before each step, which it counts.
   bool go_further()
   {
     if(++m_steps == Progress::portion) {

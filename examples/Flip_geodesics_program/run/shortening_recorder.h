@@ -22,7 +22,7 @@
 namespace program {
 
 /*!
- * Records a shortening: after each step, which edges the flip log says were flipped, where they run now, and how the
+ * Records a shortening: after each step, which edges were flipped by the flip log, where they run now, and how the
  * curve has changed.
  *
  * The invariant: `m_edges` has, for each edge that was flipped or that a curve ran along, the polyline that it has at

@@ -44,7 +44,7 @@ private:
   std::size_t m_segments = 0;
 };
 
-/// How many windows fit in so many bytes, and no more than a search makes on meshes that are no needles.
+/// How many windows fit in so many bytes, and no more than a search makes on meshes without needles.
 inline CGAL::Flip_geodesics::Window_limit window_limit(std::size_t number_of_vertices, std::size_t most_memory)
 {
   constexpr std::size_t bytes_per_window = 64;

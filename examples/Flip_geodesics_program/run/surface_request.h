@@ -21,18 +21,18 @@
 #include <utility>
 #include <vector>
 
-// What is asked for on a mesh, on the surface that is left when its degenerate edges are contracted.
+// Requests on a mesh, on the surface that is left when its degenerate edges are contracted.
 namespace program {
 
 /// A request on the surface, and which of its curves are left; the others have shrunk to a point.
 struct Surface_request
 {
   Network_request request;
-  /// Of each curve that was asked for: the point that it has become, if that is all that is left of it.
+  /// Of each requested curve: the point that it has become, if that is all that is left of it.
   std::vector<std::optional<CGAL::Flip_geodesics::Surface_point>> places;
 };
 
-/// A curve of which nothing is known but what was asked for.
+/// A curve of which nothing is known but the request.
 inline Curve_result make_result(const Curve_request& request)
 {
   Curve_result result;
@@ -70,7 +70,7 @@ bool are_in_one_place(const Triangulation& triangulation,
          });
 }
 
-/// Where a curve lies. Curves along edges keep the mesh's vertices, since these tell which edges are meant.
+/// Where a curve lies. Curves along edges keep the mesh's vertices, since these determine which edges are meant.
 /// \return the point, if that is all that is left of it
 template <class Triangulation>
 std::optional<CGAL::Flip_geodesics::Surface_point> put_on_surface(const Triangulation& triangulation,
@@ -138,7 +138,7 @@ void put_on_mesh(const Triangulation& triangulation, std::vector<Curve_result>& 
     (*map)[v] = (*map)[CGAL::Flip_geodesics::internal::vertex_on_surface(triangulation, v)];
 }
 
-/// Lets a curve that ends at vertices start and end at those that were asked for, which lie in the same places.
+/// Lets a curve that ends at vertices start and end at the requested ones, which lie in the same places.
 inline void put_on_mesh(const Curve_request& request, Curve_result& result)
 {
   result.are_zero_edges_contracted = true;

@@ -24,7 +24,7 @@
 namespace program {
 
 /*!
- * Looks after a run from a thread of its own while it lives: tells on standard error, every two seconds, how far it has
+ * Looks after a run from a thread of its own while it lives: prints on standard error, every two seconds, how far it has
  * come, nothing about a shorter run; and ends it when it is interrupted, without leaving a temporary file.
  *
  * Signals that were ignored when the program was started stay so. There may be one watcher at a time.
@@ -32,7 +32,7 @@ namespace program {
 class Watcher
 {
 public:
-  /// \param is_quiet does it tell nothing?
+  /// \param is_quiet whether it prints nothing
   Watcher(const Progress& progress, bool is_quiet)
     : m_progress(progress)
     , m_is_quiet(is_quiet)
