@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Reads a triangle mesh, computes the shortest path between points inside two of its faces by another package, and proves
-// that it is locally shortest.
+// Reads a triangle mesh, computes the shortest path between points inside two of its faces by another package, and
+// proves that it is locally shortest.
 //
 //   certify_curve_example MESH
 

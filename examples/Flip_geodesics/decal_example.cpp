@@ -4,8 +4,8 @@
 //
 //   decal_example MESH FACE SIZE [PICTURE]
 //
-// Writes decal.obj with texture coordinates, and decal.glb for browsers and Blender, which shows the file PICTURE, PNG or
-// JPEG, where it lies beside it.
+// Writes decal.obj with texture coordinates, and decal.glb for browsers and Blender, which shows the file PICTURE, PNG
+// or JPEG, where it lies beside it.
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A closed geodesic: a loop of edges through waypoints, shortened to a geodesic. A loop that can contract to a point does.
+// A closed geodesic: a loop of edges through waypoints, shortened to a geodesic. A loop that can contract to a point
+// does.
 //
 //   geodesic_loop_example MESH VERTEX VERTEX VERTEX...
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Geodesics are locally shortest. This program computes the globally shortest: one path, with the confirmation that there is no
-// shorter one, and the distances to all vertices.
+// Geodesics are locally shortest. This program computes the globally shortest: one path, with the confirmation that
+// there is no shorter one, and the distances to all vertices.
 //
 //   shortest_path_example MESH [SOURCE TARGET]
 //

@@ -16,10 +16,10 @@
 namespace Flip_geodesics_test {
 
 /*
- * The distances between all vertices of a small polyhedron, by brute force, in numbers of 50 digits: from each vertex, all
- * sequences of faces are unfolded that straight lines from there can pass, and what is seen is a graph, whose shortest
- * paths are those on the surface. A line that passes a vertex counts as one to there and one from there on, so that
- * different paths are different ones in the graph.
+ * The distances between all vertices of a small polyhedron, by brute force, in numbers of 50 digits: from each vertex,
+ * all sequences of faces are unfolded that straight lines from there can pass, and what is seen is a graph, whose
+ * shortest paths are those on the surface. A line that passes a vertex counts as one to there and one from there on, so
+ * that different paths are different ones in the graph.
  */
 class Exact_distances
 {

@@ -215,7 +215,8 @@ inline Mesh_soup cylinder(int n, int m, double radius, double height, bool is_cl
   return soup;
 }
 
-/// A cylinder [Schwarz's lantern] of n times m zigzags and height 4 about the unit circle: for large m, needles about it.
+/// A cylinder [Schwarz's lantern] of n times m zigzags and height 4 about the unit circle: for large m, needles about
+/// it.
 inline Mesh_soup lantern(int n, int m)
 {
   Mesh_soup soup;

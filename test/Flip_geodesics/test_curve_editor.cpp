@@ -168,8 +168,8 @@ struct Annulus
   Triangulation triangulation;
 };
 
-// A leg through vertices of a plane: each of them is an end of several edges that the leg crosses, which takes one exact
-// comparison, not one for each of the edges.
+// A leg through vertices of a plane: each of them is an end of several edges that the leg crosses, which takes one
+// exact comparison, not one for each of the edges.
 BOOST_AUTO_TEST_CASE(a_vertex_on_a_leg_is_compared_once)
 {
   const Surface mesh = to_mesh<Surface>(flat_grid(6, 3, Diagonal_rule::FALLING));

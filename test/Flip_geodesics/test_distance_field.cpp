@@ -104,8 +104,8 @@ BOOST_AUTO_TEST_CASE(distances_in_the_plane)
   }
 }
 
-// Almost as near to all places as the first source lets it be, the second one is the nearest in a narrow region only: on
-// edges across it, in the middle. The same beside a row of edges, whose rays are parallel.
+// Almost as near to all places as the first source lets it be, the second one is the nearest in a narrow region only:
+// on edges across it, in the middle. The same beside a row of edges, whose rays are parallel.
 BOOST_AUTO_TEST_CASE(narrow_regions_in_the_plane)
 {
   std::mt19937 random(17);

@@ -119,8 +119,8 @@ Mesh_soup three_components()
 
 } // namespace
 
-// All pairs of vertices against brute force: no bound is above the distance, not even in the last digit, and the results
-// are proven as they are without landmarks.
+// All pairs of vertices against brute force: no bound is above the distance, not even in the last digit, and the
+// results are proven as they are without landmarks.
 BOOST_AUTO_TEST_CASE(brute_force)
 {
   for(const Mesh_soup& soup :

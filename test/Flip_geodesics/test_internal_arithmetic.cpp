@@ -200,7 +200,8 @@ BOOST_AUTO_TEST_CASE(products_of_vectors_have_the_signs_of_integers)
   Random_numbers random(6);
   int right = 0, parallel = 0, wrong = 0;
   for(int i = 0; i < 20000 * scale; ++i) {
-    // Perpendicular or parallel up to rounding, and exactly along the axes; sometimes moved by a unit in the last place.
+    // Perpendicular or parallel up to rounding, and exactly along the axes; sometimes moved by a unit in the last
+    // place.
     const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), far = i % 3 == 0 ? 1e6 : 0;
     Place o = {far, 1 - far, 0.1}, a = {o[0] + x, o[1] + y, 0.1}, b = {o[0] - y, o[1] + x, 0.1};
     if(i % 2 == 0)

@@ -187,8 +187,8 @@ BOOST_AUTO_TEST_CASE(a_path_is_not_straightened_beyond_a_limit_of_memory)
   BOOST_TEST((report.curves[0].status == Status::MEMORY_LIMIT));
 }
 
-// Pulls curves while every allocation fails in turn, and checks that what there is stays valid; `add(setting)` makes the
-// curves, `check(setting)` goes on with them. Returns how many allocations there were.
+// Pulls curves while every allocation fails in turn, and checks that what there is stays valid; `add(setting)` makes
+// the curves, `check(setting)` goes on with them. Returns how many allocations there were.
 template <class Add, class Check>
 std::size_t fail_each_allocation(const Mesh_soup& soup, const Add& add, const Check& check)
 {

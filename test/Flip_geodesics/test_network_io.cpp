@@ -379,8 +379,8 @@ BOOST_AUTO_TEST_CASE(an_empty_network)
   check_round_trip(setting, sphere(3));
 }
 
-// Networks one after the other come back one after the other, what is behind them stays, and a carriage return at the end
-// of each line does no harm.
+// Networks one after the other come back one after the other, what is behind them stays, and a carriage return at the
+// end of each line does no harm.
 BOOST_AUTO_TEST_CASE(several_in_one_stream)
 {
   const Mesh_soup soup = torus(16, 8, 2, 0.8);
@@ -509,7 +509,8 @@ BOOST_AUTO_TEST_CASE(version_1_is_read_if_no_vertex_was_inserted)
   });
 }
 
-// Insertions whose gap, halfedge and location do not fit together, and points outside the face or edge they are put into.
+// Insertions whose gap, halfedge and location do not fit together, and points outside the face or edge they are put
+// into.
 BOOST_AUTO_TEST_CASE(impossible_insertions_are_refused)
 {
   const Mesh_soup soup = flat_grid(2, 2, Diagonal_rule::RISING);

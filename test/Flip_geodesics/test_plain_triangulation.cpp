@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Second models of IntrinsicTriangulation and EdgePathGraph, plain and slow, go through all that asks for the concepts, and
-// give the same flips as Intrinsic_triangulation and Edge_path_network.
+// Second models of IntrinsicTriangulation and EdgePathGraph, plain and slow, go through all that asks for the concepts,
+// and give the same flips as Intrinsic_triangulation and Edge_path_network.
 
 #define BOOST_TEST_MODULE plain_triangulation
 

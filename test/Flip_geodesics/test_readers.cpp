@@ -231,7 +231,8 @@ BOOST_AUTO_TEST_CASE(colors_of_three_components)
   check_has(message("a.off", "COFF\n2 1 0\n0 0 0\n0 1 0\n1 1 0\n1 0 1 0 1 1 0\n"), "there is more after the last face");
 }
 
-// A text is read as a binary file with the same header is: as floats. If these cannot hold what is written, a line says so.
+// A text is read as a binary file with the same header is: as floats. If these cannot hold what is written, a line says
+// so.
 BOOST_AUTO_TEST_CASE(digits_beyond_a_float)
 {
   const auto soup = [](const std::string& type, const std::string& coordinates) {

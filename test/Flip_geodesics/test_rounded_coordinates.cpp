@@ -26,8 +26,8 @@
 #include <utility>
 #include <vector>
 
-// Decisions refer to coordinates and lengths exactly if they are doubles or rational numbers of an exact type. Nothing may
-// be certain of a mesh that has others.
+// Decisions refer to coordinates and lengths exactly if they are doubles or rational numbers of an exact type. Nothing
+// may be certain of a mesh that has others.
 
 namespace FG = CGAL::Flip_geodesics;
 using FG::Shortening_status;

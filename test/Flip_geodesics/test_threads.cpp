@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What several threads may do at once. Without the thread sanitizer (`cmake --preset thread-sanitizer`), a race is mostly
-// not noticed.
+// What several threads may do at once. Without the thread sanitizer (`cmake --preset thread-sanitizer`), a race is
+// mostly not noticed.
 
 #define BOOST_TEST_MODULE Threads
 

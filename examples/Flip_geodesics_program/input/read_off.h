@@ -22,9 +22,9 @@ namespace program {
  * texture coordinates, which are passed over. With a 4 there is a fourth coordinate, by which the others are divided.
  *
  * In a text every vertex and face has its own line, and what is behind the vertices of a face is its color. A file that
- * is not like that is read by words: as many for each element as the keyword implies, and none for the color of a face. If
- * the vertices have lines of equally many words, but not of as many as the keyword implies, as colors of three components
- * have, words would mix up the vertices, and the lines alone count.
+ * is not like that is read by words: as many for each element as the keyword implies, and none for the color of a face.
+ * If the vertices have lines of equally many words, but not of as many as the keyword implies, as colors of three
+ * components have, words would mix up the vertices, and the lines alone count.
  */
 class Off_reader
 {

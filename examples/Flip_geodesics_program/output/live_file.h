@@ -20,7 +20,8 @@ namespace program {
 /*!
  * Writes one page for a browser that computes curves on a mesh: its engine, the program as WebAssembly, is in the page.
  *
- * The page is a fixed one (folder page/), in which a JSON object with the bytes of a mesh file takes the place of a mark.
+ * The page is a fixed one (folder page/), in which a JSON object with the bytes of a mesh file takes the place of a
+ * mark.
  */
 class Live_file
 {

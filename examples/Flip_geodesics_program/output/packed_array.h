@@ -44,7 +44,8 @@ inline std::string deflated(const std::string& bytes)
   return result;
 }
 
-/// An array as a JSON object `{"packed": text}`, the text being base 64 of what is deflated; short ones as plain base 64.
+/// An array as a JSON object `{"packed": text}`, the text being base 64 of what is deflated; short ones as plain base
+/// 64.
 inline std::string json_packed(const std::vector<std::uint32_t>& numbers)
 {
   constexpr std::size_t shortest = 64;

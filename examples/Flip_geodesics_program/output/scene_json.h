@@ -19,8 +19,8 @@ namespace program {
 /*!
  * Writes the JSON that pages read: the mesh, and what was computed on it.
  *
- * Arrays are of 32-bit numbers, floats for points and unsigned integers for all else, and become text by a function that
- * the constructor is given. Points are relative to the center of the mesh, in units of its radius.
+ * Arrays are of 32-bit numbers, floats for points and unsigned integers for all else, and become text by a function
+ * that the constructor is given. Points are relative to the center of the mesh, in units of its radius.
  */
 class Scene_json
 {

@@ -24,8 +24,8 @@
 namespace program {
 
 /*!
- * Looks after a run from a thread of its own while it lives: prints on standard error, every two seconds, how far it has
- * come, nothing about a shorter run; and ends it when it is interrupted, without leaving a temporary file.
+ * Looks after a run from a thread of its own while it lives: prints on standard error, every two seconds, how far it
+ * has come, nothing about a shorter run; and ends it when it is interrupted, without leaving a temporary file.
  *
  * Signals that were ignored when the program was started stay so. There may be one watcher at a time.
  */

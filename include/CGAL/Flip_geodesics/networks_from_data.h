@@ -292,7 +292,8 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  *
  * \param network the network
  * \param polyline the points, of any type that `surface_location()` takes; two consecutive ones lie in a common face or
- *        on a common edge of the input. A closed polyline does not repeat the first point. Points that equal the previous one are skipped
+ *     on a common edge of the input. A closed polyline does not repeat the first point. Points that equal the previous
+ *     one are skipped
  * \param is_closed whether the polyline is closed
  * \return the index of the curve
  * \pre no edge of the triangulation in these faces crosses an input edge

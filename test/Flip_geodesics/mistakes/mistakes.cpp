@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Mistakes that are made with the interface, by their number; without any, MISTAKE=0, all of it compiles. They are compiled
-// together, and an instance has its error once: no two mistakes may have the same instances.
+// Mistakes that are made with the interface, by their number; without any, MISTAKE=0, all of it compiles. They are
+// compiled together, and an instance has its error once: no two mistakes may have the same instances.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>

@@ -21,8 +21,8 @@ using namespace Flip_geodesics_test;
 
 namespace {
 
-// How the angle at the origin over a fan of triangles compares with pi, from the last of the points on its rim clockwise
-// to the first.
+// How the angle at the origin over a fan of triangles compares with pi, from the last of the points on its rim
+// clockwise to the first.
 CGAL::Comparison_result compared_with_pi(const std::vector<Coordinates>& rim)
 {
   using Triangulation =
@@ -87,7 +87,8 @@ BOOST_AUTO_TEST_CASE(two_right_angles_in_space_are_not_a_straight_one_over_two_c
   BOOST_TEST((compared_with_pi({{0, 0, 1}, {0, 1, 0}, beside, {1, 0, 0}}) == CGAL::LARGER));
 }
 
-// Four points of a circle, at which the angles are all different, and with the last one off it by less than doubles tell.
+// Four points of a circle, at which the angles are all different, and with the last one off it by less than doubles
+// tell.
 BOOST_AUTO_TEST_CASE(four_points_of_a_circle_are_delaunay)
 {
   const auto moved = [](const Coordinates& p, double s) { return Coordinates{p[0] * (1 + s), p[1] * (1 + s), 0}; };

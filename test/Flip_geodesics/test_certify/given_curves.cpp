@@ -228,8 +228,8 @@ BOOST_AUTO_TEST_CASE(ends_are_points_of_faces_and_edges)
   BOOST_TEST(inside > 0u);
 }
 
-// In a grid of squares, which rising diagonals divide, the line between two points touches a vertex in between, or misses
-// it by a unit in the last place of a weight.
+// In a grid of squares, which rising diagonals divide, the line between two points touches a vertex in between, or
+// misses it by a unit in the last place of a weight.
 BOOST_AUTO_TEST_CASE(ends_are_exactly_where_their_weights_say)
 {
   const auto mesh = to_mesh<Surface>(flat_grid(2, 2, Diagonal_rule::RISING)); // (i, j) is vertex i + 3 j

@@ -13,10 +13,10 @@ using namespace Flip_geodesics_test;
 namespace {
 
 // Two walls, each of n panels and two rows, that meet at a fold which slants against the edges of both: what is between
-// it and the first edge of a wall belongs to neither. It unfolds to a plane. The area of each panel has a root of its own.
-// The right half is the left one turned by half a turn about the z axis, with the panels of its wall in that order, from
-// the fold on, or in the opposite one: their edges are at right angles to what moves them, so the far corners stay where
-// they are. The point in the middle lies on the line between opposite corners.
+// it and the first edge of a wall belongs to neither. It unfolds to a plane. The area of each panel has a root of its
+// own. The right half is the left one turned by half a turn about the z axis, with the panels of its wall in that
+// order, from the fold on, or in the opposite one: their edges are at right angles to what moves them, so the far
+// corners stay where they are. The point in the middle lies on the line between opposite corners.
 Mesh_soup folding_screen(int n, bool is_reversed, double lift)
 {
   const Coordinates edge = {-0.25, 1, 0.125}; // from row to row of the left wall

@@ -106,8 +106,8 @@ BOOST_AUTO_TEST_CASE(distances_from_an_isolated_source_are_confirmed)
     }
 }
 
-// Vertices in one place: once the edges between them are contracted, sheets that met in a point have vertices of their own
-// there, so that paths through the point are missing.
+// Vertices in one place: once the edges between them are contracted, sheets that met in a point have vertices of their
+// own there, so that paths through the point are missing.
 BOOST_AUTO_TEST_CASE(distances_are_not_confirmed_where_contracted_sheets_met_in_a_point)
 {
   const std::vector<Coordinates> points = {{0, 0, 0}, {1, 0, 1}, {2, 1, 0}, {3, 0, 0}, {0, 1, 0}, {1, 1, 0},

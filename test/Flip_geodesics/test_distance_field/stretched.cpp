@@ -90,8 +90,8 @@ BOOST_AUTO_TEST_CASE(a_path_beside_a_window_bends_at_its_end)
   BOOST_TEST(std::abs(w.bent_distance(0, 1, beside) - (4 + std::hypot(0.25, 1.0))) < 1e-15);
 }
 
-// The shortest path from vertex 21 to vertex 8 is straight where it passes vertex 17, up to an angle of 1e-8: neither the
-// window beside the vertex nor the windows from the vertex may be lost.
+// The shortest path from vertex 21 to vertex 8 is straight where it passes vertex 17, up to an angle of 1e-8: neither
+// the window beside the vertex nor the windows from the vertex may be lost.
 BOOST_AUTO_TEST_CASE(paths_that_pass_a_vertex_within_rounding_are_not_lost)
 {
   constexpr double length = 1e8;

@@ -67,8 +67,8 @@ BOOST_AUTO_TEST_CASE(points_found_from_any_piece)
   BOOST_TEST(from_piece > 100);
 }
 
-// A point that is inserted again is the vertex that is there, however its piece is found; one on the edge from there to a
-// corner of the face splits that edge.
+// A point that is inserted again is the vertex that is there, however its piece is found; one on the edge from there to
+// a corner of the face splits that edge.
 BOOST_AUTO_TEST_CASE(points_at_vertices_and_on_edges)
 {
   Random_numbers random(22);

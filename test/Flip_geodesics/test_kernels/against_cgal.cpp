@@ -99,8 +99,8 @@ const std::vector<Box>& boxes()
   return result;
 }
 
-// Over exact constructions CGAL's search misses some vertices and some shortest paths where faces lie in one plane, so that
-// its lengths are upper bounds. `most_missed` is the number of vertices for which it may be too long.
+// Over exact constructions CGAL's search misses some vertices and some shortest paths where faces lie in one plane, so
+// that its lengths are upper bounds. `most_missed` is the number of vertices for which it may be too long.
 template <class Kernel, class Place>
 void check_boxes(const std::vector<Box>& boxes, std::size_t most_missed, const Place& place)
 {

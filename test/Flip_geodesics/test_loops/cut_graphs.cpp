@@ -226,8 +226,8 @@ BOOST_AUTO_TEST_CASE(an_annulus_is_cut_along_the_shortest_way_between_its_border
   }
 }
 
-// Seams of a sphere like those of a tetrahedron, from the north pole and about it, and a slit to the south pole. The longer
-// ones about it are needless, and two of the others as well then, but the slit stays.
+// Seams of a sphere like those of a tetrahedron, from the north pole and about it, and a slit to the south pole. The
+// longer ones about it are needless, and two of the others as well then, but the slit stays.
 BOOST_AUTO_TEST_CASE(seams_that_lead_to_nowhere_are_needless)
 {
   const Mesh_soup soup = sphere(4);

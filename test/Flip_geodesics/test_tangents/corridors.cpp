@@ -61,7 +61,8 @@ public:
   {
   }
 
-  // Across the same sides, elsewhere; to and fro over some; by ends of others; and it turns about ends that are vertices.
+  // Across the same sides, elsewhere; to and fro over some; by ends of others; and it turns about ends that are
+  // vertices.
   Way operator()(const FG::Surface_location& from, const FG::Surface_location& to,
                  const std::vector<FG::Input_halfedge_index>& crossed)
   {

@@ -416,7 +416,8 @@ BOOST_AUTO_TEST_CASE(means_are_minima)
   }
 }
 
-// More than a quarter of a sphere away from both points, the vectors to them get longer at first on the way to the mean.
+// More than a quarter of a sphere away from both points, the vectors to them get longer at first on the way to the
+// mean.
 BOOST_AUTO_TEST_CASE(means_on_the_other_side_of_a_sphere)
 {
   const Mesh mesh = to_mesh<Mesh>(sphere(8));

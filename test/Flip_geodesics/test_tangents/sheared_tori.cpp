@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The logarithmic map where shortest paths cross edges many times: on flat tori of long thin faces, whose edges are not
-// shortest paths. The torus is a parallelogram of n by m cells with sides (1, 0) and (shear, 1), unrolled into the plane.
+// shortest paths. The torus is a parallelogram of n by m cells with sides (1, 0) and (shear, 1), unrolled into the
+// plane.
 
 #include "Curve_setting.h"
 #include "generated_curves.h"

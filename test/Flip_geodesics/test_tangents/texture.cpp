@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Pictures laid on surfaces: where the surface rolls out they are as long and wide as on paper, also where the map tears;
-// and they are read back from files.
+// Pictures laid on surfaces: where the surface rolls out they are as long and wide as on paper, also where the map
+// tears; and they are read back from files.
 
 #include "surfaces.h"
 

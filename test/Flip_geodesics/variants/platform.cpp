@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Flips, verdicts, lengths, points, lower bounds and window counts of geodesics and shortest paths on small meshes, numbers
-// as the hexadecimal digits of their 64 bits, and distances of fields to nine digits: the lines are the same on every
-// platform. Needs nothing but headers.
+// Flips, verdicts, lengths, points, lower bounds and window counts of geodesics and shortest paths on small meshes,
+// numbers as the hexadecimal digits of their 64 bits, and distances of fields to nine digits: the lines are the same on
+// every platform. Needs nothing but headers.
 
 #include "generated_meshes.h"
 #include "random_curves.h"

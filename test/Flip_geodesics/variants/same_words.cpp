@@ -117,8 +117,8 @@ public:
     return m_hash.text();
   }
 
-  // Of three sources: how far the nearest is from each vertex, but for last bits; and where there are no ties, which one
-  // that is, and where the path crosses edges and bends.
+  // Of three sources: how far the nearest is from each vertex, but for last bits; and where there are no ties, which
+  // one that is, and where the path crosses edges and bends.
   std::string text_of_field(bool has_ties)
   {
     m_hash = Integer_hash();

@@ -187,8 +187,8 @@ public:
 
   Location location(const Sample& sample) const { return {m_faces[sample.face].descriptor, sample.weights}; }
 
-  /* In space: rounded if the coordinates are, and otherwise constructed from the exact corners with weights whose sum is
-   * one, so that it lies on the mesh. */
+  /* In space: rounded if the coordinates are, and otherwise constructed from the exact corners with weights whose sum
+   * is one, so that it lies on the mesh. */
   Point point(const Sample& sample) const
   {
     using Number = Coordinate<Point>;

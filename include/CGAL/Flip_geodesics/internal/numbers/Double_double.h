@@ -25,7 +25,8 @@ namespace internal {
  *   - of the result for a product, 5 u^2, and for a root, 4 u^2 [Joldes, Muller, Popescu, Tight and Rigorous Error
  * Bounds for Basic Building Blocks of Double-Word Arithmetic, algorithm 11; Lefevre et al., Accurate
  * Calculation of Euclidean Norms Using Double-Word Arithmetic];
- *   - of the result for a quotient, 13 u^2: the remainder of the first quotient is exact; then four rounded operations on
+ *   - of the result for a quotient, 13 u^2: the remainder of the first quotient is exact; then four rounded operations
+ *   on
  *     numbers below 3 u, and the divisor's second half is left out once.
  */
 struct Double_double

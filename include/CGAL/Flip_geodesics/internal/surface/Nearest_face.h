@@ -64,7 +64,8 @@ inline std::array<double, 3> nearest_on_side(const Triangle_places& corners, std
   return weights;
 }
 
-/* Returns the foot of the perpendicular from the origin, by the areas that it cuts off; not finite for a degenerate face. */
+/* Returns the foot of the perpendicular from the origin, by the areas that it cuts off; not finite for a degenerate
+ * face. */
 inline std::array<double, 3> foot_of_perpendicular(const Triangle_places& corners)
 {
   const Place_in_space u = difference(corners[1], corners[0]), v = difference(corners[2], corners[0]);
