@@ -26,8 +26,7 @@ namespace internal {
  * Bounds for Basic Building Blocks of Double-Word Arithmetic, algorithm 11; Lefevre et al., Accurate
  * Calculation of Euclidean Norms Using Double-Word Arithmetic];
  *   - of the result for a quotient, 13 u^2: the remainder of the first quotient is exact; then four rounded operations
- *   on
- *     numbers below 3 u, and the divisor's second half is left out once.
+ *     on numbers below 3 u, and the divisor's second half is left out once.
  */
 struct Double_double
 {
