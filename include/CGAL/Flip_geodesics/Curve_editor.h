@@ -42,9 +42,9 @@ struct Move_report
  * Represents an editable curve through points of the surface: its end points, waypoints or control points can be moved.
  *
  * Each geodesic segment, from one point to the next, is shortened independently, as by `geodesics_through()`, so
- * segments may cross. When a point moves, each segment at it stays in its homotopy class: the new segment is obtained
- * by shortening the concatenation of the old one and the path of the move. The other segments are bitwise unchanged,
- * and `undo()` undoes moves.
+ * segments may cross. When a point moves, each adjoining segment is deformed continuously with it: the new segment is
+ * obtained by shortening the concatenation of the old one and the path of the move. The other segments are bitwise
+ * unchanged, and `undo()` undoes moves.
  *
  * A segment is stored as the sequence of edges that it crosses. The time of a move depends only on the segments at the
  * point and not on previous moves; it is about the time to extract them, times the number of rows of vertices that they
@@ -112,7 +112,7 @@ public:
 
   /// Returns the number of points.
   std::size_t number_of_points() const { return m_points.size(); }
-  /// Returns point `i` as a canonical location, see `Intrinsic_triangulation::location()`.
+  /// Returns point `i` as a canonical location; see `Intrinsic_triangulation::location()`.
   const Surface_location& point(std::size_t i) const { return m_points[i]; }
   /// Returns whether a segment leads from the last point to the first.
   bool is_closed() const { return m_is_closed; }

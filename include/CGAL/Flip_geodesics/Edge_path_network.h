@@ -174,7 +174,7 @@ public:
     }
   }
 
-  /// Sets the initial length of a curve to its current length, for instance once the curve is a drawn polyline.
+  /// Sets the initial length of a curve to its current length, for instance after a drawn polyline has been added.
   void reset_initial_length(Curve_index curve) { set_initial_length(curve, length(curve)); }
 
   /// Sets the initial length of a curve that had already been shortened when it was added.
@@ -381,7 +381,7 @@ public:
 
   /// @}
 
-  /// Returns whether the invariant holds. Linear in the number of segments and the degrees of the vertices on them.
+  /// Returns whether the invariant holds. Linear in the number of segments and the degrees of their vertices.
   bool is_valid() const { return internal::Network_validity<Edge_path_network>(*this).is_valid(); }
 
   /*!

@@ -49,9 +49,9 @@ namespace Flip_geodesics {
  * computes it. It is 1 in the plane and on boxes parallel to the axes, and 3 on regular tetrahedra and octahedra. If
  * the area of a face is not such a multiple, `Inexact_root_error` is thrown when the face is accessed.
  *
- * Exact numbers are squared lengths and areas: with one root per input face, that of its squared area, all numbers
- * belong to one field, and flips require no root. Rounded numbers and intervals represent vectors in frames of the
- * faces instead, because squared lengths and areas would drift apart.
+ * With exact numbers, faces store squared lengths and areas: with one root per input face, that of its squared area,
+ * all numbers belong to one field, and flips do not require roots. With rounded numbers and intervals, faces store
+ * vectors in their frames instead, because squared lengths and areas would drift apart.
  *
  * Heap-allocating number types make the construction of a triangulation linear in the mesh, and exact numbers grow with
  * flips; the user manual lists the cost of each number type. `Certified_intrinsic_triangulation_traits` combine exact

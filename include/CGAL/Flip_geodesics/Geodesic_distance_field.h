@@ -53,7 +53,7 @@ enum class Distance_field_status {
   TARGETS_REACHED, ///< the distances of the targets are known
   /// those up to `Geodesic_distance_field::reach()` are known; also if degenerate faces lead rays around in circles
   WINDOW_LIMIT_REACHED,
-  /// those up to `Geodesic_distance_field::reach()` are known; the `go_further()` of the visitor returned `false`
+  /// those up to `Geodesic_distance_field::reach()` are known; `go_further()` of the visitor returned `false`
   STOPPED_BY_VISITOR
 };
 
@@ -93,9 +93,9 @@ struct Distance_field_report
   /// Whether the height of a face is at most 1e-10 of its base. Rays can be lost in such a face, and distances may be
   /// too long.
   bool has_flat_face = false;
-  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of it. The errors grow with
-  /// the edges that are long compared with the distance and with the number of faces that paths cross. The bound is
-  /// conservative: most errors are far smaller.
+  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of it. Errors grow
+  /// with the number of faces that paths cross, and with the number of edges that are long compared with the distance.
+  /// The bound is conservative: most errors are far smaller.
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if no path is shorter than a distance up to `Geodesic_distance_field::reach()` by more than
   /// 1e-10 of it. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if coordinates or lengths
@@ -213,8 +213,8 @@ public:
    * so a curve of edges is given by its vertices; a single location is a point. `Curve_extractor::surface_locations()`
    * returns the locations of a curve of a network.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two
-   *        consecutive ones lie in one face or on its boundary
+   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which any
+   *        two consecutive ones lie in one face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations

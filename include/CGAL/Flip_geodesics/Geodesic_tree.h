@@ -202,10 +202,10 @@ public:
     return regrow(grafts.m_taken_off);
   }
 
-  /// Returns whether the invariant holds, with a relative tolerance of 1e-10. Linear in the mesh.
+  /// Returns whether the invariant holds, with a relative tolerance of 1e-10. Linear in the size of the mesh.
   bool is_valid() const { return is_valid(internal::default_tree_tolerance); }
 
-  /// Returns whether the invariant holds, with a relative `tolerance` for lengths. Linear in the mesh.
+  /// Returns whether the invariant holds, with a relative `tolerance` for lengths. Linear in the size of the mesh.
   bool is_valid(double tolerance) const
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {

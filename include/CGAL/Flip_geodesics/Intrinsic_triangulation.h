@@ -323,7 +323,7 @@ public:
   /*!
    * Returns whether the invariant holds for all accessed elements: the links of faces, the closedness of their vectors,
    * and the equal lengths of the two sides of an edge, up to `tolerance` relative to the longest edge of the face.
-   * Linear in the mesh.
+   * Linear in the size of the mesh.
    */
   bool is_valid(double tolerance) const
   {
@@ -633,7 +633,7 @@ public:
   /*!
    * Returns the location of vertex `v` on the input in a canonical form. An input vertex is given by a halfedge that
    * starts there, with weights (1, 0, 0); a point of an edge by the first halfedge of the edge that is not on the
-   * border, with third weight zero; and a point inside a face by the smallest halfedge of the face.
+   * border, with third weight zero; and a point inside a face by the halfedge of the face with the lowest number.
    * \pre `v` is not isolated
    */
   Surface_location location(Vertex_index v) const
@@ -891,7 +891,7 @@ struct Intrinsic_face
  * Writes all faces of a triangulation, whose edges include the curves of its networks.
  *
  * Each face begins with its smallest halfedge, and the faces are ordered by these halfedges. All faces that have not
- * been accessed before are copied from the input. Linear in the mesh.
+ * been accessed before are copied from the input. Linear in the size of the mesh.
  *
  * \param triangulation the triangulation
  * \param out an output iterator that receives `Intrinsic_face`s

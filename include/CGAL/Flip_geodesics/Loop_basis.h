@@ -387,7 +387,7 @@ private:
  * \ingroup PkgFlipGeodesicsLoops
  *
  * Writes the borders of a surface, each as a closed chain of halfedges with the surface on the left. Each chain begins
- * with its smallest edge, and the chains are sorted by these edges. Linear in the mesh.
+ * with its smallest edge, and the chains are sorted by these edges. Linear in the size of the mesh.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose edges are those of the input
  * \param out an output iterator that receives one `std::vector<Halfedge_index>` per border

@@ -61,7 +61,7 @@ public:
    * \throws Degenerate_face_error if the area of a face, rounded to double, is zero or so small that the cotangents are
    *         not finite
    * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
-   * \throws Invalid_coordinate_error if such a face is not finite
+   * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
    */
   explicit Operators(const Triangulation& triangulation)
     : m_number_of_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))

@@ -173,8 +173,8 @@ struct Surface_point
   Vertex_index a; ///< the input vertex with the weight \f$1-t-u\f$
   Vertex_index b; ///< the input vertex with the weight \f$t\f$; at a vertex, `a`
   double t;       ///< the weight of `b`
-  /// On an edge: the input halfedge that is crossed, as a side of the face that is left, or on which an inserted point
-  /// lies; inside a face: one of its halfedges; otherwise null.
+  /// On an edge: the crossed input halfedge, as a side of the face from which the curve comes, or on which an inserted
+  /// point lies; inside a face: one of its halfedges; otherwise null.
   Input_halfedge_index halfedge;
   Vertex_index c = null_index;      ///< inside a face: its third vertex; otherwise null
   double u = 0;                     ///< the weight of `c`; 0 unless inside a face

@@ -74,14 +74,14 @@ public:
   /*!
    * Transports a direction along a curve that is straight between consecutive locations.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two
-   *        consecutive ones lie in one face or on its boundary; consecutive equal points count once
+   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which any
+   *        two consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \param direction the direction at the first location; its halfedge is a side of a face that contains the location,
    *        or starts there
    * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
    *        location; by default the one that `Surface_direction` states
-   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, or at a vertex up to the sum of its
-   *         angles; on the border, which has no full turn, the angle can have any value
+   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, or, at a vertex, from 0 to the sum of
+   *         its angles; on the border, which has no full turn, the angle can have any value
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, or a halfedge does not satisfy the condition
@@ -126,8 +126,8 @@ public:
    * Constructs the curve through the locations.
    *
    * \param triangulation the triangulation, which must outlive the curve
-   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which two
-   *        consecutive ones lie in one face or on its boundary; consecutive equal points count once
+   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which any
+   *        two consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Degenerate_face_error for a face along the curve
@@ -258,8 +258,8 @@ private:
  * \throws Degenerate_face_error for a face of the location
  * \throws Invalid_coordinate_error for a face of the location
  * \throws Invalid_mesh_error for a face of the location
- * \throws Invalid_parameter_error if an angle is not finite, or a halfedge is neither a side of a face of the location
- *         nor starts there
+ * \throws Invalid_parameter_error if an angle is not finite, or a halfedge neither bounds a face that contains the
+ *         location nor starts there
  *
  * Complexity: linear in the degree of a vertex, otherwise constant.
  */

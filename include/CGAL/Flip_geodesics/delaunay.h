@@ -94,7 +94,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * \throws Invalid_parameter_error if the number of flips is negative
  * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
  * \throws Degenerate_face_error if such a face is degenerate
- * \throws Invalid_coordinate_error if such a face is not finite
+ * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
  *
  * Complexity: linear in the number of flips and of given edges.
  */
@@ -171,7 +171,7 @@ std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// Returns whether all edges that are not under curves are locally Delaunay. Exact if the predicates of the traits are.
-/// Linear in the mesh.
+/// Linear in the size of the mesh.
 template <class Triangulation>
 bool is_delaunay(const Triangulation& triangulation)
 {

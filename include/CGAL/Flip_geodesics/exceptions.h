@@ -25,7 +25,7 @@ class Error : public std::runtime_error
 public:
   /// Constructs the error from a message and elements.
   /// \param message the message, returned by `what()`
-  /// \param elements the indices of the offending elements, in the order of the message
+  /// \param elements the indices of the offending elements, in the order in which the message names them
   explicit Error(const std::string& message, std::vector<std::size_t> elements = {})
     : std::runtime_error(message)
     , m_elements(std::move(elements))
@@ -70,7 +70,7 @@ public:
 
   /// Constructs the error from a problem and its remedy, which are both part of `what()`.
   /// \param problem the first part of the message
-  /// \param elements the indices of the offending elements, in the order of the message
+  /// \param elements the indices of the offending elements, in the order in which the message names them
   /// \param remedy what removes the problem
   Degenerate_face_error(const std::string& problem, std::vector<std::size_t> elements, Degeneracy_remedy remedy)
     : Error(problem + advice(remedy), std::move(elements))

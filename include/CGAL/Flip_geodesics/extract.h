@@ -149,7 +149,7 @@ public:
 
   /*!
    * Writes a curve as `Curve_point`s, which contain all of these data, or as `Curve_place`s if the metric has no
-   * points. A tangent is that of the straight line in the next face, however close its points are.
+   * points. The tangent is the direction of the straight piece in the next face, even if its two points nearly coincide.
    */
   template <class OutputIterator>
   OutputIterator curve_points(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)

@@ -71,7 +71,7 @@ struct Distances_report
   /// outward-rounded bounds.
   Verdict verdict = Verdict::UNDECIDED;
   /// Whether the paths are locally shortest, including those that were not replaced, as reported by
-  /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if the `go_further()` of a visitor returned `false`.
+  /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
 
   /// Returns whether the distances are confirmed.
@@ -792,7 +792,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *        - a vertex of the mesh;
  *        - a point: a `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, or a point in space, for
  *          which `surface_location()` finds the nearest point of the mesh;
- *        - a curve: a range of vertices or of points, of which two consecutive ones lie in one face or on its boundary
+ *        - a curve: a range of vertices or of points, of which any two consecutive ones lie in one face or on its
+ *          boundary
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
  *        Unreachable vertices receive infinity. If degenerate edges had to be contracted, this includes vertices that
  *        only degenerate faces connected to a source; these distances are not confirmed. If the search is aborted, the
@@ -835,8 +836,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. Locating
  * points in space takes \f$O(n \log n)\f$, and logarithmic time for each point close to the surface. The search takes
- * \f$O(w \log w)\f$ for \f$w\f$ windows, whose limit is that of the field. It creates twice as many, with double-double
- * arithmetic, if the errors of doubles are too large.
+ * \f$O(w \log w)\f$ for \f$w\f$ windows, whose number is limited as for the field. It creates twice as many, with
+ * double-double arithmetic, if the errors of doubles are too large.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>

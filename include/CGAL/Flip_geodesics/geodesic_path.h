@@ -123,7 +123,7 @@ struct Geodesics_result
  *     \cgalParamDescription{a visitor that is called for each step}
  *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
- *     \cgalParamExtra{The search for the edge path also calls `go_further()`, once for about a thousand vertices. If
+ *     \cgalParamExtra{The search for the edge path also calls `go_further()`, about once per thousand vertices. If
  *       the call returns `false`, nothing is written, and the report has the status
  *       `Shortening_status::STOPPED_BY_VISITOR`.}
  *   \cgalParamNEnd

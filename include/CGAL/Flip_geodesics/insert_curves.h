@@ -194,9 +194,10 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * degenerate only if the face is.
  *
  * Rounded coordinates do not separate vertices that are too close to each other. Therefore a point is moved to an edge
- * or to a vertex if its barycentric coordinates are at most the snapping tolerance. Points are merged, and a segment is
- * moved to a vertex that it passes, if their distance is at most this fraction of the edge, or of the longest side of
- * the face, plus \f$2^{-48}\f$ of the largest coordinate. If the tolerance is zero, nothing is merged, and faces of the
+ * or to a vertex if its barycentric coordinates are at most the snapping tolerance. Two points are
+ * merged if they are close to each other, and a segment is moved to a vertex that it passes closely. Close means a
+ * distance of at most this fraction of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ of the largest
+ * coordinate. If the tolerance is zero, nothing is merged, and faces of the
  * result can be degenerate with rounded coordinates.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
@@ -253,7 +254,7 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_curve_error if a curve has no points, or two consecutive points do not lie in a common face;
  *            `elements()` are the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
- *            points in space, if one of the faces that are searched is not
+ *            points in space, also if any face that is searched is not a triangle
  * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *

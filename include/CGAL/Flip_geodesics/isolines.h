@@ -136,7 +136,7 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor whose `go_further()` is called before each level and once for about a thousand
+ *     \cgalParamDescription{a visitor whose `go_further()` is called before each level and about once per thousand
  *       evaluations of the field. If it returns `false`, the computation ends and nothing is written}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}

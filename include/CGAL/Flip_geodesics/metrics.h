@@ -424,8 +424,8 @@ public:
   }
 
   /// Returns whether a length is rounded: it is not a double, and its type does not give the exact value as a fraction.
-  /// Then nothing is certified, since decisions refer to the rounded lengths. Linear in the mesh when it is first
-  /// called, if the type allows such lengths.
+  /// Then nothing is certified, since decisions refer to the rounded lengths. Linear in the size of the mesh when it is
+  /// first called, if the type allows such lengths.
   bool is_rounded(const Mesh&) const
   {
     if constexpr(is_rational || internal::is_within_double<Length>)
@@ -543,8 +543,8 @@ public:
   {
   }
 
-  /// Computes the length to be added for a factor of 1e-5. Linear in the mesh. The exceptions are those of the other
-  /// constructor.
+  /// Computes the length to be added for a factor of 1e-5. Linear in the size of the mesh. The exceptions are those of
+  /// the other constructor.
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric)
     : Mollified_metric(mesh, metric, internal::default_mollification)
@@ -552,7 +552,7 @@ public:
   }
 
   /*!
-   * Computes the length to be added. Linear in the mesh.
+   * Computes the length to be added. Linear in the size of the mesh.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
@@ -695,7 +695,7 @@ public:
   using Point_3 = typename Base::Point_3; ///< that of the other metric, `void` if it has no points
 
   /*!
-   * Reads all weights. Linear in the mesh if it is a `Surface_mesh`.
+   * Reads all weights. Linear in the size of the mesh if it is a `Surface_mesh`.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric

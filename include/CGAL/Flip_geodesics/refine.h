@@ -202,7 +202,7 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * \throws Occupied_triangulation_error if another network has curves in the triangulation, which is unchanged then
  * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
  * \throws Degenerate_face_error if such a face is degenerate
- * \throws Invalid_coordinate_error if such a face is not finite
+ * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
  *
  * Complexity: about linear in the number of flips and insertions, with a logarithmic factor for the queue, and in the
  * number of crossings of the refined faces. The number of points already inserted into an input face does not slow down

@@ -121,7 +121,7 @@ enum class Shortening_status {
   ANGLE_LIMIT,        ///< all angles that can be widened have reached the limit
   ITERATION_LIMIT,    ///< the allowed number of steps, or the time, has been used up
   MEMORY_LIMIT,       ///< a further step would have made the records of flips larger than allowed
-  STOPPED_BY_VISITOR, ///< the `go_further()` of the visitor returned `false`
+  STOPPED_BY_VISITOR, ///< `go_further()` of the visitor returned `false`
   /// the arithmetic of the traits, or rounded coordinates, did not suffice to decide whether the curve is locally
   /// shortest
   PRECISION_LIMIT,

@@ -125,7 +125,7 @@ enum class Search_method {
   /// nearly straight, whereas shortest edge paths deviate in the directions of edges. On smooth meshes, `shorten()`
   /// then flips several times fewer edges. The bound of the remaining distance is multiplied by 1.1 (weighted A*), so
   /// that paths of nearly equal length need not be compared. A vertex that is reached again by a path that is hardly
-  /// shorter keeps its position in the queue. About a third of the vertices that `A_STAR` visits are visited. If the
+  /// shorter keeps its position in the queue. It visits about a third as many vertices as `A_STAR`. If the
   /// metric has no lower bound, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
   /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if that
@@ -187,7 +187,7 @@ public:
    * Returns the halfedges of an edge path from `source` to `target`, unless a visitor stops the search. The exceptions
    * are those of the overload without a visitor.
    * \param source, target vertices of the input
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, once for about a thousand
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, about once per thousand
    *        vertices. If it returns `false`, the search ends and returns no halfedges
    */
   template <class Visitor>
@@ -214,7 +214,7 @@ public:
    * exceptions are those of the overload without a visitor.
    * \param source a vertex of the input
    * \param visit a function object, called in the order of distances
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, once for about a thousand
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, about once per thousand
    *        vertices. If it returns `false`, the remaining vertices are not visited
    * \return whether all vertices have been visited
    */

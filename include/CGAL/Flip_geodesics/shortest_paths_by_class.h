@@ -42,7 +42,7 @@ enum class Class_search_status {
   FOUND,             ///< a path has been found for each requested class
   NO_MORE_CLASSES,   ///< fewer classes exist, and each has its path
   COVERING_LIMIT,    ///< the `Covering_limit` did not suffice; fewer paths, or others, may have been found
-  STOPPED_BY_VISITOR ///< the `go_further()` of the visitor returned `false`, and no paths are returned
+  STOPPED_BY_VISITOR ///< `go_further()` of the visitor returned `false`, and no paths are returned
 };
 
 /// Returns the name of a status, spelled like the enumerator.

@@ -585,7 +585,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * \throws Invalid_mesh_error if the result has too many elements for 32-bit indices, or a face that has not been
  *         accessed before is not a triangle
  * \throws Degenerate_face_error if such a face is degenerate
- * \throws Invalid_coordinate_error if such a face is not finite
+ * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
  *
  * Complexity: linear in the number of faces of the mesh and of crossings of the two triangulations.
  */

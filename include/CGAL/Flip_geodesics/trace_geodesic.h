@@ -117,7 +117,7 @@ struct Trace_report
   double length = 0;                          ///< its length, at most the requested one
   Trace_status status = Trace_status::LENGTH; ///< why it ends
   std::size_t edges = 0;                      ///< the number of crossed edges
-  std::size_t vertices = 0;                   ///< the number of vertices passed straight on
+  std::size_t vertices = 0;                   ///< the number of vertices passed straight through
   Surface_location location;                  ///< its end
   Input_halfedge_index halfedge;              ///< the halfedge from which its direction at the end is measured, see
                                               ///< `Geodesic_tracer::trace()`
