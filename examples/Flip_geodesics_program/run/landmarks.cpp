@@ -14,6 +14,7 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 namespace program {
@@ -28,12 +29,15 @@ FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(threads > 1)
-    return tbb::task_arena(threads).execute(
-        [&] { return FG::Geodesic_landmarks(triangulation, number, CGAL::Parallel_tag(), visitor); });
+    return tbb::task_arena(threads).execute([&] {
+      return FG::Geodesic_landmarks(triangulation, number, CGAL::Parallel_tag(),
+                                    CGAL::parameters::visitor(std::ref(visitor)));
+    });
 #else
   static_cast<void>(threads);
 #endif
-  return FG::Geodesic_landmarks(triangulation, number, CGAL::Sequential_tag(), visitor);
+  return FG::Geodesic_landmarks(triangulation, number, CGAL::Sequential_tag(),
+                                CGAL::parameters::visitor(std::ref(visitor)));
 }
 
 } // namespace

@@ -46,7 +46,8 @@ try {
     append(triangulation, loops.handles, "handle loop", requests);
     append(triangulation, loops.tunnels, "tunnel loop", requests);
   } else {
-    const FG::Loop_basis<Triangulation> basis(triangulation, std::vector<FG::Vertex_index>(), visitor);
+    const FG::Loop_basis<Triangulation> basis(triangulation, std::vector<FG::Vertex_index>(),
+                                              CGAL::parameters::visitor(std::ref(visitor)));
     Loops cycles;
     for(Index i = 0; i < basis.number_of_loops(); ++i)
       cycles.push_back(basis.cycle(i));

@@ -141,7 +141,7 @@ private:
   void add_point(const T& p)
   {
     const Place place = place_of(p);
-    const std::size_t node = m_insertion.add_point(place.face, place.weights);
+    const std::size_t node = m_insertion.add_point(place.face, place.weights, given_weights(p, place));
     if(m_point > 0 && !m_insertion.add_segment(m_last_node, node, {{m_last_face, place.face}}))
       throw Invalid_curve_error(name() + " and the one before it are in no common face; add the points where the curve "
                                          "crosses edges, for instance by complete_polyline()",
@@ -166,6 +166,18 @@ private:
       return place_of(p.location);
     else
       return place_in_space(half_of(p));
+  }
+
+  // Weights as they are given, or those of the place in double.
+  template <class T>
+  static const auto& given_weights(const T& p, const Place& place)
+  {
+    if constexpr(is_face_location_of<T, Mesh>)
+      return static_cast<void>(place), p.second;
+    else if constexpr(has_face_location<T, Mesh>)
+      return given_weights(p.location, place);
+    else
+      return static_cast<void>(p), place.weights;
   }
 
   Place place_at(Face f, std::array<double, 3> weights, double snap) const
