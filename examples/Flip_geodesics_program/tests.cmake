@@ -257,7 +257,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --to 5)
   flip_geodesics_add_program_test(weld_alone 2 "--weld requires --repair" path seam.off --weld 1e-12 --from 0 --to 1)
   flip_geodesics_add_program_test(bad_weld 2 "--weld" path seam.off --repair --weld 2 --from 0 --to 1)
-  flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle is left by the repair: 1 triangle"
+  flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle is left by the repair: 1 degenerate triangle"
                                   path collapsed.off --repair --from 0 --to 1)
   flip_geodesics_add_program_test(only_repaired 0 "11 vertices, 7 triangles.*repair: 1 polygon" repair pyramid.off
                                   --output repaired.off)
@@ -303,7 +303,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   loops.vtp --stats loops.csv)
   flip_geodesics_add_program_test(handles 0 "handle loop 0.*tunnel loop 0.*2 LOCALLY_SHORTEST" loops torus.off --handles)
   flip_geodesics_add_program_test(handles_of_disk 2 "the loops of the surface: " loops seam.obj --handles)
-  flip_geodesics_add_program_test(no_loops 0 "0 curves:" loops seam.obj)
+  flip_geodesics_add_program_test(no_loops 0 "0 curves" loops seam.obj)
   flip_geodesics_add_program_test(cut_graph 0 "LOCALLY_SHORTEST" loops torus.off --cut-graph --cut disk.off)
   flip_geodesics_add_program_test(cut_graph_cuts 0 "components  1\n[^\n]*genus 0, 1 border\n" info disk.off)
   set_tests_properties(program_cut_graph_cuts PROPERTIES DEPENDS program_cut_graph)

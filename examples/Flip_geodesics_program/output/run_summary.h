@@ -45,7 +45,7 @@ public:
 
   void print(std::ostream& out) const
   {
-    if(m_number_of_curves <= most_lines) {
+    if(m_number_of_curves > 0 && m_number_of_curves <= most_lines) {
       out << (m_are_pulled_tight
                   ? "curve    source    target  segments     edge path      geodesic     flips  status   "
                     "            ms  certificate  what it is\n"
@@ -53,7 +53,7 @@ public:
       for(const std::string& line : m_lines)
         out << line;
     }
-    print_counts(out << counted(m_number_of_curves, "curve", "curves") << ':', m_counts);
+    print_counts(out << counted(m_number_of_curves, "curve", "curves") << (m_counts.empty() ? "" : ":"), m_counts);
     if(!m_verdicts.empty())
       print_counts(out << "certificates:", m_verdicts);
     if(m_number_on_contracted > 0)

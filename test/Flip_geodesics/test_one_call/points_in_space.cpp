@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_nearest_point_is_told)
   Curve_setting::Triangulation triangulation(mesh);
   const double infinity = std::numeric_limits<double>::infinity();
   BOOST_CHECK_EXCEPTION(FG::surface_location(triangulation, mesh, Point(infinity, 0, 0)), FG::Invalid_location_error,
-                        says("no finite number"));
+                        says("not a finite number"));
   Surface empty;
   empty.add_vertex(Point(0, 0, 0));
   Curve_setting::Triangulation nothing(empty);
