@@ -51,7 +51,8 @@ enum class Distance_field_status {
   COMPLETE,        ///< all distances are known
   RADIUS_REACHED,  ///< the distances up to the radius are known
   TARGETS_REACHED, ///< the distances of the targets are known
-  /// those up to `Geodesic_distance_field::reach()` are known; also if degenerate faces lead rays around in circles
+  /// those up to `Geodesic_distance_field::reach()` are known; also returned if degenerate faces lead rays around in
+  /// circles
   WINDOW_LIMIT_REACHED,
   /// those up to `Geodesic_distance_field::reach()` are known; `go_further()` of the visitor returned `false`
   STOPPED_BY_VISITOR
@@ -93,13 +94,13 @@ struct Distance_field_report
   /// Whether the height of a face is at most 1e-10 of its base. Rays can be lost in such a face, and distances may be
   /// too long.
   bool has_flat_face = false;
-  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of it. Errors grow
+  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of its value. Errors grow
   /// with the number of faces that paths cross, and with the number of edges that are long compared with the distance.
   /// The bound is conservative: most errors are far smaller.
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if no path is shorter than a distance up to `Geodesic_distance_field::reach()` by more than
-  /// 1e-10 of it. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if coordinates or lengths
-  /// of the mesh had to be rounded.
+  /// 1e-10 of that distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if coordinates
+  /// or lengths of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
 };
 
@@ -170,8 +171,8 @@ public:
    * \throws Vertex_out_of_range_error if `v` is not a vertex of the input
    * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times as long as the
    *         sides of a face of the vertex, so that the rounding errors of the distances exceed the size of the face
-   * \throws Degenerate_face_error for that face, if the offset is not zero
-   * \throws Invalid_mesh_error for that face, if the offset is not zero
+   * \throws Degenerate_face_error for a face of the vertex, if the offset is not zero
+   * \throws Invalid_mesh_error for a face of the vertex, if the offset is not zero
    */
   std::size_t add_source(Vertex_index v, double offset = 0)
   {
@@ -201,7 +202,8 @@ public:
     return m_number_of_sources++;
   }
 
-  /// Adds a point of any other type that `surface_location()` takes as a source and returns the number of the source.
+  /// Adds a point, of any other type that `surface_location()` accepts, as a source and returns the number of the
+  /// source.
   template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
   std::size_t add_source(const Point& point, double offset = 0)
   {
@@ -213,8 +215,8 @@ public:
    * so a curve of edges is given by its vertices; a single location is a point. `Curve_extractor::surface_locations()`
    * returns the locations of a curve of a network.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which any
-   *        two consecutive ones lie in one face or on its boundary
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, of which any two
+   *        consecutive ones lie in one face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
@@ -256,8 +258,8 @@ public:
   /*!
    * Computes the field up to the given limits.
    *
-   * It can be called again with other limits to continue the computation, even after it has been stopped or has thrown
-   * an exception; all known distances are kept.
+   * The function can be called again with other limits to continue the computation, even after it has been stopped or
+   * has thrown an exception; all known distances are kept.
    *
    * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; the results are the same
    *
@@ -273,8 +275,8 @@ public:
    * \throws Invalid_location_error if a target is not a point of the surface
    * \throws Invalid_parameter_error if the radius is negative or not a number
    *
-   * Complexity: linear in the number of windows, and in each round in the number of edges of the front. Smooth meshes
-   * of up to some ten thousand faces have 10 to 25 windows per face, a number that grows like \f$\sqrt{n}\f$ with the
+   * Complexity: linear in the number of windows, plus the number of edges of the front in each round. Smooth meshes of
+   * up to some ten thousand faces have 10 to 25 windows per face, a number that grows like \f$\sqrt{n}\f$ with the
    * number \f$n\f$ of faces. The worst case is \f$O(n^2)\f$ windows in total.
    */
   template <class ConcurrencyTag = Sequential_tag, class Visitor = Default_shortening_visitor>
@@ -314,8 +316,8 @@ public:
     return report;
   }
 
-  /// Returns the distance up to which all distances are known. Greater ones are returned as infinity. The reach is 0
-  /// before anything is computed.
+  /// Returns the distance up to which all distances are known. Greater distances are returned as infinity. The reach is
+  /// 0 before anything is computed.
   double reach() const { return m_reach; }
 
   /// Returns the distance of a vertex of the input in constant time. \throws Vertex_out_of_range_error if `v` is not a
@@ -329,7 +331,7 @@ public:
   /// Returns the distance of a location, with the preconditions and exceptions of `answer()`.
   double distance(const Surface_location& location) const { return answer(location).distance; }
 
-  /// Returns the distance of a point of any other type that `surface_location()` takes.
+  /// Returns the distance of a point of any other type that `surface_location()` accepts.
   template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
   double distance(const Point& point) const
   {
@@ -361,7 +363,7 @@ public:
     return is_known(arrival.distance) ? Answer{arrival.distance, query().source(arrival)} : Answer();
   }
 
-  /// Returns the distance and nearest source of a point of any other type that `surface_location()` takes.
+  /// Returns the distance and nearest source of a point of any other type that `surface_location()` accepts.
   template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
   Answer answer(const Point& point) const
   {
@@ -436,7 +438,7 @@ public:
     return std::move(points.begin(), points.end(), out);
   }
 
-  /// Writes a shortest path from a point of any other type that `surface_location()` takes to its nearest source.
+  /// Writes a shortest path from a point of any other type that `surface_location()` accepts to its nearest source.
   template <class Point, class OutputIterator,
             std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
   OutputIterator path(const Point& point, OutputIterator out) const

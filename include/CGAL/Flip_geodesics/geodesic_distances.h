@@ -59,16 +59,16 @@ struct Distances_report
   std::size_t vertices = 0;         ///< the number of vertices other than the source that the search reached within the
                                     ///< limit of the tree
   std::size_t longer_before = 0;    ///< those whose path was missing or longer than the one found
-  std::size_t longer = 0;           ///< those whose path still is; rounding errors or degenerate faces can be the cause
-  double largest_excess_before = 0; ///< the largest excess length of a path before, relative to the shortest length
-  double largest_excess = 0;        ///< the largest excess length of a path now, relative to the shortest length
+  std::size_t longer = 0;           ///< those for which this still holds, through rounding errors or degenerate faces
+  double largest_excess_before = 0; ///< the largest initial excess length of a path, relative to the shortest length
+  double largest_excess = 0;        ///< the largest remaining excess length of a path, relative to the shortest length
   std::size_t windows = 0;          ///< the number of windows of the search
   std::size_t flips = 0;            ///< the number of flips that inserted shortest paths
   /// `WITHIN_TOLERANCE` if the figures are exact up to rounding errors, and no shortest path is shorter than the one
-  /// found by more than 1e-10 of it. Otherwise `UNDECIDED`: if the search was aborted or stopped, or encountered a
-  /// degenerate edge, or if coordinates or lengths of the mesh had to be rounded. Near faces whose height is at most
-  /// 1e-10 of their base, and if rounding errors may be as large, the figures are confirmed only by a search with
-  /// outward-rounded bounds.
+  /// found by more than 1e-10 of its length. `UNDECIDED` otherwise, that is, if the search was aborted or stopped, or
+  /// encountered a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. Near faces whose height
+  /// is at most 1e-10 of their base, or if rounding errors may be that large, the figures are confirmed only by a
+  /// search with outward-rounded bounds.
   Verdict verdict = Verdict::UNDECIDED;
   /// Whether the paths are locally shortest, including those that were not replaced, as reported by
   /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
@@ -281,10 +281,11 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  *
  * Replaces the paths of a tree that are not globally shortest.
  *
- * The distances on the input are computed as by `Geodesic_distance_field`, exact up to rounding errors, or, if it
- * cannot confirm them, by a search with outward-rounded bounds. The longer paths are then removed from the tree, and
- * shortest ones are inserted by flips, the nearest first. They do not cross other paths of the tree, since shortest
- * paths from one vertex never cross. Vertices within the limit of the tree that it did not contain are added.
+ * The distances on the input are computed as by `Geodesic_distance_field`, exact up to rounding errors, or, if the
+ * field cannot confirm them, by a search with outward-rounded bounds. The longer paths are then removed from the tree,
+ * and shortest ones are inserted by flips, the nearest first. The inserted paths do not cross other paths of the tree,
+ * since shortest paths from one vertex never cross. Vertices within the limit of the tree that were missing from it are
+ * added.
  *
  * \param tree a tree whose growth was not stopped
  * \param np an optional sequence of named parameters among those listed below
@@ -301,11 +302,11 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If `go_further()` returns `false`, the report has the status
  *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. The tree remains valid: it is unchanged if the
- *       search was stopped; later, some paths may have been replaced.}
+ *       search was stopped, but if the process was stopped later, some paths may have been replaced.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report on the paths of the tree. Inserted vertices have geodesics, but are not part of the report
+ * \return a report on the paths of the tree. Inserted vertices receive geodesics but are not counted in the report
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source of the tree is an inserted vertex
@@ -779,11 +780,11 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * Sources are vertices, points anywhere on the surface, and curves; different kinds can be mixed. The distances are
  * computed with a `Geodesic_distance_field`. Two fallbacks handle difficult input:
  * - If the field encounters a face so flat that rays can be lost in it, or if rounding errors may have changed a
- *   distance by more than 1e-10 of it, a search with outward-rounded bounds follows, provided that all sources are
- *   vertices.
+ *   distance by more than 1e-10 of its value, a search with outward-rounded bounds follows, provided that all sources
+ *   are vertices.
  * - If the bounds of the search are too far apart as well, or the field exceeds its limit, a tree of geodesics is grown
  *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was not passed in a range. Its paths are
- *   replaced as far as shorter ones are found (`make_shortest()`).
+ *   replaced wherever shorter ones are found (`make_shortest()`).
  *
  * \param mesh a triangle mesh
  * \param sources one source that is not a curve, or a range of sources, which are numbered by their positions; if the
@@ -796,9 +797,9 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *          boundary
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
  *        Unreachable vertices receive infinity. If degenerate edges had to be contracted, this includes vertices that
- *        only degenerate faces connected to a source; these distances are not confirmed. If the search is aborted, the
- *        distances from one source are those of the geodesics of the tree, and unknown distances from several sources
- *        are infinite
+ *        were connected to a source only by degenerate faces; these distances are not confirmed. If the search is
+ *        aborted, the distances from one source are those of the geodesics of the tree, and unknown distances from
+ *        several sources are infinite
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
@@ -836,8 +837,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. Locating
  * points in space takes \f$O(n \log n)\f$, and logarithmic time for each point close to the surface. The search takes
- * \f$O(w \log w)\f$ for \f$w\f$ windows, whose number is limited as for the field. It creates twice as many, with
- * double-double arithmetic, if the errors of doubles are too large.
+ * \f$O(w \log w)\f$ for \f$w\f$ windows, whose number is limited as for the field. If the errors of doubles are too
+ * large, it creates twice as many, in double-double arithmetic.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
@@ -1087,7 +1088,7 @@ private:
  *
  * \return a report with the number of pairs whose distance is finite, as `vertices`, the number of windows of all
  *         fields, and whether all distances are confirmed
- * \throws Vertex_out_of_range_error if a point is not a vertex of the mesh
+ * \throws Vertex_out_of_range_error if a point given as a vertex is not a vertex of the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does

@@ -57,14 +57,14 @@ struct Geodesics_result
   OutputIterator out;       ///< the past-the-end iterator of the output
   Shortening_report report; ///< the report, with one entry per curve
 
-  double length() const { return report.length(); }            ///< returns the length of all curves together
+  double length() const { return report.length(); }            ///< returns the total length of the curves
   Shortening_status status() const { return report.status(); } ///< returns whether all curves are geodesics
   Verdict verdict() const { return report.verdict(); }         ///< returns whether this is certified
 
-  std::size_t number_of_curves() const { return report.curves.size(); }                ///< returns their number
-  double length(std::size_t i) const { return report.curves.at(i).length; }            ///< returns the length of one
-  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; } ///< returns if it is a geodesic
-  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }         ///< returns if this is certified
+  std::size_t number_of_curves() const { return report.curves.size(); }                ///< returns the number of curves
+  double length(std::size_t i) const { return report.curves.at(i).length; }            ///< returns curve `i`'s length
+  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; } ///< returns curve `i`'s status
+  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }         ///< returns curve `i`'s verdict
 };
 
 /*!
@@ -74,9 +74,8 @@ struct Geodesics_result
  *
  * A nearly shortest edge path (`Search_method::LOOK_BACK`) is straightened by `add_straightened_path()` and then
  * shortened to a geodesic as by `shorten()`. The geodesic is not necessarily a globally shortest path, since a path on
- * the other side of a hole or a bump may be shorter, and the path from `target` to `source` may be another one; see
- * `shortest_path()`. The functions of `curves_through_points.h`
- * accept end points anywhere on the surface.
+ * the other side of a hole or a bump may be shorter, and the path from `target` to `source` may differ; see
+ * `shortest_path()`. The functions of `curves_through_points.h` accept end points anywhere on the surface.
  *
  * If the two vertices coincide, the path has length zero, the status `Shortening_status::CONTRACTED` and the verdict
  * `Verdict::PROVEN`, and is written as its two end points. The end points of a degenerate edge coincide in this sense.
@@ -88,11 +87,11 @@ struct Geodesics_result
  *
  * \param mesh a triangle mesh
  * \param source, target vertices in the same connected component
- * \param out an output iterator that receives the points of the path from `source` to `target`. Its value type selects
- *        their form. Points of the metric in space are written if the metric has points and the output accepts them;
- *        otherwise `CGAL::Polygon_mesh_processing::Face_location`s. If the output accepts neither, it receives
- *        `Curve_point`s, which contain both together with the crossed halfedges and the tangents, or `Curve_place`s,
- *        which have no points
+ * \param out an output iterator that receives the points of the path from `source` to `target`. The value type of the
+ *        iterator selects the form of the points. Points of the metric in space are written if the metric has points
+ *        and the output accepts them; otherwise `CGAL::Polygon_mesh_processing::Face_location`s. If the output accepts
+ *        neither, it receives `Curve_point`s, which contain both together with the crossed halfedges and the tangents,
+ *        or `Curve_place`s, which have no points
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin
@@ -102,7 +101,7 @@ struct Geodesics_result
  *     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{metric}
- *     \cgalParamDescription{the lengths of the edges, to be used instead of those between the points}
+ *     \cgalParamDescription{edge lengths that replace the distances between the points}
  *     \cgalParamType{a model of `IntrinsicMetric`}
  *     \cgalParamDefault{the metric of the points of the mesh}
  *   \cgalParamNEnd
@@ -113,7 +112,7 @@ struct Geodesics_result
  *       `Intrinsic_triangulation_traits` if the metric is a user-defined one without `squared_length()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{stop_predicate}
- *     \cgalParamDescription{a predicate that ends the process early, which the report then indicates}
+ *     \cgalParamDescription{a predicate that can end the process early; the report then indicates this}
  *     \cgalParamType{a model of `FlipOutStopPredicate`}
  *     \cgalParamDefault{`Never_stop_predicate`}
  *     \cgalParamExtra{With a stop predicate or a visitor, the initial straightening is omitted, so that both observe
@@ -160,7 +159,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_ver
  * Computes a closed geodesic by shortening a closed loop of edges.
  *
  * \param mesh a triangle mesh
- * \param vertices a range of vertices. Consecutive vertices, and the last and the first, share an edge; the first
+ * \param vertices a range of vertices. Consecutive vertices share an edge, and so do the last and the first; the first
  *        vertex may be repeated at the end
  * \param out an output iterator that receives the points of the closed geodesic in the form described at
  *        `geodesic_path()`, with the first point repeated at the end. It receives nothing if the loop contracts

@@ -47,7 +47,7 @@ template <class Point>
 struct Geodesic_path_result
 {
   /// The points from the source to the target; empty if an exception was thrown, or if the visitor stopped the
-  /// computation before.
+  /// computation before an edge path was found.
   std::vector<Point> points;
   Shortening_report report = {std::vector<Curve_report>(1), 0, 0}; ///< the report on the curve, if no exception was
                                                                    ///< thrown
@@ -226,12 +226,12 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes many geodesics on one mesh, each as `geodesic_path()` does. One triangulation per thread is used for all of
+ * Computes many geodesics on one mesh, each as `geodesic_path()` does, with one triangulation per thread for all of
  * them.
  *
  * The results depend neither on the number of threads nor on the other pairs. If an exception such as
- * `Disconnected_endpoints_error` is thrown for a pair, it becomes the result of the pair, and the other paths are
- * computed nevertheless.
+ * `Disconnected_endpoints_error` is thrown for a pair, it is stored as the result of the pair, and the other paths are
+ * still computed.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
  *         TBB for the second
@@ -239,8 +239,8 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  * \param mesh a triangle mesh
  * \param pairs a range of `std::pair`s of a source and a target: vertices, or points of any types that
  *        `geodesic_path()` accepts. If the types differ from pair to pair, the ends are `std::variant`s of these types
- * \param out an output iterator that receives a `Geodesic_path_result` per pair, in the order of the pairs, of the form
- *        that `geodesic_path()` writes: points of the mesh, `Face_location`s or `Curve_point`s
+ * \param out an output iterator that receives a `Geodesic_path_result` per pair, in the order of the pairs, with points
+ *        of a form that `geodesic_path()` writes: points of the mesh, `Face_location`s or `Curve_point`s
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
@@ -261,15 +261,16 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *   \cgalParamNBegin{landmarks}
  *     \cgalParamDescription{landmarks computed for this mesh and its metric, which guide the searches and pay off for
  *       thousands of pairs. A path may then lie on the other side of a hole or a bump, with about the same length. If
- *       the number of vertices differs from that of the mesh, each path has an `Input_mismatch_error`. Landmarks have
- *       no effect on paths between points that do not have the type of a vertex}
+ *       the number of vertices differs from that of the mesh, the result of each pair is an `Input_mismatch_error`.
+ *       Landmarks have no effect on paths between points that are not given as vertices}
  *     \cgalParamType{`Landmark_distances`}
  *     \cgalParamDefault{no landmarks}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{greatest_point_distance}
- *     \cgalParamDescription{the greatest distance from the surface at which a point in space is accepted. A pair with a
- *       point farther away has a `Distant_point_error`; `Curve_report::point_distances` contains the distances}
- *     \cgalParamType{a number that is not negative}
+ *     \cgalParamDescription{the greatest distance from the surface at which a point in space is accepted. The result of
+ *       a pair with a point farther away is a `Distant_point_error`; `Curve_report::point_distances` contains the
+ *       distances}
+ *     \cgalParamType{a non-negative number}
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd

@@ -51,7 +51,7 @@ struct Located_polyline
   using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
 
   bool is_closed = false; ///< whether it ends where it begins
-  /// the locations of the points; for a point on an edge of the mesh the same one of the two faces is always chosen
+  /// the locations of the points; for a point on an edge of the mesh, the same one of its two faces is always chosen
   std::vector<Face_location> locations;
   std::vector<Point> points; ///< the points in space
 
@@ -71,7 +71,7 @@ struct Located_polyline
  * \ingroup PkgFlipGeodesicsIsolines
  *
  * Stores a component of an isoline, a curve at constant distance from the sources. Points nearer to the sources lie on
- * its left, as seen from the side from which the faces of the mesh are oriented counterclockwise.
+ * the left of the isoline, as seen from the side from which the faces of the mesh are oriented counterclockwise.
  */
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Isoline : Located_polyline<TriangleMesh, Point>
@@ -109,13 +109,13 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * - The vertices of an isoline lie on the true curve up to rounding errors. Between them the isoline is nowhere farther
  *   than \f$t\f$ from the true curve, and the distance there differs from the level by at most \f$t\f$.
  * - Points nearer than the level minus \f$t\f$ lie on its left, and points farther than the level plus \f$t\f$ on its
- *   right. Only components that do not reach that deep or that high may be missed.
+ *   right. Only parts of either side on which the distance deviates from the level by at most \f$t\f$ may be missed.
  *
  * Faces that may contain a level are divided until their parts are as small as the tolerance. The bounds hold because
  * distances are 1-Lipschitz. An isoline keeps all its points on edges of the mesh, which are computed once, but inside
  * faces only as many as the tolerance requires; their number grows like the inverse square root of the tolerance. All
- * points are kept if parts of one isoline come within three tolerances of one another, at sharp bends, and if levels
- * are so close that the chords of two of them might intersect.
+ * points are kept at sharp bends, if parts of one isoline come within three tolerances of one another, or if levels are
+ * so close that chords of two isolines might intersect.
  *
  * A level may equal the distance of a vertex or of a whole area; points at the level count as farther. If the field
  * becomes infinite inside the surface, because it is limited, the points beyond count as farther as well. A face whose
@@ -194,8 +194,8 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
  * each face.
  *
  * Since distances on a surface are not linear in faces, the accuracy depends on the size of the faces, and is best far
- * from the sources. In faces with obtuse angles the slope may be larger than one, so the bounds of `isolines()` need
- * not hold. Sign changes between vertices are still found, and curves are closed or end on the border.
+ * from the sources. In faces with obtuse angles the slope may be larger than one, so the bounds stated at `isolines()`
+ * need not hold. Sign changes between vertices are still found, and curves are closed or end on the border.
  *
  * \cgalModels{GeodesicDistanceField}
  *
@@ -213,7 +213,7 @@ public:
   struct Answer
   {
     double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source
-    std::size_t source = 0;                                    ///< the position of its map
+    std::size_t source = 0;                                    ///< the position of the map of that source
   };
 
   /// Constructs the field that interpolates between the distances of vertices.
@@ -268,11 +268,11 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
   /// border.
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  /// The nearest sources on its left and on its right, as seen from the side from which the faces of the mesh are
-  /// oriented counterclockwise.
+  /// The nearest sources on the left and on the right of the boundary, as seen from the side from which the faces of
+  /// the mesh are oriented counterclockwise.
   std::array<std::size_t, 2> sources = {{none, none}};
 
-  /// The junctions at its first and its last point, numbered from 0 over all boundaries. Boundaries that end at the
+  /// The junctions at the first and the last point, numbered from 0 over all boundaries. Boundaries that end at the
   /// same junction have bitwise identical points there.
   std::array<std::size_t, 2> junctions = {{none, none}};
 };
@@ -292,7 +292,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * Faces in which the nearest source changes are divided until their parts are as small as the tolerance. Faces in which
  * the field guarantees a single nearest source, by `GeodesicDistanceField::has_one_source()`, are not divided, so a
  * field with one source is processed quickly. In all other faces a region could extend between points with the same
- * nearest source, since a field does not return the distance of the second source. Those faces are therefore divided
+ * nearest source, since a field does not return the distance of the second source. Such faces are therefore divided
  * until no side of a part is longer than \f$\sqrt{t s}\f$ for the tolerance \f$t\f$ and the square root \f$s\f$ of the
  * area of the surface, and as finely as the tolerance around sources with distance zero. A region, or an arm of one,
  * can only be missed if it is narrower than \f$\sqrt{t s}\f$ and contains no such source.

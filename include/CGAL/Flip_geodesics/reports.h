@@ -23,18 +23,18 @@ namespace Flip_geodesics {
  */
 enum class Verdict {
   PROVEN, ///< the claim holds exactly
-  /// no bend was found, but an angle was taken for \f$\pi\f$ without a proof, since the limit of work was reached, see
+  /// no bend was found, but an angle was taken to be \f$\pi\f$ without proof, since the work limit was reached; see
   /// `Decision_statistics::unproven_zeros`
   PROBABLE,
   /// the claim is false: a segment is not straight in its strip of input faces, its edge sequence is not that of a
   /// strip, or it touches a vertex with a total angle below \f$2\pi\f$
   BENT_SEGMENT,
-  BENT_JOINT,      ///< the claim is false: a side of a joint that is not blocked has an angle below \f$\pi\f$
-  UNDECIDED,       ///< it is not known whether the claim holds: the decisions of the traits are rounded and `certify()`
-                   ///< was not called, a search was not completed, or coordinates or lengths of the mesh
-                   ///< were rounded, see `Embedded_metric::is_rounded()`
-  WITHIN_ROUNDING, ///< the claim holds for every path that is shorter by more than
-                   ///< `Shortest_path_report::rounding_tolerance()` of the length, and the path is a `PROVEN` geodesic
+  BENT_JOINT, ///< the claim is false: an unblocked side of a joint has an angle below \f$\pi\f$
+  UNDECIDED,  ///< it is not known whether the claim holds: the predicates of the traits are inexact and `certify()`
+              ///< was not called, a search was not completed, or coordinates or lengths of the mesh
+              ///< were rounded; see `Embedded_metric::is_rounded()`
+  WITHIN_ROUNDING,  ///< the claim holds for every path that is shorter by more than
+                    ///< `Shortest_path_report::rounding_tolerance()` of the length, and the path is a `PROVEN` geodesic
   WITHIN_TOLERANCE, ///< the claim holds up to `Shortest_path_report::tolerance()` of the length
 };
 
@@ -88,12 +88,12 @@ struct Decision_statistics
   std::size_t by_plane = 0;       ///< by points: all faces lie in one plane, or bend only along parallel edges
   std::size_t by_precision = 0;   ///< in multiprecision arithmetic with 50 digits and an error bound
   std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the areas of the faces
-  std::size_t zeros_by_plane = 0; ///< the number of these in `by_plane` that were exactly straight
-  std::size_t zeros_by_roots = 0; ///< the number of these in `by_roots` that were exactly straight
-  /// The number of angles assumed to be exactly straight without a proof, because 50 digits do not suffice and the
-  /// limit of work was reached, see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
+  std::size_t zeros_by_plane = 0; ///< the number of angles in `by_plane` that were exactly straight
+  std::size_t zeros_by_roots = 0; ///< the number of angles in `by_roots` that were exactly straight
+  /// The number of angles assumed to be exactly straight without proof, because 50 digits do not suffice and the work
+  /// limit was reached; see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
-  /// The largest number of roots in one sign of which no two are rational multiples of each other.
+  /// The largest number of roots, no two of which are rational multiples of each other, in the computation of one sign.
   std::size_t most_roots = 0;
 
   /// Adds further statistics.
@@ -115,7 +115,7 @@ struct Decision_statistics
 /// \ingroup PkgFlipGeodesicsShortening
 /// States how the shortening of a curve ended.
 enum class Shortening_status {
-  LOCALLY_SHORTEST,   ///< no side of a joint that is not blocked has an angle below \f$\pi\f$
+  LOCALLY_SHORTEST,   ///< no unblocked side of a joint has an angle below \f$\pi\f$
   CONTRACTED,         ///< the curve has contracted to a point
   LENGTH_LIMIT,       ///< a further step would have made the curve, or the network, shorter than allowed
   ANGLE_LIMIT,        ///< all angles that can be widened have reached the limit
@@ -125,7 +125,8 @@ enum class Shortening_status {
   /// the arithmetic of the traits, or rounded coordinates, did not suffice to decide whether the curve is locally
   /// shortest
   PRECISION_LIMIT,
-  /// each angle is at least \f$\pi\f$, but degenerate faces lie along the curve, and seen from beyond them it is bent
+  /// each angle is at least \f$\pi\f$, but degenerate faces lie along the curve, and seen from beyond them the curve is
+  /// bent
   DEGENERATE_FACES
 };
 
@@ -162,7 +163,7 @@ struct Curve_report
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how its shortening ended
   double initial_length = 0;                                      ///< its initial length, before any straightening
   double length = 0;                                              ///< its current length, 0 if it has contracted
-  /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite if there are no such sides.
+  /// The smallest angle, in radians, at an unblocked side of a joint; infinite if there is no such side.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back
   /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose
@@ -172,7 +173,7 @@ struct Curve_report
   /// the free functions.
   bool are_zero_edges_contracted = false;
   /// The distances of the given points from the surface in space, in their order; 0 for points given as vertices or
-  /// locations. Set by functions that accept points; empty if all have the type of a vertex.
+  /// locations. Set by functions that accept points; empty if all of them are given as vertices.
   std::vector<double> point_distances;
 };
 
@@ -185,7 +186,8 @@ struct Shortening_report
   /// was inserted.
   std::size_t flips = 0;
   /// The number of steps taken [SC20, Algorithm 1]; the compound step for a loop of one segment counts as one. It is 0
-  /// if a path was straightened beforehand, as by functions without a stop predicate and visitor, and required no step.
+  /// if a path was straightened beforehand, as by functions without a stop predicate or visitor, and then required no
+  /// step.
   std::size_t flip_outs = 0;
 
   /// Returns whether every curve of the network is locally shortest or has contracted to a point.
@@ -197,7 +199,7 @@ struct Shortening_report
     return true;
   }
 
-  /// Returns the length of the curve, or of all curves together.
+  /// Returns the length of the curve, or the total length of all curves.
   double length() const
   {
     double sum = 0;
@@ -206,8 +208,8 @@ struct Shortening_report
     return sum;
   }
 
-  /// Returns the status of the curve. If there are several, it is that of the first one that is neither locally
-  /// shortest nor a point; otherwise `LOCALLY_SHORTEST`, or `CONTRACTED` if all curves are points.
+  /// Returns the status of the curve. If there are several, the result is the status of the first one that is neither
+  /// locally shortest nor a point; otherwise `LOCALLY_SHORTEST`, or `CONTRACTED` if all curves are points.
   Shortening_status status() const
   {
     bool has_curve = curves.empty();
@@ -220,8 +222,8 @@ struct Shortening_report
   }
 
   /// Returns the verdict on the claim that the curve, or every curve, is locally shortest: that of the first curve for
-  /// which it is false, or else the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. It is never confirmed without
-  /// curves.
+  /// which the claim is false, or else the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. A report without curves is
+  /// never confirmed.
   Verdict verdict() const
   {
     Verdict result = curves.empty() ? Verdict::UNDECIDED : Verdict::PROVEN;
@@ -238,7 +240,7 @@ struct Shortening_report
 /// Reports the search for a shortest path.
 struct Shortest_path_report
 {
-  Shortening_report shortening; ///< of the path
+  Shortening_report shortening; ///< the report on the shortening of the path
 
   double first_length = 0; ///< the length of the geodesic obtained from the initial edge path
   double length = 0;       ///< the length of the result
@@ -253,7 +255,7 @@ struct Shortest_path_report
   /// Returns whether the path is a geodesic.
   Shortening_status status() const { return shortening.status(); }
 
-  /// Returns whether the path is confirmed to be shortest; if not, it may still be.
+  /// Returns whether the path is confirmed to be shortest; an unconfirmed path may still be shortest.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }
 
   /// Returns an upper bound of the difference between the length of the path and that of a shortest path.

@@ -53,19 +53,19 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes lower bounds of the distances on a surface between all pairs of vertices, with landmarks, which are vertices
- * far from one another or chosen by the caller.
+ * Computes lower bounds of the distances on a surface between all pairs of vertices by means of landmarks, which are
+ * vertices that are far from one another or chosen by the caller.
  *
- * A lower-bound propagation from each landmark assigns values to all vertices that are close to their distances from
- * it. The difference of the values of two vertices is a lower bound of the distance between them [Goldberg, Harrelson,
+ * A lower-bound propagation from each landmark assigns to each vertex a value close to its distance from the landmark.
+ * The difference of the values of two vertices is a lower bound of the distance between them [Goldberg, Harrelson,
  * Computing the shortest path: A* search meets graph theory]. Landmarks are computed once for many shortest paths on
- * one mesh, and confine the searches to the regions that shortest paths can pass. `Landmark_distances` do the same for
+ * one mesh, and confine the searches to the regions that shortest paths can enter. `Landmark_distances` do the same for
  * paths along edges.
  *
  * The bounds hold for the mesh with its coordinates taken as given, including rounding errors, like
- * `Shortest_path_report::lower_bound`. Each component has its own landmarks, at most `number_of_landmarks()`. They take
- * two bytes per landmark and vertex, and may be read by several threads concurrently. A propagation takes some 400
- * bytes per triangle while it runs.
+ * `Shortest_path_report::lower_bound`. Each component has its own landmarks, at most `number_of_landmarks()`. The
+ * bounds take two bytes per landmark and vertex, and may be read by several threads concurrently. A propagation takes
+ * some 400 bytes per triangle while it runs.
  */
 class Geodesic_landmarks
 {
@@ -95,8 +95,8 @@ public:
    * \cgalNamedParamsEnd
    *
    * \throws Degenerate_face_error if the mesh has a degenerate edge
-   * \throws Invalid_coordinate_error for any face, as `Intrinsic_triangulation` does when a face is accessed
-   * \throws Invalid_mesh_error for any face, as `Intrinsic_triangulation` does when a face is accessed
+   * \throws Invalid_coordinate_error for any face for which `Intrinsic_triangulation` throws it on access
+   * \throws Invalid_mesh_error for any face for which `Intrinsic_triangulation` throws it on access
    *
    * Complexity: \f$O(n \log n)\f$ for each landmark; more on meshes of needles.
    */
@@ -115,14 +115,14 @@ public:
    *         propagations; the results are the same
    *
    * \param triangulation a triangulation of the mesh, which is not stored; its flips have no effect
-   * \param landmarks a range of `Vertex_index`es in any order, where repeated ones count once. Components without
+   * \param landmarks a range of `Vertex_index`es in any order; repeated vertices count once. Components without
    *        landmarks have no bounds
    * \param tag an object whose type selects sequential or parallel execution
    * \param np the named parameter `visitor`, as for the constructor with a number of landmarks
    * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
    * \throws Degenerate_face_error if the mesh has a degenerate edge
-   * \throws Invalid_coordinate_error for any face, as `Intrinsic_triangulation` does when a face is accessed
-   * \throws Invalid_mesh_error for any face, as `Intrinsic_triangulation` does when a face is accessed
+   * \throws Invalid_coordinate_error for any face for which `Intrinsic_triangulation` throws it on access
+   * \throws Invalid_mesh_error for any face for which `Intrinsic_triangulation` throws it on access
    *
    * Complexity: \f$O(n \log n)\f$ for each landmark; more on meshes of needles.
    */
@@ -139,10 +139,10 @@ public:
          [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
   }
 
-  /// Returns whether the bounds are known, that is, whether no visitor stopped the construction.
+  /// Returns whether the bounds are known, that is, whether the construction was not stopped by a visitor.
   bool is_complete() const { return m_is_complete; }
 
-  /// Returns the number of landmarks of the component that has the most.
+  /// Returns the largest number of landmarks in a component.
   std::size_t number_of_landmarks() const { return m_rows.number_of_functions(); }
 
   /// Returns a lower bound of the length of every path between two vertices. Linear in the number of landmarks.
@@ -153,9 +153,9 @@ public:
    * Checks whether the landmarks can have been computed for the input of a triangulation.
    *
    * The function compares the numbers of vertices, edges and faces, the borders, and the lengths of an edge of each
-   * border and of `number_of_landmarks()` edges at landmarks. It thus detects another mesh, an additional or missing
-   * face, and another metric, but not every vertex that has moved. The bounds hold only for the mesh for which they
-   * were computed.
+   * border and of `number_of_landmarks()` edges at landmarks. It thus detects a different mesh, an additional or
+   * missing face, and a different metric, but not every vertex that has moved. The bounds hold only for the mesh for
+   * which they were computed.
    *
    * \throws Input_mismatch_error if the input differs
    *
@@ -617,7 +617,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *
  * Adds a shortest path between two vertices to an empty network, and returns a lower bound of the length of all paths.
  *
- * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is mostly within 1e-13 of the
+ * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is usually within 1e-13 of the
  * length. A `Verdict::PROVEN` geodesic whose length is within `Shortest_path_report::rounding_tolerance()` of the bound
  * is reported as `Verdict::WITHIN_ROUNDING`. The path cannot be confirmed if the search encounters a degenerate edge or
  * is aborted, or if coordinates or lengths of the mesh had to be rounded; the bound is then that of the rounded mesh.
@@ -638,8 +638,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *       one mesh}
  *     \cgalParamType{`Geodesic_landmarks`}
  *     \cgalParamDefault{no landmarks}
- *     \cgalParamExtra{The bound holds as well, but may differ in its last digits, and another one of several shortest
- *       paths may be returned.}
+ *     \cgalParamExtra{The bound remains valid but may differ in its last digits, and a different one of several
+ *       shortest paths may be returned.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor whose `go_further()` is also called by the searches, at regular intervals}
@@ -660,8 +660,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()` does
- * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then.
- *         After any other exception, including those of the visitor, the network is empty and nothing is flipped
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing changes in this
+ *         case. After any other exception, including those of the visitor, the network is empty and nothing is flipped
  *
  * Complexity: that of `geodesic_path()`, plus \f$O(n \log n)\f$ for the \f$n\f$ vertices whose distances in space from
  * both ends add up to less than the length of the path, plus \f$O(w \log w)\f$ for \f$w\f$ windows. The windows lie in
@@ -793,16 +793,16 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  * Computes a shortest path on the surface between two points, and returns whether it is confirmed to be shortest.
  *
  * The guarantees and the algorithm are those of `add_shortest_path()`. A point that is not a vertex becomes one: the
- * faces that contain it are split in exact arithmetic, in constant time. Bounds and verdict are therefore those of the
- * surface of the mesh, with exact coordinates if its kernel provides them, and of the point with exactly the given
- * weights as doubles.
+ * faces that contain it are split in exact arithmetic, in constant time. Bounds and verdict therefore refer to the
+ * surface of the mesh, with exact coordinates if its kernel provides them, and to the point whose weights are exactly
+ * the given doubles.
  *
  * \param mesh a triangle mesh
- * \param source, target points in the same connected component, of the same type or not: vertices of the mesh,
+ * \param source, target points in the same connected component, of equal or different types: vertices of the mesh,
  *        `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or
  *        points in space. `surface_location()` describes how points are snapped, and which point of the mesh represents
- *        a point in space. Locations at vertices have the results of the vertices. A path between coincident points is
- *        `Verdict::WITHIN_ROUNDING`
+ *        a point in space. A location at a vertex gives the same result as the vertex. A path between coincident points
+ *        has the verdict `Verdict::WITHIN_ROUNDING`
  * \param out an output iterator that receives the points of the path, in the form described at `geodesic_path()`
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric`,
  *        `geom_traits` and `visitor` as for `geodesic_path()`
@@ -817,18 +817,18 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  *     \cgalParamDescription{landmarks computed for this mesh and its metric, which pay off for many pairs}
  *     \cgalParamType{`Geodesic_landmarks`}
  *     \cgalParamDefault{no landmarks}
- *     \cgalParamExtra{The bound is proven as well, but may differ in its last digits, and another one of several
+ *     \cgalParamExtra{The bound is still proven but may differ in its last digits, and a different one of several
  *       shortest paths may be returned.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{greatest_point_distance}
  *     \cgalParamDescription{the greatest distance from the surface at which a point in space is accepted}
- *     \cgalParamType{a number that is not negative}
+ *     \cgalParamType{a non-negative number}
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \return the past-the-end output iterator, and a report. Its `Curve_report::point_distances` are the distances of the
- *         given points from the surface, unless both ends have the type of a vertex
+ *         given points from the surface, unless both ends are given as vertices
  *
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
  * \throws Disconnected_endpoints_error as `geodesic_path()` does
@@ -870,7 +870,7 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes landmarks, which speed up many calls of `shortest_path()` on one mesh by lower bounds of distances.
+ * Computes landmarks, whose lower bounds of distances speed up repeated calls of `shortest_path()` on one mesh.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` if TBB is linked, for several concurrent propagations; the
  *         results are the same
@@ -878,7 +878,7 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
  * \param mesh a triangle mesh
  * \param number the number of landmarks in each component
  * \param np the named parameters `vertex_point_map`, `metric` and `geom_traits` as for `geodesic_path()`, and
- *        `visitor`. If the `go_further()` of the visitor returns `false`, the result is not complete, see
+ *        `visitor`. If the `go_further()` of the visitor returns `false`, the result is incomplete; see
  *        `Geodesic_landmarks::is_complete()`
  * \throws Degenerate_face_error as `Geodesic_landmarks` does
  * \throws Invalid_coordinate_error as `Geodesic_landmarks` does
@@ -908,7 +908,7 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParam
  * Computes landmarks at given vertices.
  *
  * \param mesh a triangle mesh
- * \param landmarks a range of vertices of the mesh in any order, where repeated ones count once
+ * \param landmarks a range of vertices of the mesh in any order; repeated vertices count once
  * \param np named parameters, as for the overload with a number of landmarks
  * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
  * \throws Degenerate_face_error as `Geodesic_landmarks` does

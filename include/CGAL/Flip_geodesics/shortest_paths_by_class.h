@@ -40,8 +40,8 @@ namespace Flip_geodesics {
 /// States how a search for paths of different classes ended.
 enum class Class_search_status {
   FOUND,             ///< a path has been found for each requested class
-  NO_MORE_CLASSES,   ///< fewer classes exist, and each has its path
-  COVERING_LIMIT,    ///< the `Covering_limit` did not suffice; fewer paths, or others, may have been found
+  NO_MORE_CLASSES,   ///< fewer classes exist than requested, and a path has been found for each
+  COVERING_LIMIT,    ///< the `Covering_limit` was too small; there may be fewer paths than requested, or different ones
   STOPPED_BY_VISITOR ///< `go_further()` of the visitor returned `false`, and no paths are returned
 };
 
@@ -70,9 +70,9 @@ struct Path_class
 
   /// A shortest edge path of the class in the part of the covering that was laid out. This part contains the first
   /// `number` classes of edge paths; other classes may have shorter edge paths if edge paths approximate distances
-  /// poorly. The parts in the faces or edges of ends that are not vertices are not included.
+  /// poorly. For ends that are not vertices, the parts of the path in their faces or edges are not included.
   std::vector<halfedge_descriptor> edge_path;
-  double edge_length = 0; ///< its length
+  double edge_length = 0; ///< the length of `edge_path`
   /// The length of the shortest path that was found; infinite if the lower bound was sufficient.
   double length = std::numeric_limits<double>::infinity();
   double lower_bound = 0; ///< a lower bound of the length of paths of the class, including rounding errors
@@ -87,14 +87,14 @@ struct Paths_by_class_report
                                                   ///< shortest in its class
   std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
   std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
-  double lower_bound = 0;                         ///< of the paths of classes not found; infinite if none remains
+  double lower_bound = 0; ///< a lower bound for paths of classes not found; infinite if none remains
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
   std::size_t visited = 0;                                 ///< the number of vertices of the universal covering that
                                                            ///< were visited
 
   /// Returns a proven lower bound of the length of paths of all classes, found or not, that have no path among `paths`.
-  /// It is infinite if all classes have their paths, and may be less than the length of the last path if that is not
-  /// confirmed.
+  /// The bound is infinite if each class has a path there, and may be less than the length of the last path if that
+  /// path is not confirmed.
   double lower_bound_of_others() const
   {
     double least = lower_bound;
@@ -129,18 +129,18 @@ struct Paths_by_class_result
   OutputIterator out;                         ///< the past-the-end iterator of the output
   Paths_by_class_report<TriangleMesh> report; ///< the report on the paths
 
-  std::size_t number_of_curves() const { return report.paths.size(); }                  ///< returns their number
-  double length(std::size_t i) const { return report.paths.at(i).length; }              ///< returns the length of one
-  Shortening_status status(std::size_t i) const { return report.paths.at(i).status(); } ///< returns if it is a geodesic
-  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; }           ///< returns one path's verdict
+  std::size_t number_of_curves() const { return report.paths.size(); }                  ///< returns the number of paths
+  double length(std::size_t i) const { return report.paths.at(i).length; }              ///< returns path `i`'s length
+  Shortening_status status(std::size_t i) const { return report.paths.at(i).status(); } ///< returns path `i`'s status
+  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; }           ///< returns path `i`'s verdict
   Class_search_status status() const { return report.status; } ///< returns how the search ended
-  Verdict verdict() const { return report.verdict(); }         ///< returns if these are the shortest of all classes
+  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on all paths together
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of vertices of a universal covering that may be visited, of some 1200 bytes each. The search is
-/// aborted beyond it, and when its searches for shortest paths have made a million windows and 200 more for each vertex
-/// of the limit.
+/// Limits the number of vertices of a universal covering that may be visited; each takes some 1200 bytes. The search is
+/// aborted when the limit is exceeded, or when its searches for shortest paths have created a million windows plus 200
+/// for each vertex of the limit.
 class Covering_limit
 {
 public:
@@ -363,10 +363,10 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *
  * A sphere and a disk have only one class. Obstacles create more: the mesh can be a `CGAL::Face_filtered_graph` without
  * the faces that paths must not enter. Degenerate edges are contracted if they affect the result. If both ends
- * coincide, the first path is that point, of length zero, and the others are the shortest loops there, one in each
- * class.
+ * coincide, the first path is that point and has length zero, and the others are the shortest loops at the point, one
+ * in each class.
  *
- * \param mesh a triangle mesh that is a surface, in which umbrellas do not meet in a vertex only
+ * \param mesh a triangle mesh that is a surface, in which no two umbrellas meet only at a vertex
  * \param source, target points in the same connected component, of any types that `shortest_path()` accepts
  * \param number the number of classes
  * \param out an output iterator that receives one `std::vector` per path, sorted by length, of the points that
@@ -376,7 +376,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
- *     \cgalParamDescription{the limit after which the search is aborted; the report contains what is known}
+ *     \cgalParamDescription{the limit after which the search is aborted; the report contains the results obtained so
+ *       far}
  *     \cgalParamType{`Covering_limit`}
  *     \cgalParamDefault{`Covering_limit()`}
  *   \cgalParamNEnd
@@ -402,9 +403,10 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \throws Insertion_error as `shortest_path()` does
  *
  * Complexity: \f$O(m \log m)\f$ for the \f$m\f$ vertices of the covering that are visited, plus the time of
- * `shortest_path()` for each path. The visited vertices lie on the first `number` classes of edge paths, and where
- * paths of some class may pass that are at most as long as the last result. The covering is laid out in parts, each
- * larger by at least half, so that the time is about proportional to a limit that is reached.
+ * `shortest_path()` for each path. The visited vertices lie on the first `number` classes of edge paths, or where a
+ * path of some class that is at most as long as the last result may pass. The covering is laid out in stages, each
+ * larger than the previous one by at least half, so that the time is roughly proportional to the limit if the limit is
+ * reached.
  *
  * Shortest edge paths are searched in the universal covering of the surface, in which each class of paths has its own
  * end point. A part of the covering is laid out, and a shortest path to each of these end points is computed there as
