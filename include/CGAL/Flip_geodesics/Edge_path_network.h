@@ -50,13 +50,13 @@ namespace Flip_geodesics {
  *
  * Several networks can have curves in one triangulation. A network holds the edges under its curves, and a held edge is
  * not flipped. Curves of other networks are therefore obstacles: they do not move, and a wedge that contains one of
- * their edges is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges, but have no order there,
- * and each of them can leave such an edge to either side. Curves that must not cross have to belong to the same
- * network.
+ * their edges is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges, but have no order on
+ * such edges, and each of them can leave such an edge to either side. Curves that must not cross have to belong to the
+ * same network.
  *
  * The network refers to its triangulation, which must not be destroyed or moved while the network has curves. To move
- * both, use the constructor from a network and a triangulation. A network that was moved from can only be cleared,
- * assigned to and destroyed.
+ * both, use the constructor from a network and a triangulation. A moved-from network can only be cleared, assigned to
+ * and destroyed.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, a model of
  *         `IntrinsicTriangulationOfMesh`
@@ -96,7 +96,7 @@ public:
     m_segments.set_triangulation(moved_to);
   }
 
-  /// Removes all curves, and moves a network as the constructor does.
+  /// Removes all curves, then moves the other network into this one as the constructor does.
   Edge_path_network& operator=(Edge_path_network&& other) noexcept
   {
     if(this != &other) {
@@ -139,8 +139,8 @@ public:
     return curve;
   }
 
-  /// Fixes every node at vertex `v` that a curve currently passes: it keeps its position, and other curves cannot cross
-  /// it. Linear in the number of segment ids.
+  /// Fixes every node at vertex `v` that a curve currently passes: the node keeps its position, and other curves cannot
+  /// cross it. Linear in the number of segment ids.
   void fix_nodes_at(Vertex_index v)
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
@@ -152,7 +152,7 @@ public:
   void set_head_fixed(Segment_index s, bool is_fixed) { m_segments.set_head_fixed(s, is_fixed); }
 
   /// Frees all nodes of a curve, except the ends of an open one.
-  /// \throws Crossing_curves_error if curves cross at one of the nodes; the network is unchanged then
+  /// \throws Crossing_curves_error if curves cross at one of the nodes; in this case the network is unchanged
   void free_nodes(Curve_index curve)
   {
     std::vector<Segment_index> freed;
@@ -230,7 +230,7 @@ public:
   /// Returns whether the curve has contracted to a point.
   bool is_contracted(Curve_index curve) const { return first_segment(curve) == null_index; }
 
-  /// Returns the length of a curve when it was added, unless another one has been set.
+  /// Returns the length of a curve when it was added, unless another initial length has been set.
   double initial_length(Curve_index curve) const { return m_segments.initial_length(curve); }
 
   /// Returns the length of a curve, summed over its segments.
@@ -294,14 +294,14 @@ public:
     return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
   }
 
-  /// Returns the next end clockwise around the node, or no end if the border, or an edge held only by other networks,
-  /// comes first. Linear in the number of incident edges passed.
+  /// Returns the next end clockwise around the node, or a null end if the border, or an edge held only by other
+  /// networks, comes first. Linear in the number of incident edges passed.
   Segment_end next_clockwise(const Segment_end& end) const
   {
     return next_end(end, Side::RIGHT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// Returns the next end counterclockwise around the node, or no end if the border, or an edge held only by other
+  /// Returns the next end counterclockwise around the node, or a null end if the border, or an edge held only by other
   /// networks, comes first. Linear in the number of incident edges passed.
   Segment_end next_counterclockwise(const Segment_end& end) const
   {
@@ -309,7 +309,7 @@ public:
   }
 
   /// Returns the next end of this network around the node, clockwise if `side` is `Side::RIGHT` and otherwise
-  /// counterclockwise, regardless of edges that other networks hold in between. Returns no end if the border comes
+  /// counterclockwise, regardless of edges that other networks hold in between. Returns a null end if the border comes
   /// first. Linear in the number of incident edges passed.
   Segment_end next_beyond_others(const Segment_end& end, Side side) const
   {
@@ -346,7 +346,7 @@ public:
    * \param joint the joint
    * \param arc the halfedges of the arc
    * \param affected receives the joints that are new or newly adjacent: all joints that must be inspected again, except
-   *        the sides that are known not to be below \f$\pi\f$
+   *        on sides whose angle is known to be at least \f$\pi\f$
    * \return the first new segment in the direction of the curve, or `null_index` if no segment was created
    * \pre the angles of the arc on its right are at least \f$\pi\f$
    */
@@ -363,7 +363,7 @@ public:
   Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }
 
 #ifdef DOXYGEN_RUNNING
-  /// Stores the position of a segment among the segments on its edge, so that another one can be put there.
+  /// Stores the position of a segment among the segments on its edge, so that another segment can be put there.
   using Bundle_place = unspecified_type;
 #else
   using Bundle_place = internal::Bundle_place;
@@ -529,8 +529,8 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  * \param way_points at least two vertex indices; a vertex that equals the previous one is skipped. A closed curve need
  *        not repeat the first
  * \param is_closed whether the chain leads back to the first waypoint
- * \param visitor nothing, or a model of `FlipOutVisitor`, of which only `go_further()` is called, by the searches. If
- *        it returns `false`, no halfedges are returned
+ * \param visitor nothing, or a model of `FlipOutVisitor`, of which only `go_further()` is called, during the searches.
+ *        If it returns `false`, no halfedges are returned
  * \throws Invalid_curve_error if the range has fewer than two waypoints, or all of them are the same vertex
  * \throws Vertex_out_of_range_error if an index is not that of a vertex
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive waypoints
@@ -708,27 +708,27 @@ Order_conflict order_if_possible(Network& network)
  *
  * The function must be called after the curves have been added, because `add_curve()` orders segments by insertion. The
  * result depends on the connectivity only and is exact: if an order without crossings exists, it is found. Otherwise
- * the curves cross in every order; for example, two curves that part on opposite sides at the ends of a common chain of
- * edges, or a curve that goes around an annulus twice before it closes.
+ * the curves cross in every order; examples are two curves that part on opposite sides at the ends of a common chain of
+ * edges, and a curve that goes around an annulus twice before it closes.
  *
  * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. The
  * end of a path or a fixed node does not determine an order, but all such ends at a vertex, and the border, must lie on
- * one side of each curve that passes. An order that is undetermined at both ends follows from those of other segments
- * on the same edges, or else is chosen: the segment that was added first lies on the left, as seen along it, or against
- * it if its curve has turned back an odd number of times before. Copies of a curve that does not turn back therefore
- * lie to its right.
+ * one side of each curve that passes through the vertex. An order that is undetermined at both ends follows from those
+ * of other segments on the same edges, or else is chosen: the segment that was added first lies on the left, as seen
+ * along it, or against it if its curve has turned back an odd number of times before. Copies of a curve that does not
+ * turn back therefore lie to its right.
  *
  * \param network an `Edge_path_network`
  * \throws Crossing_curves_error if curves cross in every order. The element is a vertex at which they cross, or one of
  *         several vertices that together make an order impossible
  * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
  *         repeatedly and their choices interlock; the elements are the vertices of a shared edge. After either
- *         exception the curves are unchanged, but the order of their segments may not be
+ *         exception the curves are unchanged, but the order of their segments may have changed
  *
  * Complexity: \f$O(n \log n)\f$ for \f$n\f$ segments, plus the degrees of the vertices that they pass. If edges have
- * several segments, with \f$p\f$ pairs of segments on one edge in total, these take \f$O(p \log p)\f$ time, half a
- * second per million pairs, and \f$O(p)\f$ memory. If the choices described above are inconsistent, the time is \f$p\f$
- * times the maximal number of segments on one edge.
+ * several segments, the \f$p\f$ pairs of segments that lie on the same edge take \f$O(p \log p)\f$ time, half a second
+ * per million pairs, and \f$O(p)\f$ memory. If the choices described above are inconsistent, the time is \f$p\f$ times
+ * the maximal number of segments on one edge.
  */
 template <class Network>
 void order_overlapping_curves(Network& network)

@@ -206,7 +206,7 @@ public:
   /// Returns the number of edges of the input and of inserted points, which flips do not change.
   Index number_of_edges() const { return m_halfedges.number_of_edges(); }
 
-  /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if that is not valid.
+  /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if that vertex is not valid.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
   /// Returns the halfedge that corresponds to a halfedge of the input mesh as long as its edge has not been flipped, or
   /// `null_index` if the latter is not valid.
@@ -222,8 +222,7 @@ public:
   /// \name Connectivity
   /// The functions take constant time. The face on the left of a halfedge is copied from the input when it is first
   /// accessed. At that time `Invalid_mesh_error`, `Degenerate_face_error` or `Invalid_coordinate_error` is thrown if
-  /// the face is not a triangle, is degenerate or is not finite.
-  /// @{
+  /// the face is not a triangle, is degenerate, or does not have finite coordinates and lengths. @{
 
   /// Returns the other side of the edge.
   static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }
@@ -253,7 +252,7 @@ public:
 
   /// Returns a walker positioned at `h`.
   Walker walker(Halfedge_index h) const { return Walker(m_halfedges, m_halfedges.taken(h)); }
-  /// Returns a walker positioned at `h`, given the place of a walker at either side of the edge.
+  /// Returns a walker positioned at `h`, given the `edge_place()` of a walker at either side of the edge.
   Walker walker(typename Walker::Place place, Halfedge_index h) const
   {
     return Walker(m_halfedges, internal::side_slot(place, h));
@@ -337,7 +336,7 @@ public:
 protected:
   using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>; ///< the storage of the elements
 
-  /// Constructs the elements of an input of which nothing has been accessed yet.
+  /// Constructs the elements of an input before any of it has been accessed.
   Intrinsic_triangulation_elements(const Input_mesh& input, const Metric& metric, const Traits& traits)
     : m_halfedges(input, metric, traits)
   {
@@ -437,7 +436,7 @@ public:
   using Walker = typename Elements::Walker;                     ///< a model of `IntrinsicTriangulationWalker`
 
 #ifdef DOXYGEN_RUNNING
-  /// The log entry of a flip, see `IntrinsicTriangulationOfMesh::Flip_record`.
+  /// The log entry of a flip; see `IntrinsicTriangulationOfMesh::Flip_record`.
   using Flip_record = unspecified_type;
 #else
   using Flip_record = internal::Flip_record<Halfedge_geometry>;
@@ -452,14 +451,14 @@ public:
   /// \name Construction
   /// @{
 
-  /// Constructs the triangulation of a mesh with its own points. The complexity is given at the class.
+  /// Constructs the triangulation of a mesh with its own points. For the complexity, see the class.
   /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
   explicit Intrinsic_triangulation(const TriangleMesh& mesh, const Traits& traits = Traits())
     : Intrinsic_triangulation(mesh, Metric(get(CGAL::vertex_point, mesh)), traits)
   {
   }
 
-  /// Constructs the triangulation of a mesh with a metric. The complexity is given at the class.
+  /// Constructs the triangulation of a mesh with a metric. For the complexity, see the class.
   /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
     : Elements(Input_mesh(mesh), metric, traits)
@@ -467,14 +466,15 @@ public:
   }
 
   /*!
-   * Constructs the triangulation of a mesh with a metric, and refuses or contracts degenerate edges.
+   * Constructs the triangulation of a mesh with a metric, and rejects or contracts degenerate edges.
    *
    * If edges are contracted, the input of the triangulation is the contracted surface. Coincident vertices have the
    * index of one of them, and the others are isolated; the edges on both sides of degenerate faces become one edge.
    * `index()` returns the corresponding elements, or `null_index` for a halfedge that has vanished, and
-   * `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the surface meet only in a
-   * point, each has its own vertex, and no curve leads from one to another. If the mesh has no degenerate edges, the
-   * result is the same as without contraction. Contraction takes linear time in the mesh.
+   * `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the surface meet only at a
+   * point, each has its own vertex, and no curve leads from one of these vertices to another. If the mesh has no
+   * degenerate edges, the result is the same as without contraction. Contraction takes time linear in the size of the
+   * mesh.
    *
    * \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
    * \throws Degenerate_face_error if a face has one zero-length edge and two of different lengths
@@ -500,7 +500,7 @@ public:
   /// @{
 
   /// Replaces the vectors of the face on the left of `h`, starting with that of `h`, by more accurate ones. The log
-  /// keeps the old ones.
+  /// keeps the old vectors.
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
     m_log.lay_out(store(), h, geometry);
@@ -526,8 +526,8 @@ public:
   /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$. \pre both faces
   /// exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
-  /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$, for the
-  /// halfedge of a walker. \pre both faces exist
+  /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$, where a walker
+  /// gives the halfedge. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const
   {
     Turn turn;
@@ -539,9 +539,9 @@ public:
    * Returns whether the edge of `h` is locally Delaunay: it is on the border, or the sum of the two opposite angles is
    * at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped, and is locally Delaunay afterwards.
    *
-   * The result is exact if the predicates of the traits are. Otherwise, points that are cocircular up to the tolerance
-   * of the traits count as Delaunay, so flipping non-Delaunay edges in any order terminates as long as the drift stays
-   * below the tolerance.
+   * The result is exact if the predicates of the traits are exact. Otherwise, points that are cocircular up to the
+   * tolerance of the traits count as Delaunay, so flipping non-Delaunay edges in any order terminates as long as the
+   * drift stays below the tolerance.
    */
   bool is_locally_delaunay(Halfedge_index h) const
   {
@@ -595,16 +595,16 @@ public:
    *
    * The records consist of the flip log, the inserted points, and the data derived from the log about crossings and,
    * for exact predicates, about vectors. With `Certified_intrinsic_triangulation_traits` a flip takes about 165 bytes,
-   * at most 200, in addition to some megabytes in total; with doubles it takes about 100. Memory that numbers own on
-   * the heap, such as the digits of rationals, is not included. `rollback()` frees the memory of everything that it
-   * undoes, except for some megabytes kept for reuse.
+   * and at most 200, on top of a fixed cost of some megabytes; with doubles a flip takes about 100 bytes. Heap memory
+   * owned by numbers, such as the digits of rationals, is not included. `rollback()` frees the memory of all entries
+   * that it undoes, except for some megabytes kept for reuse.
    */
   std::size_t memory_of_records() const
   {
     return m_log.memory() + m_points.size() * sizeof(internal::Inserted_point<Halfedge_geometry>) + m_history.memory();
   }
 
-  /// Undoes flips and insertions, the last first, until the log has `position` entries. The former state is restored
+  /// Undoes flips and insertions in reverse order until the log has `position` entries. The former state is restored
   /// bitwise. Linear in the number of undone entries. \pre no curve of any network lies on an edge that vanishes,
   /// unless all such curves are removed before they are used
   void rollback(Log_position position = 0)
@@ -656,15 +656,15 @@ public:
    * \return the new vertex, or the existing one at the point
    * \throws Invalid_location_error if `location` is not a point of the surface
    * \throws Insertion_error if rounding errors have led to wrong flips around the point, the point is too close to a
-   *         vertex to be distinguished from it, or an exact number type cannot represent it; the triangulation is
-   *         unchanged then
+   *         vertex to be distinguished from it, or an exact number type cannot represent it; in this case the
+   *         triangulation is unchanged
    * \throws Occupied_triangulation_error if a curve lies on the edge that contains the point, which
-   *         `Edge_path_network::insert()` would split; the triangulation is unchanged then
+   *         `Edge_path_network::insert()` would split; in this case the triangulation is unchanged
    * \throws Degenerate_face_error if a face that is visited is degenerate
    * \throws Invalid_coordinate_error if a face that is visited is not finite
    *
-   * Complexity: linear in the lengths of the sequences of the edges that cross the input face of the point, usually
-   * only those of the face that contains it.
+   * Complexity: linear in the total length of the edge sequences of the edges that cross the input face of the point;
+   * these are usually only the edges of the face that contains the point.
    */
   Vertex_index insert(const Surface_location& location)
   {
@@ -677,8 +677,8 @@ public:
   /*!
    * Makes a point of the surface a vertex, as `insert()` without a callback, and calls `on_split` if an edge is split.
    *
-   * The arguments are two halfedges: `first`, which now has part of its former length, and `second`, which leads from
-   * the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
+   * The arguments of `on_split` are two halfedges: `first`, which now has part of its former length, and `second`,
+   * which leads from the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
    */
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split)
@@ -741,8 +741,8 @@ public:
    * with integers only [GSC21, section 3].
    *
    * The sequence is computed from the crossing numbers around the edge when it is first requested, and then stored. If
-   * points have been inserted, or if no input edge remains at either end, it is derived from the flip log, which takes
-   * about as many sequences as the history of the edge has joints in total.
+   * points have been inserted, or if no input edge remains at either end, the sequence is derived from the flip log,
+   * for which about as many sequences are computed as there are joints in the history of the edge.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 
@@ -882,7 +882,7 @@ struct Intrinsic_face
 {
   std::array<Vertex_index, 3> vertices;    ///< the tails of the halfedges
   std::array<Halfedge_index, 3> halfedges; ///< counterclockwise around the face
-  std::array<double, 3> lengths;           ///< of the halfedges, in the unit of the mesh, rounded to double
+  std::array<double, 3> lengths;           ///< the lengths of the halfedges, in the unit of the mesh, rounded to double
 };
 
 /*!

@@ -91,9 +91,9 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
  * closed curve in this basis.
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
- * otherwise. All loops of a component pass its base point. They are the shortest edge loops through the base point that
- * generate the fundamental group, and also the homology, since a greedy choice is optimal for both [EW05]. A different
- * base point leads to a different basis. Lengths are those of the metric.
+ * otherwise. All loops of a component pass through its base point. They are the shortest edge loops through the base
+ * point that generate the fundamental group, and also the homology, since a greedy choice is optimal for both [EW05]. A
+ * different base point leads to a different basis. Lengths are those of the metric.
  *
  * The class reads only the input, so it remains valid when the triangulation is flipped, and does not change the
  * triangulation. Construction takes \f$O(n \log n)\f$ time and linear memory.
@@ -110,7 +110,7 @@ public:
   /// Describes a component of the surface.
   struct Component
   {
-    Vertex_index base_point; ///< the vertex that its loops pass
+    Vertex_index base_point; ///< the vertex through which all its loops pass
     Index genus;             ///< the number of handles
     Index number_of_borders; ///< the number of its border loops
     Index first_loop;        ///< the first of its loops
@@ -120,7 +120,7 @@ public:
   /*!
    * Constructs a basis with the first vertex of each component as base point.
    * \param triangulation a triangulation of the surface, which must outlive the basis
-   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet in a vertex only
+   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet only at a vertex
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    */
   explicit Loop_basis(const Triangulation& triangulation)
@@ -143,7 +143,7 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet in a vertex only
+   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet only at a vertex
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    * \throws Vertex_out_of_range_error if a base point is not a vertex of the input
    * \throws Invalid_parameter_error if two base points lie in one component, or a base point is isolated
@@ -159,8 +159,8 @@ public:
       forget_all();
   }
 
-  /// Returns whether this is a basis, that is, whether no visitor stopped the construction. Otherwise only the numbers
-  /// of loops and components, which are zero, may be queried.
+  /// Returns whether this is a basis, that is, whether the construction was not stopped by a visitor. Otherwise only
+  /// the numbers of loops and components, which are zero, may be queried.
   bool is_complete() const { return m_is_complete; }
 
   /// \name Loops
@@ -177,8 +177,8 @@ public:
     return m_forest.loop(m_triangulation->input(), generator(i).halfedge);
   }
 
-  /// Returns the simple cycle obtained from a loop by removing the part that the loop traverses back and forth; it
-  /// passes no vertex twice.
+  /// Returns the simple cycle obtained from a loop by removing the part that the loop traverses back and forth; the
+  /// cycle passes no vertex twice.
   std::vector<Halfedge_index> cycle(Index i) const
   {
     return m_forest.cycle(m_triangulation->input(), generator(i).halfedge);
@@ -212,7 +212,7 @@ public:
    *        intrinsic triangulation and cannot be converted; such a curve must be passed as a curve of a network
    * \throws Invalid_curve_error if the chain is not closed
    *
-   * Complexity: linear in the length of the chain, times at most the genus and the number of borders.
+   * Complexity: linear in the length of the chain, times at most the sum of the genus and the number of borders.
    */
   template <class HalfedgeRange>
   Homology_class homology_class(const HalfedgeRange& halfedges) const
@@ -386,8 +386,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Writes the borders of a surface, each as a closed chain of halfedges with the surface on the left. Each chain begins
- * with its smallest edge, and the chains are sorted by these edges. Linear in the size of the mesh.
+ * Writes each border of a surface as a closed chain of halfedges with the surface on the left. Each chain begins with
+ * its smallest edge, and the chains are sorted by these edges. Linear in the size of the mesh.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose edges are those of the input
  * \param out an output iterator that receives one `std::vector<Halfedge_index>` per border
@@ -433,13 +433,13 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * outside. Each component of genus \f$g\f$ has \f$g\f$ loops of either kind, independently of the other components. All
  * loops together form a basis of the homology with integer coefficients.
  *
- * Which classes bound inside and outside is decided exactly, by linking numbers of loops that are pushed off the
- * surface and counted in a projection. The candidates are closed by a tree of shortest paths and an edge, from a base
- * point and from points near each handle. Of these, the shortest loops are chosen that bound, and that belong to a
- * basis together with the loops chosen before. If the candidates do not suffice, as on a knotted tube, several loops of
- * a `Loop_basis` are combined, and the result may pass edges more than once and cross itself. Since the points near the
- * handles depend on the numbering of the mesh, the same mesh with another numbering can have other loops, which differ
- * in length by some percent.
+ * Which classes bound a surface inside or outside is decided exactly, by linking numbers of loops that are pushed off
+ * the surface and counted in a projection. Each candidate consists of an edge and two paths of a tree of shortest
+ * paths, from a base point or from a point near a handle. From these candidates, the shortest loops are chosen that
+ * bound, and that belong to a basis together with the loops already chosen. If the candidates do not suffice, as on a
+ * knotted tube, several loops of a `Loop_basis` are combined, and the result may pass edges more than once and cross
+ * itself. Since the points near the handles depend on the numbering of the mesh, the same mesh with a different
+ * numbering can have different loops, whose lengths differ by a few percent.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; its input is read
  * \param np an optional sequence of named parameters among those listed below
@@ -460,7 +460,7 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  *
  * Complexity: \f$O(n \log n)\f$, plus the cube of the genus times the size of the numbers. For loops of \f$m\f$ edges,
- * up to \f$m^2\f$ pairs of edges that are close in the projection are added.
+ * up to \f$m^2\f$ pairs of edges that are close in the projection are processed in addition.
  */
 template <class Triangulation, class... NamedParameters>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, const NamedParameters&... np)

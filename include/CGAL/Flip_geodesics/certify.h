@@ -26,13 +26,14 @@ struct Straightness
 {
   /// The largest angle, in radians, by which a segment leaves the strip of input faces that it should cross.
   double largest_bend = 0;
-  /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite if there are no such sides.
+  /// The smallest angle, in radians, at an unblocked side of a joint; infinite if there is no such side.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// Returns the angle, in radians, by which a straight angle may be missed: 1e-8, far above the error of the
-  /// measurement.
+  /// Returns the angle, in radians, by which a straight angle may deviate from \f$\pi\f$: 1e-8, far above the error of
+  /// the measurement.
   static constexpr double tolerance() { return internal::reported_bend; }
-  /// Returns the angle, in radians, from which on a side of a joint counts as straight: \f$\pi\f$ minus `tolerance()`.
+  /// Returns the smallest angle, in radians, at which a side of a joint counts as straight: \f$\pi\f$ minus
+  /// `tolerance()`.
   static constexpr double straight_angle() { return boost::math::constants::pi<double>() - tolerance(); }
 
   /// Accounts for the bend of a segment.
@@ -52,7 +53,7 @@ struct Curve_certificate
   Segment_index segment = null_index; ///< the bent segment, or the one that arrives at the bent joint
   Side side = Side::LEFT;             ///< the side of the bent joint
 
-  /// Returns whether the curve is locally shortest, `PROVEN` or `PROBABLE`.
+  /// Returns whether the curve is locally shortest, that is, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return Flip_geodesics::is_confirmed(verdict); }
 };
 
@@ -62,11 +63,11 @@ struct Curve_certificate
  * Measures the straightness of curves of a network from the input alone.
  *
  * The sequence of input edges that a segment crosses is unfolded from the input coordinates, and the angles at the
- * joints are summed over input faces. The only results of the flips that are used are integers, so rounding errors of
- * the flips have no influence. The unfolding uses doubles, with an error of some units in the last place per face. The
- * idea of such a check is from [SC20, section 5.1]; the unfolded strips are specific to this package.
+ * joints are summed over input faces. Only integers are taken from the results of the flips, so rounding errors of the
+ * flips have no influence. The unfolding uses doubles, with an error of some units in the last place per face. The idea
+ * of such a check is from [SC20, section 5.1]; the unfolded strips are specific to this package.
  *
- * A meter is invalid after the triangulation has changed.
+ * A meter becomes invalid when the triangulation changes.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
@@ -136,7 +137,7 @@ public:
 
   /*!
    * Recomputes the faces in the wedge at a side of a joint from the input, so that the angles of the triangulation
-   * agree with those of the input; drift may have spoiled them in needles.
+   * agree with those of the input; in needles, drift may have made them inaccurate.
    * \return whether every corner of the faces is between 0 and \f$\pi\f$; if not, the flips themselves were wrong
    */
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
@@ -195,7 +196,7 @@ struct Network_certificate
   std::vector<Curve_certificate> curves; ///< one per curve of the network, by its index
   Decision_statistics statistics;        ///< how the comparisons were decided
 
-  /// Returns whether all curves are locally shortest, `PROVEN` or `PROBABLE`.
+  /// Returns whether all curves are locally shortest, that is, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const
   {
     for(const Curve_certificate& curve : curves)
@@ -211,15 +212,15 @@ struct Network_certificate
  * Certifies from the input alone that the curves of a network are locally shortest, whatever traits computed them.
  *
  * The input edges that a segment crosses must unfold to a strip that contains the straight line between the ends of the
- * segment, and each side of a joint that is not blocked must have an angle of at least \f$\pi\f$. The comparisons are
- * those of exact real numbers, filtered by error bounds. A curve that has contracted is proven. If a coordinate or
- * length of the mesh is not a double, no curve is certified, and the verdict is `Verdict::UNDECIDED`.
+ * segment, and each unblocked side of a joint must have an angle of at least \f$\pi\f$. The comparisons are those of
+ * exact real numbers, filtered by error bounds. A curve that has contracted is proven. If a coordinate or length of the
+ * mesh is not a double, no curve is certified, and the verdict is `Verdict::UNDECIDED`.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  * \return one certificate per curve
  *
- * Complexity: linear in the number of crossed input edges if the floating-point filter suffices, and also linear in the
- * mesh if its number type is not limited to doubles.
+ * Complexity: linear in the number of crossed input edges if the floating-point filter suffices, and also in the size
+ * of the mesh if the number type of the mesh is not limited to doubles.
  *
  * \sa `certify_curve()`
  */

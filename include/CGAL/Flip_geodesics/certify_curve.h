@@ -59,8 +59,9 @@ struct Given_curve_certificate
   /// The verdict. It is `BENT_JOINT` only if all segments are straight, and `UNDECIDED` if coordinates or lengths of
   /// the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.
   Verdict verdict = Verdict::PROVEN;
-  /// The largest angle by which the curve is bent, in radians and rounded; 0 if it is not bent. At a joint, this is
-  /// \f$\pi\f$ minus the angle on one side. In a segment, it is the turn at the end of an edge of the shortest path
+  /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. At a joint, this
+  /// is
+  /// \f$\pi\f$ minus the angle on one side. In a segment, it is the turn, at the end of an edge, of the shortest path
   /// that crosses the same edges between the same end points. If a straight segment touches a vertex, it is \f$2\pi\f$
   /// minus the angles of the vertex.
   double bend = 0;
@@ -71,9 +72,9 @@ struct Given_curve_certificate
   Side side = Side::LEFT; ///< the side of a bent joint; in a segment, the side on which `vertex` lies
   /// The positions at which straight segments cross edges, indexed by the numbers of the given points. A position is 0
   /// at the source of the halfedge and 1 at its target; if the edge is given by a location, the halfedge is the one in
-  /// the given face. The rounding error is the length of the segment, divided by that of the edge and by the sine of
-  /// the angle at which it is crossed, times a unit in the last place. The entry is 0 for points that are not crossed
-  /// edges. Empty if the curve is bent.
+  /// the given face. The rounding error is one unit in the last place times the length of the segment, divided by the
+  /// length of the edge and by the sine of the angle at which the edge is crossed. The entry is 0 for points that are
+  /// not crossed edges. Empty if the curve is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< how the comparisons were decided
 
@@ -311,10 +312,10 @@ private:
  *
  * Certifies that a curve from any source is locally shortest.
  *
- * Each segment, from one end or passed vertex to the next, must be the straight line across its crossed edges, and on
- * each side of a passed vertex that does not contain the border, the angle must be at least \f$\pi\f$. The segments are
+ * Each segment, from one end or passed vertex to the next, must be the straight line across its crossed edges, and the
+ * angle on each side of a passed vertex that does not contain the border must be at least \f$\pi\f$. The segments are
  * determined by their end points and edge sequences. The given positions on crossed edges are therefore ignored, and
- * the exact ones are returned.
+ * the exact positions are returned.
  *
  * An end inside a face or on an edge is exactly the point with the given weights divided by their sum; on an edge these
  * are 1 - t, rounded, and t. Ends are not snapped. The end points of an open curve are not subject to any condition.

@@ -35,17 +35,17 @@ namespace Flip_geodesics {
  *
  * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is a side
  * of a face that contains the location, or starts there. The free functions pass both as a `std::pair` of a halfedge of
- * the mesh and an angle. A function that chooses the halfedge takes that of the location, or its twin if that is a
- * border halfedge. It is `halfedge(face, mesh)` for a `Face_location` in the face, and starts at a location that was
- * made from a vertex. Only two functions choose otherwise: a `Trace_report` refers to the side over which the geodesic
- * has entered its last face, and `logarithmic_map()` of a tree, at the border and at inserted vertices, to a direction
- * that its page states.
+ * the mesh and an angle. A function that chooses the halfedge itself takes the halfedge of the location, or the twin if
+ * that halfedge is on the border. It is `halfedge(face, mesh)` for a `Face_location` in the face, and starts at the
+ * vertex for a location that was made from a vertex. Only two functions choose differently: a `Trace_report` refers to
+ * the side over which the geodesic has entered its last face, and `logarithmic_map()` of a tree, at the border and at
+ * inserted vertices, to a direction that its documentation states.
  */
 struct Surface_direction
 {
   Input_halfedge_index halfedge = null_index; ///< a side of a face that contains the location, or a halfedge that
                                               ///< starts there
-  double angle = 0; ///< measured from there, counterclockwise, in radians; at a vertex over all incident faces
+  double angle = 0; ///< measured counterclockwise from the halfedge, in radians; at a vertex over all incident faces
 };
 
 /*!
@@ -54,8 +54,8 @@ struct Surface_direction
  * Transports tangent vectors along curves, parallel in the sense of the Levi-Civita connection.
  *
  * Within a face a vector does not change, and across an edge it does not change if both faces are unfolded into a
- * plane. At a vertex on the curve, the vector keeps its angle to the curve, where the angles around the vertex are
- * scaled to a sum of \f$2\pi\f$ [PS98], except on the border. The tangent of a straightest geodesic is therefore
+ * plane. At a vertex on the curve, the vector keeps its angle to the curve, after the angles around the vertex have
+ * been scaled to a sum of \f$2\pi\f$ [PS98], except on the border. The tangent of a straightest geodesic is therefore
  * transported to its tangent. Along a loop that does not contain a vertex, a vector is rotated by the holonomy of the
  * loop, the sum of the angle defects of the enclosed vertices.
  *
@@ -74,12 +74,12 @@ public:
   /*!
    * Transports a direction along a curve that is straight between consecutive locations.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which any
-   *        two consecutive ones lie in one face or on its boundary; repeated consecutive points count once
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, of which any two
+   *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \param direction the direction at the first location; its halfedge is a side of a face that contains the location,
    *        or starts there
    * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
-   *        location; by default the one that `Surface_direction` states
+   *        location; by default the one described at `Surface_direction`
    * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, or, at a vertex, from 0 to the sum of
    *         its angles; on the border, which has no full turn, the angle can have any value
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
@@ -126,8 +126,8 @@ public:
    * Constructs the curve through the locations.
    *
    * \param triangulation the triangulation, which must outlive the curve
-   * \param locations a range of points of the surface, of any type that `surface_location()` takes, of which any
-   *        two consecutive ones lie in one face or on its boundary; repeated consecutive points count once
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, of which any two
+   *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Degenerate_face_error for a face along the curve
@@ -156,8 +156,9 @@ public:
   const std::vector<Surface_location>& locations() const { return m_sleeve.places(); }
 
   /*!
-   * Returns the number \f$i\f$ of the piece that contains the point at a length from the start. It leads from
-   * `locations()[i]` to `locations()[i + 1]`; at a common point of two pieces the second one is returned.
+   * Returns the number \f$i\f$ of the piece that contains the point at a length from the start. The piece leads from
+   * `locations()[i]` to `locations()[i + 1]`; at a common point of two pieces, the number of the second one is
+   * returned.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
    * \throws Invalid_curve_error if the curve is a point
@@ -170,7 +171,7 @@ public:
   }
 
   /*!
-   * Returns the location at a length from the start, in the face in which the curve continues, or at the end in the
+   * Returns the location at a length from the start, in the face in which the curve continues or, at its end, in the
    * face in which it arrives. Logarithmic in the number of locations.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
@@ -366,7 +367,7 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  *
  * \param mesh a triangle mesh
  * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s, of which two consecutive ones
- *        lie in one face, such as `geodesic_path()`, `trace_geodesic()` and `isolines()` write them
+ *        lie in one face, like those that `geodesic_path()`, `trace_geodesic()` and `isolines()` write
  * \param number the number of samples, at least 2; the first and the last sample of a closed curve are the same
  * \param out an output iterator that receives `Curve_sample`s
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`; the metric must have points
@@ -413,7 +414,8 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * which has no full turn, it is negative if the second curve starts clockwise from the first.
  *
  * \param mesh a triangle mesh
- * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts from there on
+ * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts that start at
+ *        their common point
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \return the angle in radians
  * \throws Invalid_curve_error if the curves do not start at the same point, up to 1e-9 in the weights, or one of them

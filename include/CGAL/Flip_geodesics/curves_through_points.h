@@ -54,10 +54,10 @@ enum class Spline_kind {
  *
  * Each geodesic segment of a control polygon is shortened independently, in a triangulation that is restored for the
  * next one. Segments may therefore cross, pass over control points and over one another, and the control polygon may
- * cross itself. A segment of the next level is shortened from a path that leads from the midpoint of one segment over
- * the control point to the midpoint of the next, so the curve stays in the homotopy class of the polygon.
- * `add_curve_along()` turns the pieces of the finished curve into a curve of a network, and thus into edges of a
- * triangulation.
+ * cross itself. A segment of the next level is obtained by shortening a path that leads from the midpoint of one
+ * segment over the control point to the midpoint of the next, so that the curve stays in the homotopy class of the
+ * polygon. `add_curve_along()` turns the pieces of the finished curve into a curve of a network, and thus into edges of
+ * a triangulation.
  *
  * The invariant is that each segment is a geodesic that starts at the end of the previous one, and that the
  * triangulation is unchanged.
@@ -73,11 +73,11 @@ public:
    *
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
-   * \param control_points a range of at least two points of the surface, of any type that `surface_location()` takes; a
-   *        closed spline has at least three and does not repeat the first. Consecutive points may coincide,
-   *        so that the segment between them has length zero
+   * \param control_points a range of at least two points of the surface, of any type that `surface_location()` accepts;
+   *        a closed spline has at least three and does not repeat the first. Consecutive points may coincide, so that
+   *        the segment between them has length zero
    * \param kind the type of the spline
-   * \throws Invalid_curve_error if fewer points are given
+   * \throws Invalid_curve_error if there are fewer points
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
@@ -94,7 +94,7 @@ public:
 
   /*!
    * Constructs a spline from a control polygon whose segments are already geodesics, such as those of a `Curve_editor`.
-   * The curve thus stays in the homotopy class of the polygon while control points are dragged.
+   * In this way the curve stays in the homotopy class of the polygon while control points are dragged.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
@@ -122,7 +122,7 @@ public:
 
   /*!
    * Subdivides every piece at its midpoint, which doubles the number of pieces.
-   * \throws Insertion_error if the curve is subdivided more finely than numbers can represent
+   * \throws Insertion_error if the subdivision is too fine for the number type
    * \throws Crossing_curves_error if two consecutive segments, taken together, cross themselves
    * \throws Ambiguous_order_error if the search for an order of the overlapping parts of two consecutive segments is
    *         aborted
@@ -165,8 +165,9 @@ public:
   }
 
   /*!
-   * Connects the points where pieces meet, which lie on the curve, by geodesics along their control polygons.
-   * \return one polyline per piece, from its start to its end, which consists of the crossings of edges
+   * Connects the points where pieces meet, which lie on the curve, by geodesics along the control polygons of the
+   * pieces.
+   * \return one polyline per piece, from its start to its end, through the points at which it crosses edges
    * \throws Insertion_error as `refine()` does
    * \throws Crossing_curves_error as `refine()` does
    * \throws Ambiguous_order_error as `refine()` does
@@ -325,18 +326,19 @@ private:
  * and consecutive points are connected.
  *
  * A curve through two points is a shortest edge path. A curve through more points consists of geodesic segments, each
- * obtained by shortening such a path separately, so that it passes the other points on the same sides as the geodesic;
- * the edges that the segments cross are flipped. A segment that crosses a curve of the network remains an edge path,
- * and `order_overlapping_curves()` detects whether the curves cross. The initial length is that of the edge paths.
+ * obtained by shortening such a path separately, so that the curve passes the other points on the same sides as the
+ * geodesic; the edges that the segments cross are flipped. A segment that crosses a curve of the network remains an
+ * edge path, and `order_overlapping_curves()` detects whether the curves cross. The initial length is that of the edge
+ * paths.
  *
  * \param network the network
- * \param locations a range of at least two points of the surface, of any type that `surface_location()` takes; a
+ * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
  *        location that coincides with the previous one is skipped. A closed curve need not repeat the first
  * \param is_closed whether the curve is closed
  * \return the index of the curve
- * \throws Invalid_curve_error if fewer than two points are given, or all coincide
+ * \throws Invalid_curve_error if fewer than two points are given, or all points coincide
  * \throws Crossing_curves_error if segments cross each other between vertices; `elements()` are the ends of the crossed
- *         edge. No curve is added then, but points may have become vertices, and edges may have been flipped
+ *         edge. In this case no curve is added, but points may have become vertices, and edges may have been flipped
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does
@@ -384,8 +386,8 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * `Curve_editor` or of `geodesics_through()`.
  *
  * The ends of the segments become vertices, at which the curve is fixed. The segments become edges of the
- * triangulation, for which the edges that they cross are flipped. A segment that is not a geodesic is shortened to one
- * in its homotopy class.
+ * triangulation; to this end, the edges that they cross are flipped. A segment that is not a geodesic is shortened to
+ * one in its homotopy class.
  *
  * \param network the network
  * \param legs the segments, each starting at the end of the previous one; two consecutive points lie in a common face
@@ -396,8 +398,8 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * \throws Invalid_curve_error if a segment has fewer than two points, consecutive points have no common face, or all
  *         segments are points
  * \throws Crossing_curves_error if segments cross each other or a curve of the network between vertices; `elements()`
- *         are the ends of the crossed edge. No curve is added then, but points may have become vertices, and edges may
- *         have been flipped
+ *         are the ends of the crossed edge. In this case no curve is added, but points may have become vertices, and
+ *         edges may have been flipped
  * \throws Ambiguous_order_error if the search for an order of overlapping segments is aborted
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does
@@ -429,12 +431,12 @@ Curve_index add_curve_along(Network& network, const std::vector<std::vector<Surf
 /// Contains geodesics between consecutive points, each computed separately.
 struct Free_legs
 {
-  std::vector<std::vector<Surface_location>> legs; ///< the points of each: its ends, and its crossings of edges
-  Shortening_report report;                        ///< on all segments together, as one curve
+  std::vector<std::vector<Surface_location>> legs; ///< the points of each segment: its ends and its crossings of edges
+  Shortening_report report;                        ///< the report on all segments together, as one curve
 
-  double length() const { return report.length(); }            ///< returns the length of all segments
-  Shortening_status status() const { return report.status(); } ///< returns whether each is a geodesic
-  Verdict verdict() const { return report.verdict(); }         ///< returns whether each is confirmed
+  double length() const { return report.length(); }            ///< returns the total length of the segments
+  Shortening_status status() const { return report.status(); } ///< returns whether each segment is a geodesic
+  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on all segments
 };
 
 namespace internal {
@@ -465,15 +467,15 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes geodesics between consecutive points, by shortening a shortest edge path between each two of them.
+ * Computes geodesics between consecutive points, by shortening a shortest edge path between each pair.
  *
  * The triangulation is restored for the next segment. Segments therefore do not block one another, and may cross,
- * unlike those of `add_curve_through()`; a triangulation that contains all of them need not exist. A segment between
+ * unlike those of `add_curve_through()`; a triangulation that contains all segments need not exist. A segment between
  * two coincident points consists of that point twice. If all points coincide, the curve is a point, and its status is
  * `Shortening_status::CONTRACTED`.
  *
  * \param triangulation a triangulation of the input without flips and curves, which is unchanged afterwards
- * \param points a range of at least two points of the surface, of any type that `surface_location()` takes
+ * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts
  * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, for each segment. The predicate is
  *        `restarted()` for each segment if possible
  * \return the segments, and a report

@@ -39,8 +39,8 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Is the base class of visitors of `insert_curves()`; its members do nothing. A visitor derives from it and replaces
- * the members that it needs. The names, the parameters and the order of the calls are those of
+ * Is the base class of visitors of `insert_curves()`; its members do nothing. A visitor derives from this class and
+ * overrides the members that it needs. The names, the parameters and the order of the calls are those of
  * `CGAL::Polygon_mesh_processing::Corefinement::Default_visitor`.
  *
  * \tparam TriangleMesh the mesh into which curves are inserted
@@ -60,11 +60,11 @@ struct Default_curve_insertion_visitor
   void after_edge_split() {}
   /// Called before a face is divided. The face remains as one of its parts.
   void before_subface_creations(face_descriptor, TriangleMesh&) {}
-  /// Called before a further part of this face is created.
+  /// Called before a further part of the face is created.
   void before_subface_created(TriangleMesh&) {}
   /// Called with the new part, after its sides have been linked.
   void after_subface_created(face_descriptor, TriangleMesh&) {}
-  /// Called when all parts of this face exist.
+  /// Called when all parts of the face exist.
   void after_subface_creations(TriangleMesh&) {}
 };
 
@@ -177,9 +177,9 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Inserts curves into a mesh as chains of edges, in place. The faces that they cross are divided, all others are kept,
- * and nothing is shortened. The edges of the curves are marked, and faces can be labeled by the regions that marked
- * edges bound.
+ * Inserts curves into a mesh as chains of edges, in place. The faces that curves cross are divided, all other faces are
+ * kept, and nothing is shortened. The edges of the curves are marked, and faces can be labeled by the regions that the
+ * marked edges bound.
  *
  * A curve is the output of functions of this package, or a polyline drawn by a user. It may be open, or closed, in
  * which case its last point repeats the first. It may cross itself and others, lie on edges, pass vertices, and overlap
@@ -189,27 +189,28 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. A
  * divided face or split edge remains as one of its parts; the other parts are new. New vertices on an edge lie on the
  * segment between its ends, at a parameter that is rounded to `double`, and new vertices in a face are affine
- * combinations of its corners. With a kernel with exact constructions they lie exactly there, crossings lie on both
- * curves exactly, barycentric coordinates in an exact number type are not rounded inside faces, and a part of a face is
- * degenerate only if the face is.
+ * combinations of its corners. With a kernel with exact constructions, the vertices lie exactly at these points,
+ * crossings lie exactly on both curves, barycentric coordinates in an exact number type are not rounded inside faces,
+ * and a part of a face is degenerate only if the face is.
  *
  * Rounded coordinates do not separate vertices that are too close to each other. Therefore a point is moved to an edge
  * or to a vertex if its barycentric coordinates are at most the snapping tolerance. Two points are
  * merged if they are close to each other, and a segment is moved to a vertex that it passes closely. Close means a
- * distance of at most this fraction of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ of the largest
- * coordinate. If the tolerance is zero, nothing is merged, and faces of the
- * result can be degenerate with rounded coordinates.
+ * distance of at most the tolerance times the length of the edge, or of the longest side of the face, plus
+ * \f$2^{-48}\f$ of the largest coordinate. If the tolerance is zero, nothing is merged, and with rounded coordinates,
+ * faces of the result can be degenerate.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
  *
  * \param mesh a triangle mesh, a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, no two faces of
  *        which have the same three vertices; only faces that are divided must be triangles
- * \param curves a range of curves, or a single one. A curve is a range of points, or has one as its member `locations`,
- *        like an `Isoline` or a `Voronoi_boundary`. A point is a `CGAL::Polygon_mesh_processing::Face_location` of the
- *        mesh, a `Curve_point` or `Curve_place`, or a point in space that lies on the surface up to \f$10^{-6}\f$ of
- *        the diagonal of the bounding box. A point in space is searched in the faces around the previous point, and
- *        then in all faces. Two consecutive points lie in a common face; `complete_polyline()` computes the missing
- *        points of other polylines. A curve that is a point adds a vertex and no edge
+ * \param curves a range of curves, or a single one. A curve is a range of points, or has such a range as its member
+ *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a
+ *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Curve_point` or `Curve_place`, or a point in
+ *        space that lies on the surface up to \f$10^{-6}\f$ of the diagonal of the bounding box. A point in space is
+ *        searched for in the faces around the previous point, and then in all faces. Two consecutive points lie in a
+ *        common face; `complete_polyline()` computes the missing points of other polylines. A curve that consists of a
+ *        single point adds a vertex and no edge
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -222,7 +223,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_patch_map}
  *     \cgalParamDescription{a property map that receives the number of the region of each face. Regions are the
- *       connected components of faces that marked edges separate, numbered from 0 in the order of their first faces}
+ *       connected components of faces that are separated by marked edges, numbered from 0 in the order of their first
+ *       faces}
  *     \cgalParamType{a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key
  *       and an integer as value type}
  *     \cgalParamDefault{no map}
@@ -254,13 +256,14 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_curve_error if a curve has no points, or two consecutive points do not lie in a common face;
  *            `elements()` are the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
- *            points in space, also if any face that is searched is not a triangle
+ *            points in space, also if any face that is examined is not a triangle
  * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \f$O(n \log n)\f$ in the number of points and crossings if each face has few of them, and up to quadratic
- * in those of a face; linear in the mesh for regions. If points in space are not found in the faces around their
- * previous points, \f$O(n \log n)\f$ in the mesh once, and logarithmic time for each of them.
+ * in the number of those in one face; linear in the size of the mesh for regions. If points in space are not found in
+ * the faces around their previous points, \f$O(n \log n)\f$ in the size of the mesh once, and logarithmic time for each
+ * such point.
  *
  * \sa `cut_along_curves()`
  * \sa `Slit_mesh`

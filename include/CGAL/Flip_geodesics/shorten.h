@@ -63,7 +63,7 @@ public:
   /*!
    * Shortens the curves until all of them are locally shortest or one of the arguments ends the run.
    *
-   * Steps that an earlier run was not allowed to take are considered again, and `Shortening_step::steps` counts from 0.
+   * Steps that were not permitted in an earlier run are considered again, and `Shortening_step::steps` counts from 0.
    *
    * \param stop a model of `FlipOutStopPredicate`
    * \param visitor a model of `FlipOutVisitor`
@@ -99,16 +99,16 @@ public:
   /// Returns the number of steps taken so far in all runs [SC20, Algorithm 1].
   std::size_t number_of_steps() const { return m_state.steps; }
   /// Returns the number of edges flipped so far in all runs. This includes the flips of steps that were rolled back;
-  /// each run that is stopped adds some of these.
+  /// each run that is stopped adds some such flips.
   std::size_t number_of_flips() const { return m_state.flips; }
 
-  /// Returns the length of the network in constant time. The length is updated with each step instead of being summed,
-  /// so it contains the rounding errors of the steps.
+  /// Returns the length of the network in constant time. The length is updated with each step and not recomputed, so it
+  /// accumulates the rounding errors of the steps.
   double length() const { return m_state.length; }
   /// Returns the length of a curve, which is updated with each step like that of the network.
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
-  /// Returns the state of the curves. If the triangulation corresponds with an input mesh, their straightness is
+  /// Returns the state of the curves. If the triangulation corresponds to an input mesh, their straightness is
   /// recomputed from the input, and it is certified if the predicates of the traits are exact. The time is linear in
   /// the size of the network and the number of input edges that it crosses.
   Shortening_report report() const
@@ -251,9 +251,9 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * Shortens the curves of a network to geodesics by flipping edges [SC20, Algorithm 2], each within its isotopy class.
  *
  * The process always terminates and is deterministic: it takes the smallest angle first; ties are broken in favor of
- * the older segment, and then of the left side. The result is recomputed from the input. With traits whose `Has_drift`
- * is `CGAL::Tag_true`, a curve is reported as `LOCALLY_SHORTEST` only if this measurement confirms it; `certify()`
- * proves it exactly.
+ * the older segment, and then of the left side. The straightness of the result is recomputed from the input. With
+ * traits whose `Has_drift` is `CGAL::Tag_true`, a curve is reported as `LOCALLY_SHORTEST` only if this measurement
+ * confirms it; `certify()` proves it exactly.
  *
  * \param network the curves, which are moved while the edges around them are flipped. Curves that share edges must be
  *        ordered by `order_overlapping_curves()` first. Curves that cross keep crossing, which is not visible in any
@@ -262,7 +262,7 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{stop_predicate}
- *     \cgalParamDescription{a predicate that ends the process early}
+ *     \cgalParamDescription{a predicate that can end the process early}
  *     \cgalParamType{a model of `FlipOutStopPredicate`}
  *     \cgalParamDefault{`Never_stop_predicate`}
  *   \cgalParamNEnd

@@ -52,13 +52,13 @@ namespace Flip_geodesics {
  * Geodesic_tracer<Triangulation>(triangulation).trace(source, logarithm.halfedge(), p.angle, Trace_limits<>{p.radius});
  * \endcode
  *
- * This code arrives at the target, unless the shortest path bends at a vertex, which straightest geodesics never do. A
- * `Geodesic_distance_field` finds the edges that the path crosses. They are unfolded into a plane from the source on,
- * and the unfolded target gives the result. The error is therefore that of a few rounding errors per edge, not that of
- * the distances.
+ * This code arrives at the target unless the shortest path bends at a vertex, as straightest geodesics never do. A
+ * `Geodesic_distance_field` finds the edges that the path crosses. These edges are unfolded into a plane, starting at
+ * the source, and the unfolded target gives the result. The error is therefore a few rounding errors per edge, not the
+ * error of the distances.
  *
- * The map is discontinuous across the cut locus, the points that shortest paths reach from two sides. Which of these
- * paths is taken there depends on rounding errors.
+ * The map is discontinuous across the cut locus, the set of points that shortest paths reach from two sides. Which of
+ * these paths is chosen there depends on rounding errors.
  *
  * A map must not be used by two threads at once, not even through its `const` members; the `const` members of its
  * triangulation and of its `distance_field()` are thread-safe.
@@ -79,7 +79,7 @@ public:
    * \param triangulation a triangulation of the mesh; both must outlive the map
    * \param mesh the mesh
    * \param source any location
-   * \param limits how far the map is needed
+   * \param limits the extent to which the map is needed
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
@@ -115,7 +115,7 @@ public:
     m_report = m_field.compute(limits, visitor.get());
   }
 
-  /// Computes the map for a source of any other type that `surface_location()` takes.
+  /// Computes the map for a source of any other type that `surface_location()` accepts.
   template <class Source, class... NamedParameters,
             std::enable_if_t<internal::is_other_place<Triangulation, Source>, int> = 0>
   Logarithmic_map(const Triangulation& triangulation, const Triangle_mesh& mesh, const Source& source,
@@ -149,7 +149,7 @@ public:
    *
    * \throws Invalid_location_error if `location` is not a point of the surface
    *
-   * Complexity: linear in the number of edges that the path crosses and of the windows on these.
+   * Complexity: linear in the number of edges that the path crosses and of the windows on these edges.
    */
   Polar_coordinates operator()(const Surface_location& location) const
   {
@@ -172,7 +172,7 @@ public:
     return (*this)(internal::canonical_location(m_triangulation.input(), m_triangulation.location(v)));
   }
 
-  /// Returns the polar coordinates of a point of any other type that `surface_location()` takes.
+  /// Returns the polar coordinates of a point of any other type that `surface_location()` accepts.
   template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
   Polar_coordinates operator()(const Point& point) const
   {
@@ -192,8 +192,8 @@ public:
   }
 
   /// Returns the polar coordinates of a vector in that plane, as the inverse of `in_plane()`. At a border vertex whose
-  /// angles exceed \f$2\pi\f$, several angles have the same vector; the one nearest to the middle of the surface is
-  /// returned.
+  /// angles exceed \f$2\pi\f$, several angles correspond to the same vector; the one nearest to the middle of the
+  /// surface is returned.
   Polar_coordinates from_plane(const std::array<double, 2>& vector) const
   {
     const double angle = std::atan2(vector[1], vector[0]) / m_frame.stretch();
@@ -316,7 +316,7 @@ struct Logarithmic_map_result
   bool is_on_border = false;    ///< whether the source is on the border; at a vertex angles can then be negative
   Distance_field_report report; ///< the report on the distances
 
-  Distance_field_status status() const { return report.status; } ///< returns how their computation ended
+  Distance_field_status status() const { return report.status; } ///< returns how the computation of the distances ended
   Verdict verdict() const { return report.verdict; }             ///< returns whether the distances are confirmed
 };
 
@@ -383,7 +383,7 @@ private:
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
  *        `trace_geodesic()`
- * \param targets a range of such points; `vertices(mesh)` for all vertices
+ * \param targets a range of points of these types; `vertices(mesh)` for all vertices
  * \param out an output iterator that receives `Polar_coordinates`, one for each target
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \return a `Logarithmic_map_result`. The angles are measured from a halfedge by the rule of `Surface_direction`
@@ -445,7 +445,7 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s, of which two consecutive ones
  *        lie in one face. `geodesic_path()` and `trace_geodesic()` write such ranges, and a `Located_polyline` contains
  *        one
- * \param direction the direction at the start of the curve: a halfedge and an angle from there, as for
+ * \param direction the direction at the start of the curve: a halfedge and the angle from this halfedge, as for
  *        `trace_geodesic()`
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \return the direction at the end of the curve in the same form, from a halfedge by the rule of `Surface_direction`
@@ -485,7 +485,8 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  *
  * The vector is projected to the plane of the face of the first location. The result lies in the plane of the face of
  * the last location, and has the length of the projection. At a vertex, vectors may point out of the face: they are
- * turned out of its plane by the angle on the surface, which requires no choice where the angles sum to \f$2\pi\f$.
+ * turned out of its plane by the angle on the surface, which is unambiguous if the angles at the vertex sum to
+ * \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
  * \param curve a range as for the overload with an angle, of locations in faces, since vectors lie in the planes of

@@ -119,10 +119,10 @@ struct Trace_report
   std::size_t edges = 0;                      ///< the number of crossed edges
   std::size_t vertices = 0;                   ///< the number of vertices passed straight through
   Surface_location location;                  ///< its end
-  Input_halfedge_index halfedge;              ///< the halfedge from which its direction at the end is measured, see
+  Input_halfedge_index halfedge;              ///< the halfedge from which the direction at the end is measured; see
                                               ///< `Geodesic_tracer::trace()`
-  double angle = 0;                           ///< the angle from there to its direction, counterclockwise, in radians
-  Decision_statistics statistics;             ///< how filter failures were resolved
+  double angle = 0;               ///< the counterclockwise angle from this halfedge to the direction, in radians
+  Decision_statistics statistics; ///< how filter failures were resolved
 };
 
 namespace internal {
@@ -307,12 +307,12 @@ struct No_visitor_of_points
  * \ingroup PkgFlipGeodesicsTracing
  *
  * Traces straightest geodesics on the input mesh of a triangulation [PS98], that is, evaluates the exponential map.
- * They are straight across faces and edges, and have the same angle on both sides of a vertex. The free function is
- * `trace_geodesic()`.
+ * Such geodesics are straight across faces and edges, and have the same angle on both sides of a vertex. The free
+ * function is `trace_geodesic()`.
  *
- * Which edges are crossed, and whether a vertex is reached, is decided exactly by the signs of the real numbers that
- * are defined by the weights of the start, the direction and the input coordinates, each rounded to a double. A
- * direction given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly
+ * Which edges are crossed, and whether a vertex is reached, is decided exactly, from the signs of real numbers that are
+ * defined by the weights of the start, the direction and the input coordinates, each rounded to a double. A direction
+ * given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly
  * \f$2\pi\f$, the geodesic continues as in a plane without rounding; this includes the interior of planar parts and the
  * edges along which they are folded. At other vertices, and at vertices of a degenerate face, the bisecting angle is
  * rounded, and so is the outgoing direction.
@@ -323,7 +323,7 @@ template <class Triangulation>
 class Geodesic_tracer
 {
 public:
-  /// Constructs a tracer, which refers to the triangulation and caches what it has computed of faces.
+  /// Constructs a tracer, which refers to the triangulation and caches the quantities computed for faces.
   explicit Geodesic_tracer(const Triangulation& triangulation)
     : m_triangulation(triangulation)
     , m_exact_faces(triangulation)
@@ -337,13 +337,13 @@ public:
    * \param halfedge the halfedge from which the direction is measured: a side of a face that contains the location, or
    *        a halfedge that starts there
    * \param angle the angle from `halfedge` to the direction, in radians, counterclockwise on the surface. At a vertex
-   *        it extends over all incident faces, so a full turn is the sum of their angles
+   *        the angle extends over all incident faces, so a full turn is the sum of their angles
    * \param limits a `Trace_limits`
    * \param visitor a function object that is called with a `Surface_point` for the start, each crossed edge, each
    *        vertex, and the end
    * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Invalid_parameter_error if the angle is not finite, `halfedge` is not such a halfedge, or the length is
-   *         negative or not finite
+   * \throws Invalid_parameter_error if the angle is not finite, `halfedge` does not satisfy the condition above, or the
+   *         length is negative or not finite
    * \throws Degenerate_face_error if a face has a side of length zero, or the direction lies in a degenerate face
    * \throws Invalid_coordinate_error if a coordinate is not finite
    * \throws Invalid_mesh_error if a face is not a triangle
@@ -388,9 +388,9 @@ public:
     return trace(location, direction, limits, internal::No_visitor_of_points());
   }
 
-  /// Traces a geodesic from a point of any other type that `surface_location()` takes. The other arguments are those
-  /// for a location. A `Face_location` is not moved to a nearby edge or vertex, so that tracing can continue from every
-  /// end.
+  /// Traces a geodesic from a point of any other type that `surface_location()` accepts. The other arguments are as for
+  /// a location. A `Face_location` is not moved to a nearby edge or vertex, so that tracing can continue from the end
+  /// of any geodesic.
   template <class Point, class... Arguments, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
   Trace_report trace(const Point& point, const Arguments&... arguments) const
   {
@@ -422,7 +422,7 @@ struct Trace_result
 
   OutputIterator out;                                         ///< the past-the-end iterator of the output
   Trace_report report;                                        ///< the report on the geodesic
-  std::pair<face_descriptor, std::array<double, 3>> location; ///< its end, a `Face_location`
+  std::pair<face_descriptor, std::array<double, 3>> location; ///< the end of the geodesic, a `Face_location`
   std::pair<halfedge_descriptor, double> direction;           ///< the direction in which it would continue
 
   double length() const { return report.length; }       ///< returns the length of the geodesic
@@ -618,7 +618,8 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
  * \throws Vertex_out_of_range_error if the source is not a vertex of the mesh
  * \throws Invalid_location_error if the source does not lie on the mesh
  * \throws Invalid_parameter_error if the length or the direction is not finite, the length or the number of iterations
- *         is negative, the vector has no component in the plane of its face, or the halfedge is not such a halfedge
+ *         is negative, the vector has no component in the plane of its face, or the halfedge does not satisfy the
+ *         condition above
  * \throws Degenerate_face_error if a face with a side of length zero is encountered, or the geodesic starts into a
  *         degenerate face
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
