@@ -337,7 +337,7 @@ namespace IO {
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Writes surfaces, curves and points in binary glTF 2.0, which browsers and animation programs support.
+ * Writes surfaces, curves and points in the binary glTF 2.0 format, which browsers and animation programs support.
  *
  * The file has a node `surface`, a node `curve_N` for each curve, and a node `points`. Coordinates are floats relative
  * to the center of the surface. With an `IO::Texture`, each face has three separate vertices with `TEXCOORD_0`.

@@ -113,8 +113,8 @@ namespace IO {
  * The file has an object `surface`, an object `curve_N` for each curve, with one element `l`, and an object `points`.
  * All vertices come first, in the order of the data. A curve of one point is an element `p`. `CGAL::IO::read_OBJ()`
  * does not support the element `l`, but reads surfaces, tubes and points. With an `IO::Texture`, the corners of faces
- * have texture coordinates, `vt`, if these are finite. With the name of a material library in `IO::Colors`, objects
- * have materials.
+ * have texture coordinates, `vt`, if these are finite. If `IO::Colors` names a material library, objects have
+ * materials.
  *
  * \param out a stream
  * \param parts the data, as for `write_VTP()`; the named parameter `use_binary_mode` is ignored

@@ -160,9 +160,9 @@ namespace IO {
  * Writes surfaces, curves and points in the PLY format, with elements `vertex`, `face` and `edge`.
  *
  * Edges have the number of their curve as property `curve`. If the data contain tubes, faces have this property as
- * well, and it is -1 for those of a surface. Values at vertices are properties of the vertices with the given names. A
- * vector has three properties, whose names end in `_x`, `_y` and `_z`, and an array has one for each position. MeshLab
- * colors a surface by the property `quality`. With `IO::Colors`, vertices and edges have colors.
+ * well, with the value -1 for faces of a surface. Values at vertices are properties of the vertices with the given
+ * names. A vector has three properties, whose names end in `_x`, `_y` and `_z`, and an array has one property for each
+ * position. MeshLab colors a surface by the property `quality`. With `IO::Colors`, vertices and edges have colors.
  *
  * \param out a stream
  * \param parts the data, as for `write_VTP()`

@@ -236,13 +236,13 @@ namespace IO {
  * have an array for each `Vertex_values`. If an exception is thrown because of the data, nothing is written. The data
  * are not copied, but tubes are kept until they are written, and a mesh other than a `Surface_mesh` is numbered.
  *
- * \param out a stream, opened in binary mode on systems that distinguish it from text; its locale and its settings have
- *        no effect
+ * \param out a stream, opened in binary mode on systems that distinguish it from text; its locale and format settings
+ *        have no effect
  * \param parts the data, one or several of:
  *        - a triangle mesh, a model of `FaceListGraph`;
  *        - a range of points, with `x()`, `y()` and `z()`;
  *        - a range of polylines, which are ranges of points. Curves are counted from 0 over all ranges in the call;
- *          those without points are omitted, but counted. A curve of one point is written as a point;
+ *          curves without points are omitted, but counted. A curve of one point is written as a point;
  *        - `Tubes`, to draw curves as tubes;
  *        - `Vertex_values`, values at the vertices of the mesh;
  *        - `Colors`, to color the surface and the curves;
@@ -255,26 +255,26 @@ namespace IO {
  *     \cgalParamDefault{the vertex point property of the mesh, which is not required if a map is given}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{use_binary_mode}
- *     \cgalParamDescription{whether numbers are written as bytes, the lowest first, or as text}
+ *     \cgalParamDescription{whether numbers are written as little-endian bytes or as text}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{stream_precision}
- *     \cgalParamDescription{the number of digits in text}
+ *     \cgalParamDescription{the number of digits of numbers written as text}
  *     \cgalParamType{`int`}
- *     \cgalParamDefault{17, with which every `double` is restored exactly}
+ *     \cgalParamDefault{17, from which every `double` can be restored exactly}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws File_write_error if the data are empty, the stream has failed or fails, which its state indicates as well, or
- *         values at vertices are not finite in text, as those at points beside the mesh never are
+ * \throws File_write_error if the data are empty, the stream has failed or fails, as its state also indicates, or
+ *         values at vertices are written as text and are not finite, which is always the case at points beside the mesh
  * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` is the vertex or the point, preceded by
  *         the curve if the point belongs to one
  * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed elements
- * \throws Invalid_parameter_error if values at vertices have the same name as others, or a name with characters other
- *         than letters, digits and underscores
+ * \throws Invalid_parameter_error if values at vertices have the same name as others, or a name that contains
+ *         characters other than letters, digits and underscores
  *
- * Complexity: linear in the data.
+ * Complexity: linear in the size of the data.
  */
 template <class... Parts>
 void write_VTP(std::ostream& out, const Parts&... parts)

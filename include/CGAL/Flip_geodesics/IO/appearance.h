@@ -17,10 +17,10 @@ namespace IO {
  * \ingroup PkgFlipGeodesicsIO
  *
  * Requests that writers draw curves as triangulated tubes, which viewers show with their true thickness, whereas lines
- * are one pixel wide. The object is passed to `write_VTP()` and other writers among the data, and affects all curves of
- * the call.
+ * are one pixel wide. The object is passed to `write_VTP()` and other writers along with the data, and affects all
+ * curves of the call.
  *
- * A tube is a closed surface, oriented outwards: it has a cap at either end, or is a ring if the last point of the
+ * A tube is a closed surface, oriented outwards: it has a cap at each end, or is a closed ring if the last point of the
  * curve equals the first. Around each point of the curve, it has a ring of corners in the plane that bisects the angle
  * there. If a curve bends more than its radius allows, the tube intersects itself.
  */
@@ -57,8 +57,8 @@ private:
  * \ingroup PkgFlipGeodesicsIO
  *
  * Requests that `write_PLY()`, `write_OBJ()` and `write_VTP()` write the colors that `write_GLB()` always writes. The
- * object is passed among the data. The surface is light gray, points are black, and curve \f$i\f$ has color \f$i\f$
- * modulo 4 of red, blue, green and brown.
+ * object is passed along with the data. The surface is light gray, points are black, and curve \f$i\f$ has color
+ * \f$i\f$ modulo 4 of red, blue, green and brown.
  *
  * - In PLY, vertices and edges have the properties `red`, `green` and `blue`.
  * - In VTP, cells have an array `color` of three bytes.
@@ -84,7 +84,7 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Passes texture coordinates of the corners of faces to `write_OBJ()` and `write_GLB()`, among the data.
+ * Passes texture coordinates of the corners of faces to `write_OBJ()` and `write_GLB()`, along with the data.
  *
  * The image is the unit square, with its first row at the top. A face has no texture if one of its corners has a
  * coordinate that is not finite. Other writers ignore textures.
@@ -113,7 +113,7 @@ struct Texture
  * \ingroup PkgFlipGeodesicsIO
  *
  * Passes values at the vertices of the mesh, such as distances, numbers of nearest sources, or directions, to
- * `write_VTP()` and `write_PLY()`, among the data. Viewers use them to color the mesh.
+ * `write_VTP()` and `write_PLY()`, along with the data. Viewers use them to color the mesh.
  *
  * The value at points of curves and at separate points is NaN. Other writers ignore the values.
  *

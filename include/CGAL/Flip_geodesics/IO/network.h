@@ -396,8 +396,8 @@ inline std::string checked_text(std::istream& in)
  * Saves a network together with its triangulation as text.
  *
  * The text contains the log of flips and insertions; the curves, by segments; and the order of overlapping segments on
- * edges, which does not follow from the curves. The input mesh is not written, but a fingerprint of its connectivity
- * and edge lengths is.
+ * edges, which does not follow from the curves. Instead of the input mesh, a fingerprint of its connectivity and edge
+ * lengths is written.
  *
  * The format, version 2, consists of words separated by blanks. Numbers are decimal with all digits, and indices are
  * those of the library.
@@ -411,14 +411,14 @@ inline std::string checked_text(std::istream& in)
  *     bundles K           then K lines: EDGE N ID ... ID
  *     end CHECKSUM       FNV-1a of all that comes before this line
  *
- * Version 1 differs only in insertions: it had `v` for both kinds, without the gap. Such files can be read if no vertex
- * was inserted.
+ * Version 1 differs only in insertions: it used `v` for both kinds, without the gap. Files of version 1 can be read if
+ * no vertex was inserted.
  *
  * \param out the stream, whose state indicates errors
  * \param network the network
  * \return `out`
  *
- * Complexity: linear in the mesh and the log.
+ * Complexity: linear in the sizes of the mesh and the log.
  */
 template <class Network>
 std::ostream& write_network(std::ostream& out, const Network& network)
@@ -443,13 +443,13 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * Loads a network that `write_network()` has saved into a triangulation of the same input with the same traits, by
  * repeating all flips and restoring the curves.
  *
- * The result is bitwise identical, including the ids of segments, so that shortening continues as it would have.
- * Inserted vertices, including those of `refine()` and on curves, are restored as well. The order of overlapping curves
- * is restored as it was saved, even if `order_overlapping_curves()` was not called before;
+ * The result is bitwise identical, including the ids of segments, so that shortening continues as it would have without
+ * saving. Inserted vertices, including those of `refine()` and on curves, are restored as well. The order of
+ * overlapping curves is restored as it was saved, even if `order_overlapping_curves()` was not called before;
  * `Edge_path_network::is_valid()` can then be `false`, as for the saved network.
  *
  * The function reads up to the end of the line with the checksum, so several networks can be read from one stream. The
- * line ends of all systems are accepted. If the function throws, the triangulation and the network are unchanged.
+ * line endings of all systems are accepted. If the function throws, the triangulation and the network are unchanged.
  *
  * \param in the stream
  * \param network an empty network in a triangulation that has not been flipped
@@ -459,7 +459,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * \throws Input_mismatch_error if the network was saved for another mesh, or another metric
  * \throws Occupied_triangulation_error if another network has curves in the triangulation
  *
- * Complexity: linear in the mesh, for its fingerprint, and in the number of flips and of segments.
+ * Complexity: linear in the size of the mesh, for its fingerprint, and in the number of flips and of segments.
  */
 template <class Triangulation>
 void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
