@@ -34,7 +34,7 @@ public:
   /// \name Curves
   /// @{
 
-  /// Returns the triangulation whose edges carry the curves. The reference may be without `const`.
+  /// Returns the triangulation whose edges carry the curves. The reference may be non-`const`.
   const Triangulation& triangulation() const;
 
   /// Returns the number of curves. They are numbered from 0, and a curve keeps its number when it contracts.
@@ -46,7 +46,7 @@ public:
   /// Returns whether the curve has contracted to a point and has no segments.
   bool is_contracted(Curve_index curve) const;
 
-  /// Returns the current length of a curve, 0 if it has contracted.
+  /// Returns the current length of a curve, or 0 if it has contracted.
   double length(Curve_index curve) const;
 
   /// Returns the original length of a curve, to which stop predicates refer.

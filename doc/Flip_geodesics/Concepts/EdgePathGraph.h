@@ -4,11 +4,11 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `EdgePathGraph` refines `CurveNetwork` by what `shorten()` requires in addition: the state of the wedges
- * of joints, and the operations that move a joint.
+ * The concept `EdgePathGraph` refines `CurveNetwork` by the additional requirements of `shorten()`: the state of the
+ * wedges of joints, and the operations that move a joint.
  *
- * A model never reuses the index of a segment, since indices wait in a queue while segments are created and removed. It
- * holds an edge of the triangulation once if at least one segment lies on the edge, and otherwise not at all.
+ * A model never reuses the index of a segment, since indices remain in a queue while segments are created and removed.
+ * A model holds an edge of the triangulation once if at least one segment lies on the edge, and otherwise not at all.
  *
  * The angle of a wedge is constant as long as its joint exists, since `shorten()` does not flip occupied edges. The set
  * of segment ends in the wedge can change, however. Therefore `shorten()` queues each free wedge once, ordered by its
@@ -76,7 +76,8 @@ public:
   /// empty arc has joined its two segments. It also appends each joint whose two ends have become adjacent around a
   /// vertex because ends between them were removed. Additional joints are allowed, since wedges that are not free are
   /// discarded. A side may be omitted if its angle is known to be at least \f$\pi\f$: the wedge's side between two new
-  /// segments, and the other side at either end of the arc if its angle was that large before, since it has grown.
+  /// segments, and the other side at either end of the arc if its angle was that large before, since this angle has
+  /// grown.
   ///
   /// \return the first new segment in the direction of the curve, `null_index` if the arc is empty
   /// \pre The two segments differ, no edge inside the wedge is held, the arc bounds the faces of the wedge, and no
@@ -90,8 +91,8 @@ public:
   /// \pre The two edges carry no segments.
   Segment_index perturb_loop(Segment_index segment, Halfedge_index h);
 
-  /// Returns the position of the only segment of a closed curve among the segments of its edge, as `restore_loop()`
-  /// requires it.
+  /// Returns the position of the only segment of a closed curve among the segments of its edge, in the form that
+  /// `restore_loop()` requires.
   Bundle_place bundle_place(Segment_index segment) const;
 
   /// Replaces the present segments of a closed curve by the single segment that it consisted of when `place` was

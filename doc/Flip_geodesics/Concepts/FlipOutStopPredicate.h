@@ -4,8 +4,8 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `FlipOutStopPredicate` describes a predicate that ends a shortening early. `shorten()` keeps a reference
- * to it and calls it from one thread.
+ * The concept `FlipOutStopPredicate` describes a predicate that can end a shortening early. `shorten()` keeps a
+ * reference to it and calls it from one thread.
  *
  * The predicate is evaluated when the outcome of a step is known and before the curve changes. A limit on the length is
  * therefore never exceeded, not even by a step in which a curve collapses. If the predicate rejects the step, its flips
@@ -35,6 +35,7 @@ public:
   /// Optional. Returns a predicate of the same type without the state of this one, such as the time at which
   /// `Time_stop_predicate` was constructed. `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()`
   /// shorten several curves, one after the other or in several threads. They call this member when they begin with a
-  /// curve, and evaluate the result for this curve. If it is missing, one predicate is evaluated for all curves.
+  /// curve, and evaluate the result for this curve. If this member is missing, one predicate is evaluated for all
+  /// curves.
   FlipOutStopPredicate restarted() const;
 };

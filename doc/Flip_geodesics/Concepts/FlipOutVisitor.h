@@ -5,7 +5,7 @@
  * \cgalConcept
  *
  * The concept `FlipOutVisitor` describes an observer of a shortening, for progress, interruption and animation.
- * `shorten()` calls its members from one thread. An exception that is thrown by a member passes through `shorten()` and
+ * `shorten()` calls its members from one thread. An exception thrown by a member propagates through `shorten()` and
  * leaves valid curves, none of them longer than before.
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well and call the first two members;
@@ -46,11 +46,11 @@ public:
   /// the shortening ends, and the curves that could still be shortened have the status
   /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls it before each pair of end points.
   /// Searches, distance fields and computations of loops, landmarks and isolines call it at regular intervals, about
-  /// once in a thousand steps of at most a microsecond each.
+  /// once per thousand steps of at most a microsecond each.
   bool go_further();
 
   /// Optional. Called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of complete
-  /// rows, from 0 to 1. If it is missing, progress is not reported.
+  /// rows, from 0 to 1. If this member is missing, progress is not reported.
   void on_progress(double fraction);
 
   /// Observes that the edge of halfedge `h` was flipped. It is called before the step moves its curve. The flips of a

@@ -10,7 +10,7 @@
  * that evaluates a closed form.
  *
  * As far as the field is finite, it is continuous across edges and vertices and 1-Lipschitz: the values at two points
- * differ by at most the length of any path on the surface between them. Sources may have offsets, also negative
+ * differ by at most the length of any path on the surface between them. Sources may have offsets, including negative
  * ones. Rounding errors are harmless. If a field has larger slopes, both functions still work, but bounds that are
  * derived from this property need not hold.
  *
@@ -34,6 +34,7 @@ public:
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const;
 
   /// Optional. Returns `true` only if all points of a face with a finite distance have the same nearest source.
-  /// `voronoi_boundaries()` does not search such faces for boundaries. If it is missing, all faces are searched.
+  /// `voronoi_boundaries()` does not search such faces for boundaries. If this member is missing, all faces are
+  /// searched.
   bool has_one_source(face_descriptor face) const;
 };

@@ -26,7 +26,8 @@
 class IntrinsicMetric
 {
 public:
-  /// `CGAL::Flip_geodesics::Numbered_mesh` of the mesh's type, that of `Intrinsic_triangulation::input()`.
+  /// `CGAL::Flip_geodesics::Numbered_mesh` of the type of the mesh, which is the type of
+  /// `Intrinsic_triangulation::input()`.
   typedef unspecified_type Mesh;
 
   /// A \cgal kernel. Finished curves are measured with `Intrinsic_triangulation_traits<Kernel, double>`.
@@ -47,7 +48,7 @@ public:
   /// interpreted as the coordinates of a point, from which `add_straightened_path()` unfolds faces.
   typedef unspecified_type Place;
 
-  /// Returns `weight(mesh, h)` up to rounding errors, given the places of the two ends of the halfedge. This is the
+  /// Returns `weight(mesh, h)` up to rounding errors, given the data of the two ends of the halfedge. This is the
   /// overload that searches for edge paths call most often.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const;
 
@@ -76,7 +77,7 @@ public:
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed by one of the functors of
-  /// `traits`. It is not called for a metric with `squared_length()`, which need not have this member.
+  /// `traits`. This member is not called for a metric with `squared_length()` and is not required in that case.
   /// \throws Degenerate_face_error if an edge of the face has length zero or its lengths violate the triangle
   /// inequality
   /// \throws Invalid_coordinate_error if a coordinate or length is not a usable number

@@ -38,7 +38,7 @@ public:
   /// `Traits::Turn`.
   typedef unspecified_type Turn;
 
-  /// A handle of a halfedge that contains its position in memory, for walks of many steps: a model of
+  /// A handle to a halfedge that contains its position in memory, for walks of many steps: a model of
   /// `IntrinsicTriangulationWalker`. Copyable, assignable, and comparable by `==` and `!=`.
   typedef unspecified_type Walker;
 
@@ -70,11 +70,11 @@ public:
   Vertex_index head(Halfedge_index h) const;
   /// Returns whether `h` has no face on its left.
   bool is_border(Halfedge_index h) const;
-  /// Returns the next halfedge clockwise around the tail, `null_index` at the border.
+  /// Returns the next halfedge clockwise around the tail, or `null_index` at the border.
   Halfedge_index clockwise(Halfedge_index h) const;
-  /// Returns the next halfedge counterclockwise around the tail, `null_index` at the border.
+  /// Returns the next halfedge counterclockwise around the tail, or `null_index` at the border.
   Halfedge_index counterclockwise(Halfedge_index h) const;
-  /// Returns a halfedge that starts at `v`, `null_index` for an isolated vertex.
+  /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Halfedge_index outgoing(Vertex_index v) const;
   /// Announces that the face on the left of `h` will be read soon. An empty function is valid.
   void prefetch_face(Halfedge_index h) const;
@@ -107,15 +107,16 @@ public:
   void flip(Halfedge_index h);
   /// Returns the end of the log, which grows with each flip.
   Log_position log_position() const;
-  /// Rolls back flips, the last one first, until the log ends at `position`. The result is bitwise the former state.
+  /// Rolls back flips in reverse order until the log ends at `position`. The result is bitwise identical to the former
+  /// state.
   void rollback(Log_position position);
   /// Returns the size of the flip records in bytes, for `Memory_stop_predicate`.
   std::size_t memory_of_records() const;
 
   /// @}
   /// \name Held edges
-  /// Each network holds every edge on which it has segments, once. Functions that flip edges, such as `shorten()` for
-  /// another network and `flip_to_delaunay()`, do not flip edges that are held.
+  /// Each network holds every edge on which it has segments, exactly once. Functions that flip edges, such as
+  /// `shorten()` for another network and `flip_to_delaunay()`, do not flip edges that are held.
   /// @{
 
   /// Returns the number of holds on an edge, initially 0.
@@ -126,7 +127,7 @@ public:
   void release(Edge_index e);
   /// Returns the number of holds on all edges.
   std::size_t number_of_holds() const;
-  /// Returns an upper bound of `Walker::edge_place()` for all edges at which a walker has been.
+  /// Returns an upper bound of `Walker::edge_place()` for all edges that a walker has visited.
   std::size_t number_of_edge_places() const;
 
   /// @}
@@ -137,8 +138,8 @@ public:
   Walker walker(Halfedge_index h) const;
   /// Returns a walker at `h`, given the `place()` of a walker at either side of the edge.
   Walker walker(Walker::Place place, Halfedge_index h) const;
-  /// Returns whether the two faces of the edge of `h` have together an angle of at least \f$\pi\f$ at the head of
-  /// `h`. \pre both faces exist
+  /// Returns whether the two faces of the edge of `h` together have an angle of at least \f$\pi\f$ at the head of `h`.
+  /// \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const;
 
   /// @}
@@ -148,7 +149,7 @@ public:
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulationWalker` describes a handle of a halfedge of an `IntrinsicTriangulation` that moves
+ * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation` that moves
  * to other halfedges. Except for the last four, its members correspond to those of the triangulation.
  *
  * \sa `IntrinsicTriangulation`
@@ -161,7 +162,7 @@ public:
 
   /// Returns the halfedge.
   Halfedge_index index() const;
-  /// Returns the position of its edge.
+  /// Returns the position of the edge.
   Place place() const;
   /// Returns whether the walker has no halfedge because it met the border.
   bool is_none() const;
@@ -172,9 +173,9 @@ public:
   IntrinsicTriangulationWalker twin() const;
   /// Returns a walker at the previous halfedge of the face. \pre the halfedge is not on the border
   IntrinsicTriangulationWalker previous() const;
-  /// Returns a walker at the next halfedge clockwise around the tail, none at the border.
+  /// Returns a walker at the next halfedge clockwise around the tail, or one without a halfedge at the border.
   IntrinsicTriangulationWalker clockwise() const;
-  /// Returns a walker at the next halfedge counterclockwise around the tail, none at the border.
+  /// Returns a walker at the next halfedge counterclockwise around the tail, or one without a halfedge at the border.
   IntrinsicTriangulationWalker counterclockwise() const;
 
   /// Returns the length of the edge.
@@ -184,13 +185,13 @@ public:
   /// Adds to `turn` the corner on the right at the tail, and returns `clockwise()`. At the border, `turn` is unchanged.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
-  /// Returns a constant number that is unique to the edge, an index of arrays by edges. It is the number of the edge,
-  /// or a number that is small for edges that were used early, which keeps such arrays short.
+  /// Returns a constant number that is unique to the edge and can index arrays of data of edges. It is the number of
+  /// the edge, or a number that is small for edges that were used early, which keeps such arrays short.
   std::size_t edge_place() const;
   /// Returns whether the edge is held.
   bool is_held() const;
   /// Adds a hold to the edge.
   void hold() const;
-  /// Releases a hold of the edge.
+  /// Releases a hold on the edge.
   void release() const;
 };

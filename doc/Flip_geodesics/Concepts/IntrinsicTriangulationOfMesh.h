@@ -5,15 +5,15 @@
  * \cgalConcept
  *
  * The concept `IntrinsicTriangulationOfMesh` refines `IntrinsicTriangulation` by the correspondence with the mesh from
- * which the triangulation was made: the sequence of input edges that each edge crosses, and the positions of inserted
- * vertices. Certification, measuring, extraction, subdivision, searches, drawn polylines, splines, refinement,
+ * which the triangulation was constructed: the sequence of input edges that each edge crosses, and the positions of
+ * inserted vertices. Certification, measuring, extraction, subdivision, searches, drawn polylines, splines, refinement,
  * `logarithmic_map()` and saving require it, as does `shorten()` if `Traits::Has_drift` is `CGAL::Tag_true`.
  *
  * Edge sequences are exact. Since an edge is straight across the faces of its sequence, it is determined by the
- * sequence and the input alone, whatever rounding errors the triangulation has accumulated.
+ * sequence and the input alone, regardless of the rounding errors that the triangulation has accumulated.
  *
- * `shorten()` and `certify()` measure the edges of a model `t` by the object that `edge_straightness(t)` returns. This
- * function is found by argument-dependent lookup; `Intrinsic_triangulation.h` declares it for all models.
+ * `shorten()` and `certify()` measure the edges of a model `t` with the object that `edge_straightness(t)` returns.
+ * This function is found by argument-dependent lookup; `Intrinsic_triangulation.h` declares it for all models.
  *
  * The mesh may have non-manifold vertices, at which several umbrellas of faces meet. Curves and trees pass through them
  * from one umbrella to another. Directions in different umbrellas do not form angles.
@@ -41,16 +41,17 @@ public:
   /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`,
   /// `bool is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped
   /// halfedge. For an insertion, `number` is the number of the inserted vertex, counted from 0. If `is_on_edge()`, the
-  /// vertex was inserted on the edge of `h`, otherwise into its face; its input face is the one at gap `gap()` of the
-  /// edge sequence that `h` had then. Any other entry states that the face of `h` was recomputed from the input.
+  /// vertex was inserted on the edge of `h`, otherwise into its face; the input face of the vertex is the one at gap
+  /// `gap()` of the edge sequence that `h` had at that time. Any other entry states that the face of `h` was recomputed
+  /// from the input.
   typedef unspecified_type Flip_record;
 
   /// @}
   /// \name The input
   /// @{
 
-  /// Returns the mesh as it was when the triangulation was made. Before the first flip or insertion, vertices and
-  /// halfedges of the triangulation have the numbers that they have there.
+  /// Returns the mesh as it was when the triangulation was constructed. Before the first flip or insertion, vertices
+  /// and halfedges of the triangulation have the same numbers as in this mesh.
   const CGAL::Flip_geodesics::Numbered_mesh<Triangle_mesh>& input() const;
 
   /// Returns the metric, which defines the lengths of the input edges.
@@ -74,7 +75,7 @@ public:
   /// starts twice. \pre the wedge does not contain a border
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const;
 
-  /// Returns a number that changes whenever the edge does, and is 0 for an input edge that was never flipped.
+  /// Returns a number that changes whenever the edge changes, and is 0 for an input edge that was never flipped.
   Index version(Edge_index e) const;
 
   /// Returns an entry of the log. \pre `i` is less than `log_position()`
@@ -111,7 +112,8 @@ public:
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap);
 
-  /// Replaces the geometry of the face on the left of `h`, starting with `h`, by a more accurate one. The log grows.
+  /// Replaces the geometry of the face on the left of `h` by a more accurate one, given in order starting with `h`. The
+  /// log grows.
   void set_face_geometry(Halfedge_index h, const Traits::Face_geometry& geometry);
 
   /// @}

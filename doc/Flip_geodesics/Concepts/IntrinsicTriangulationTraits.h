@@ -5,8 +5,8 @@
  * \cgalConcept
  *
  * The concept `IntrinsicTriangulationTraits` describes the arithmetic of an intrinsic triangulation: the data that is
- * stored per halfedge, its change by a flip, and the comparison of angles. The remaining package does not compute with
- * geometry in any other way, so that the number type is exchanged by this one template argument.
+ * stored per halfedge, its change by a flip, and the comparison of angles. The rest of the package does not compute
+ * with geometry in any other way, so the number type can be exchanged through this one template argument.
  *
  * A model is default constructible and copyable, and a triangulation keeps a copy. Functors may refer to the traits
  * object that returned them, but must not rely on a state of their own, since a functor is requested for each call.
@@ -77,8 +77,8 @@ public:
   /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: the face whose
   /// halfedges have these vectors, pairs x, y in one frame of the face, each with an error of at most `error` times its
   /// length. It is called when a face is recomputed from the input, independently of the flips that created the face:
-  /// after `Is_inaccurate` has returned `true`, and, if `Has_drift` is `CGAL::Tag_true`, when a finished curve is
-  /// measured to be bent.
+  /// after `Is_inaccurate` has returned `true`, and, if `Has_drift` is `CGAL::Tag_true`, when a finished curve is found
+  /// to be bent.
   typedef unspecified_type Construct_face_2;
 
   /// @}
@@ -92,10 +92,10 @@ public:
 
   /// `Uncertain<Comparison_result> operator()(const Turn& turn) const`: compares the angle of `turn` with \f$\pi\f$.
   /// An angle that is not `SMALLER` counts as straight and is neither shortened nor flipped. If the result is uncertain
-  /// and `Has_drift` is `CGAL::Tag_false`, the triangulation decides by exact arithmetic on the input. Otherwise
-  /// `CGAL::Uncertain_conversion_exception` is thrown; a model may also throw it itself. The functor is called after
-  /// each corner, and a turn that is not `SMALLER` is not extended further. Angles above \f$2\pi\f$ therefore need not
-  /// be distinguished from small ones.
+  /// and `Has_drift` is `CGAL::Tag_false`, the triangulation determines the result by exact arithmetic on the input.
+  /// Otherwise `CGAL::Uncertain_conversion_exception` is thrown; a model may also throw this exception itself. The
+  /// functor is called after each corner, and a turn that is not `SMALLER` is not extended further. Angles above
+  /// \f$2\pi\f$ therefore need not be distinguished from small ones.
   typedef unspecified_type Compare_turn_with_straight;
 
   /// `double operator()(const Turn& turn) const`: returns a key that increases with the angle of a turn below
@@ -111,15 +111,17 @@ public:
   /// `Flipped_geometry operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: the geometry
   /// after the flip of the edge between the faces `(h, hn, hp)` and `(t, tn, tp)`. Afterwards the faces are `(h, hp,
   /// tn)` and `(t, tp, hn)`; the geometry of `hn` and `hp` does not change. The frame of the new faces is therefore
-  /// that of the old face of `h`. \pre the quad is convex, its angles at both ends of the old edge below \f$\pi\f$
+  /// that of the old face of `h`. \pre the quadrilateral is convex, with angles below \f$\pi\f$ at both ends of the old
+  /// edge
   typedef unspecified_type Flip;
 
   /// `Uncertain<bool> operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: returns whether
   /// the angles opposite to the edge between the faces `(h, hn, hp)` and `(t, tn, tp)`, at the heads of `hn` and `tn`,
   /// add up to at most \f$\pi\f$. Equality, that is, four points on a circle, counts as Delaunay. A model that rounds
   /// treats an excess below a tolerance as equality; the tolerance must be well above its errors, so that Lawson's
-  /// algorithm terminates. If the result is uncertain and `Has_drift` is `CGAL::Tag_false`, the triangulation decides
-  /// by exact arithmetic on the input. Only `Intrinsic_triangulation::is_locally_delaunay()` calls it.
+  /// algorithm terminates. If the result is uncertain and `Has_drift` is `CGAL::Tag_false`, the triangulation
+  /// determines the result by exact arithmetic on the input. Only `Intrinsic_triangulation::is_locally_delaunay()`
+  /// calls it.
   typedef unspecified_type Is_locally_delaunay;
 
   /// `bool operator()(const Halfedge_geometry& h) const`: returns whether the geometry of a halfedge has become so
@@ -129,7 +131,7 @@ public:
   typedef unspecified_type Is_inaccurate;
 
   /// `FT operator()(const Halfedge_geometry& h) const`: returns the squared length of a halfedge, which an exact model
-  /// computes without a root. Only `Intrinsic_triangulation::squared_length()` calls it.
+  /// computes without a square root. Only `Intrinsic_triangulation::squared_length()` calls it.
   typedef unspecified_type Compute_squared_length;
 
   /// `double operator()(const Halfedge_geometry& h) const`: returns the length of a halfedge, rounded.
@@ -180,7 +182,7 @@ public:
   /// \name Limit of work
   /// @{
 
-  /// Returns the limit of work for one sign that is uncertain for the traits and that the triangulation decides by
+  /// Returns the work limit for one sign that is uncertain for the traits and that the triangulation determines by
   /// exact arithmetic, in the unit of
   /// `CGAL::Flip_geodesics::Certified_intrinsic_triangulation_traits::sign_work_limit()`. Required only if `Has_drift`
   /// is `CGAL::Tag_false`.
