@@ -24,8 +24,8 @@ namespace Flip_geodesics {
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Provides exact predicates for intrinsic triangulations: each predicate is the sign of a real number that the input
- * defines. Coordinates and edge lengths are taken as they are if they are doubles or their number type is exact and
- * rational, such as that of `Exact_predicates_exact_constructions_kernel`; otherwise as the doubles that they round to.
+ * defines. Coordinates and edge lengths are used exactly if they are doubles or their number type is exact and
+ * rational, such as that of `Exact_predicates_exact_constructions_kernel`; otherwise they are rounded to doubles.
  *
  * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. If a sign is
  * within the bound, the filter fails, and the triangulation unfolds the input faces. It first uses doubles with an
@@ -33,9 +33,9 @@ namespace Flip_geodesics {
  * finally exact arithmetic in the field of the roots of the areas of the faces. Zeros are therefore proven, and
  * flipping terminates.
  *
- * Arithmetic with many independent roots can take too long and has a limit of work, see `sign_work_limit()`. A sign
- * that is still undetermined at the limit is assumed to be zero and counted in `Decision_statistics::unproven_zeros`.
- * The verdict of `certify()` is then `PROBABLE`.
+ * Arithmetic with many independent roots can take too long and is subject to a work limit; see `sign_work_limit()`. A
+ * sign that is still undetermined at the limit is assumed to be zero and counted in
+ * `Decision_statistics::unproven_zeros`. The verdict of `certify()` is then `PROBABLE`.
  *
  * \tparam K a kernel with `Point_3` and `FT`, convertible to double
  *
@@ -55,14 +55,14 @@ class Certified_intrinsic_triangulation_traits
   }
 
 public:
-  using FT = double;                   ///< squared lengths are rounded to it
-  using Has_drift = Tag_false;         ///< certain predicates are correct
+  using FT = double;                   ///< the type to which squared lengths are rounded
+  using Has_drift = Tag_false;         ///< predicates reported as certain are correct
   using Point_3 = typename K::Point_3; ///< of the mesh
 
-  /// Constructs traits with the default limit of work, which takes about a tenth of a second.
+  /// Constructs traits with the default work limit, which takes about a tenth of a second.
   Certified_intrinsic_triangulation_traits() = default;
 
-  /// Constructs traits with the limit of work `sign_work_limit`, see there; with 0, exact arithmetic with roots is not
+  /// Constructs traits with the work limit returned by `sign_work_limit()`; with 0, exact arithmetic with roots is not
   /// used.
   explicit Certified_intrinsic_triangulation_traits(std::uint64_t sign_work_limit)
     : m_sign_work_limit(sign_work_limit)
@@ -70,8 +70,8 @@ public:
   }
 
   /*!
-   * Returns the limit of work for one sign by exact arithmetic with roots, counted in products of two words of 64 bits;
-   * an operation with short integers counts as 32. A product of two numbers with \f$r\f$ independent roots takes
+   * Returns the work limit for computing one sign by exact arithmetic with roots, counted in products of two 64-bit
+   * words; an operation with short integers counts as 32. A product of two numbers with \f$r\f$ independent roots takes
    * \f$4^r\f$ products of integers. The previous stages take time linear in the number of faces, except for sums of
    * roots over developable regions with parallel rulings, which have the default limit.
    */
@@ -94,11 +94,11 @@ public:
     double x = 1;                           ///< the real part; the argument of the number is the angle
     double y = 0;                           ///< the imaginary part
     double error = 0;                       ///< a bound, relative to \f$|x|+|y|\f$
-    Comparison_result comparison = SMALLER; ///< of the angle with \f$\pi\f$, if `is_certain`
+    Comparison_result comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$, if `is_certain`
     bool is_certain = true;                 ///< whether the bound suffices for the comparison
   };
 
-  /// Stores the new geometry of the four halfedges whose vectors change with a flip.
+  /// Stores the new geometry of the four halfedges whose vectors a flip changes.
   struct Flipped_geometry
   {
     Halfedge_geometry h;  ///< of the side `h` of the edge
@@ -257,7 +257,7 @@ public:
     }
   };
 
-  /// Decides whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, if the error
+  /// Determines whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, if the error
   /// permits.
   class Is_locally_delaunay
   {
@@ -290,7 +290,7 @@ public:
     }
   };
 
-  /// Decides whether the error of a vector is so large that its face should be recomputed from the input.
+  /// Determines whether the error of a vector is so large that its face should be recomputed from the input.
   class Is_inaccurate
   {
   public:

@@ -38,15 +38,15 @@ namespace Flip_geodesics {
  * Computes the discretely conformal flattening [SSP08] of a surface that is cut open along the curves of a network
  * [SC20, section 6.1, Figure 22].
  *
- * Each vertex gets a scale factor \f$e^{u}\f$, and edges get the lengths \f$e^{(u_i+u_j)/2}\,l_{ij}\f$, such that the
- * faces fit together in the plane. At the border of the cut surface \f$u = 0\f$: lengths are preserved there, so that
- * both sides of a seam have the same length. The scale factors of vertices at which the cut ends, such as cone points,
- * are free.
+ * Each vertex is assigned a scale factor \f$e^{u}\f$, and edges are assigned the lengths \f$e^{(u_i+u_j)/2}\,l_{ij}\f$,
+ * such that the faces fit together in the plane. At the border of the cut surface \f$u = 0\f$: lengths are preserved
+ * there, so that both sides of a seam have the same length. The scale factors of vertices at which the cut ends, such
+ * as cone points, are free.
  *
- * The factors minimize a convex function, whose minimum is found by Newton's method with the cotangent Laplacian and
- * takes a few sparse factorizations. Faces that violate the triangle inequality in the meantime are treated as
- * degenerate, as in the paper. If such a face remains at the end, an exception is thrown; flip the triangulation to
- * Delaunay or refine it in that case.
+ * The factors minimize a convex function, whose minimum is found by Newton's method with the cotangent Laplacian, at
+ * the cost of a few sparse factorizations. Faces that temporarily violate the triangle inequality are treated as
+ * degenerate, as in the paper. If such a face remains at the end, an exception is thrown; in that case, flip the
+ * triangulation to Delaunay or refine it.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -54,7 +54,7 @@ template <class Triangulation>
 class Conformal_flattening
 {
 public:
-  using Point = std::array<double, 2>; ///< in the plane, in the unit of the lengths
+  using Point = std::array<double, 2>; ///< the position in the plane, in the unit of the lengths
 
   /// Cuts and flattens the surface with a tolerance of 1e-10 radians. The exceptions are those of the other
   /// constructor.
@@ -69,7 +69,7 @@ public:
    * \param network the finished curves, a model of `CurveNetwork`, in a triangulation of a connected surface
    * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians
    * \throws Flattening_error if the cut surface is not a disk, a face remains degenerate, or the tolerance is exceeded
-   * \throws Degenerate_face_error if a face is degenerate from the beginning
+   * \throws Degenerate_face_error if a face is degenerate initially
    */
   template <class Network>
   Conformal_flattening(const Network& network, double tolerance)

@@ -30,10 +30,9 @@ namespace Flip_geodesics {
 /// Reports the effect of a move of a `Curve_editor`.
 struct Move_report
 {
-  std::size_t legs = 0;              ///< the number of geodesic segments that were recomputed, one or two
-  std::size_t legs_by_flips = 0;     ///< the number of those that required edge flips because their edge sequences did
-                                     ///< not suffice
-  Verdict verdict = Verdict::PROVEN; ///< the worst verdict on them
+  std::size_t legs = 0;          ///< the number of geodesic segments that were recomputed, one or two
+  std::size_t legs_by_flips = 0; ///< how many of these required edge flips because their edge sequences did not suffice
+  Verdict verdict = Verdict::PROVEN; ///< the worst verdict on the recomputed segments
 };
 
 /*!
@@ -43,18 +42,19 @@ struct Move_report
  *
  * Each geodesic segment, from one point to the next, is shortened independently, as by `geodesics_through()`, so
  * segments may cross. When a point moves, each adjoining segment is deformed continuously with it: the new segment is
- * obtained by shortening the concatenation of the old one and the path of the move. The other segments are bitwise
+ * obtained by shortening the concatenation of the old segment and the path of the move. The other segments are bitwise
  * unchanged, and `undo()` undoes moves.
  *
  * A segment is stored as the sequence of edges that it crosses. The time of a move depends only on the segments at the
- * point and not on previous moves; it is about the time to extract them, times the number of rows of vertices that they
- * sweep. The segment is unfolded, shortened with a funnel algorithm, and certified as by `certify()`, whatever the
- * traits. Only if that fails, edges are flipped, as by `shorten()`, and the flips are undone.
+ * point and not on previous moves; it is roughly the time to extract these segments, times the number of rows of
+ * vertices that they sweep. The segment is unfolded, shortened with a funnel algorithm, and certified as by
+ * `certify()`, regardless of the traits. Only if that fails are edges flipped, as by `shorten()`, and the flips are
+ * undone.
  *
  * Guarantee: a segment is a bitwise reproducible function of its end points and its edge sequence, and does not depend
  * on the moves that led to it. If a homotopy class has only one geodesic, as on surfaces whose vertices have angles of
  * \f$2\pi\f$ or more, the moves matter only through the class. On other surfaces a class can contain several geodesics,
- * and a segment remains at the one that it is shortened to.
+ * and a segment remains at the geodesic to which it was shortened.
  *
  * The invariant is that each segment starts at the end of the previous one and is a geodesic if `verdict()` confirms
  * it, and that the triangulation is unchanged.
@@ -75,10 +75,10 @@ public:
    *
    * \param triangulation a triangulation of the input without flips and curves. It must outlive the editor, and is
    *        unchanged after each call
-   * \param points a range of at least two points of the surface, of any type that `surface_location()` takes, of which
-   *        no two consecutive ones coincide; a closed curve does not repeat the first
+   * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts, of
+   *        which no two consecutive ones coincide; a closed curve does not repeat the first
    * \param is_closed whether a segment leads from the last point to the first
-   * \throws Invalid_curve_error if fewer points are given, or two consecutive ones coincide
+   * \throws Invalid_curve_error if there are fewer points, or two consecutive ones coincide
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
@@ -140,9 +140,9 @@ public:
       sum += leg.length;
     return sum;
   }
-  /// Returns the verdict on a segment, with exact arithmetic on the input coordinates. A segment that is not a geodesic
-  /// requires flips and crosses itself, or exceeds the precision of the traits. Nothing is certified if coordinates or
-  /// lengths of the mesh had to be rounded.
+  /// Returns the verdict on a segment, with exact arithmetic on the input coordinates. If a segment is not a geodesic,
+  /// it requires flips and crosses itself, or it exceeds the precision of the traits. Nothing is certified if
+  /// coordinates or lengths of the mesh had to be rounded.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// Returns the verdict on the curve, which is the worst one of its segments.
   Verdict verdict() const
@@ -189,7 +189,7 @@ public:
     return move(i, place, [&] { return way(m_points[i], place); });
   }
 
-  /// Moves a point to another one of any type that `surface_location()` takes, as to a location.
+  /// Moves a point to a position of any other type that `surface_location()` accepts, as to a location.
   template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
   Move_report move(std::size_t i, const Point& to)
   {
@@ -203,8 +203,8 @@ public:
    *        face
    * \return a report on the recomputed segments
    * \pre `i < number_of_points()`
-   * \throws Invalid_curve_error if the path starts elsewhere or two consecutive locations have no common face, where
-   *         the element is the position in the path; and as `move()` does
+   * \throws Invalid_curve_error if the path starts elsewhere or two consecutive locations have no common face, in which
+   *         case the element is the position in the path; and as `move()` does
    * \throws Invalid_location_error as `move()` does
    * \throws Occupied_triangulation_error as `move()` does
    * \throws Crossing_curves_error as `move()` does

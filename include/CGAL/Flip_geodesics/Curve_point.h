@@ -36,8 +36,8 @@ struct Curve_place
   /// The coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`.
   std::pair<face_descriptor, std::array<double, 3>> location;
 
-  /// The halfedge that the curve crosses here, as a side of the face that it leaves, or that contains the point; the
-  /// null halfedge at a vertex and inside a face.
+  /// The halfedge that the curve crosses here, as a side of the face that the curve leaves, or that contains the point;
+  /// the null halfedge at a vertex and inside a face.
   halfedge_descriptor halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
 };
 
@@ -102,7 +102,7 @@ auto face_location_of(const Triangulation& triangulation, const TriangleMesh& me
  * \ingroup PkgFlipGeodesicsExtraction
  *
  * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The coordinates are the weights, which are
- * divided by their sum unless that is one within 1e-6, which `surface_location()` accepts.
+ * divided by their sum unless the sum is one within 1e-6, which `surface_location()` accepts.
  */
 template <class Triangulation>
 auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,

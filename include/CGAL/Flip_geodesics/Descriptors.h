@@ -287,7 +287,7 @@ namespace Flip_geodesics {
  * \ingroup PkgFlipGeodesicsCurves
  *
  * Describes the input edges that an intrinsic edge crosses, from its tail to its head. Together with its end points,
- * this edge sequence determines the edge: it is the straight line in the unfolded faces.
+ * this edge sequence determines the edge: the edge is the straight line in the unfolded faces.
  *
  * Three cases are possible. If the edge lies along the input halfedge `along`, or along a part of it, it crosses
  * nothing. If it lies inside the input face of the halfedge `face`, it crosses nothing either; such an edge ends at an
@@ -347,7 +347,7 @@ struct Joint
 /// the segment.
 struct Segment_end
 {
-  Halfedge_index halfedge = null_index; ///< outgoing at the node; null if this is not an end
+  Halfedge_index halfedge = null_index; ///< the halfedge of the end, outgoing at the node; null if this is not an end
   Segment_index segment = null_index;   ///< starts or ends there along `halfedge`
 
   /// Returns whether this is not an end.

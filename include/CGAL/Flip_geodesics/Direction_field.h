@@ -51,7 +51,7 @@ public:
   /// Describes a face around which the field turns: `index` is in units of `1/symmetry` turns.
   struct Singularity
   {
-    std::size_t face; ///< its number in `operators().faces()`
+    std::size_t face; ///< the number of the face in `operators().faces()`
     int index;        ///< positive or negative
   };
 
@@ -80,7 +80,7 @@ public:
   const Tangent_spaces<Triangulation>& tangent_spaces() const { return m_spaces; }
 
   /// \name Alignment
-  /// Several directions prescribed at one vertex are averaged; if they cancel out, the vertex is free.
+  /// Several directions prescribed at one vertex are averaged; if they cancel each other out, the vertex is free.
   /// @{
 
   /// Prescribes a direction at vertex `v`, as an angle in its tangent space. \throws Vertex_out_of_range_error if `v`
@@ -91,7 +91,7 @@ public:
     m_aligned[v.idx()] += power(angle);
   }
 
-  /// Prescribes the tangents of all curves of a network, at every vertex that they pass or end at.
+  /// Prescribes the tangents of all curves of a network, at every vertex that the curves pass through or end at.
   template <class Network>
   void align(const Network& network)
   {
@@ -107,7 +107,7 @@ public:
   /// @}
 
   /*!
-   * Computes the field. This takes one sparse Cholesky factorization and, without alignment, some ten or hundred
+   * Computes the field. This takes one sparse Cholesky factorization and, without alignment, some tens or hundreds of
    * solves, until the relative change of the energy is less than 1e-12.
    * \throws Singular_problem_error if curves are given but none lies in a component with faces, or the matrix cannot be
    *         factorized

@@ -49,19 +49,19 @@ namespace Flip_geodesics {
  * computes it. It is 1 in the plane and on boxes parallel to the axes, and 3 on regular tetrahedra and octahedra. If
  * the area of a face is not such a multiple, `Inexact_root_error` is thrown when the face is accessed.
  *
- * With exact numbers, faces store squared lengths and areas: with one root per input face, that of its squared area,
- * all numbers belong to one field, and flips do not require roots. With rounded numbers and intervals, faces store
- * vectors in their frames instead, because squared lengths and areas would drift apart.
+ * With exact numbers, faces store squared lengths and areas: with one root per input face, namely that of its squared
+ * area, all numbers belong to one field, and flips do not require roots. With rounded numbers and intervals, faces
+ * store vectors in their frames instead, because squared lengths and areas would drift apart.
  *
- * Heap-allocating number types make the construction of a triangulation linear in the mesh, and exact numbers grow with
- * flips; the user manual lists the cost of each number type. `Certified_intrinsic_triangulation_traits` combine exact
- * predicates with speed.
+ * Heap-allocating number types make the construction of a triangulation linear in the size of the mesh, and exact
+ * numbers grow with flips; the user manual lists the cost of each number type.
+ * `Certified_intrinsic_triangulation_traits` combine exact predicates with speed.
  *
  * \tparam NT a field number type: a model of `RealEmbeddable` and `FieldWithSqrt`, or of `Field` with the functor
  *         `Is_square`, `Sqrt_extension`, `Interval_nt<>`, a rational or floating point number of Boost.Multiprecision,
  *         or `double`; doubles convert to it without loss
- * \tparam K a kernel with `Point_3` and `FT`; coordinates are taken as they are if `FT` is `NT` or has rational values,
- *         otherwise as the doubles they round to
+ * \tparam K a kernel with `Point_3` and `FT`; coordinates are used exactly if `FT` is `NT` or has rational values, and
+ *         are rounded to doubles otherwise
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -111,12 +111,12 @@ public:
     static_assert(has_radicand, "the number type has roots, and needs no radicand");
   }
 
-  /// Returns the limit of work for undetermined signs, which these traits do not produce; see
+  /// Returns the work limit for undetermined signs, which these traits do not produce; see
   /// `IntrinsicTriangulationTraits::sign_work_limit()`.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
-  /// Returns the angle, in radians, by which a straight angle may be missed and still count as straight. It is zero
-  /// unless `NT` rounds. In that case half of its digits are reserved for errors, which results in about 1e-9 for
+  /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight. It is
+  /// zero unless `NT` rounds. In that case half of the digits are reserved for errors, which results in about 1e-9 for
   /// `double` and 1e-51 for 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
@@ -316,7 +316,7 @@ public:
   class Compare_turn_with_straight
   {
   public:
-    /// Returns the result, which is certain if it is returned.
+    /// Returns the result, which is certain unless an exception is thrown.
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.comparison.make_certain(); }
   };
 
@@ -382,7 +382,7 @@ public:
   };
 
   /*!
-   * Decides whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$ plus
+   * Determines whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$ plus
    * `angle_tolerance()`.
    * \throws Uncertain_conversion_exception if intervals do not determine the sign
    */
@@ -395,7 +395,7 @@ public:
     {
     }
 
-    /// Returns the result, which is certain if it is returned.
+    /// Returns the result, which is certain unless an exception is thrown.
     Uncertain<bool> operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                const Halfedge_geometry& tp) const
@@ -421,7 +421,7 @@ public:
     const Area_unit* m_unit;
   };
 
-  /// Decides whether a number is too inaccurate, which can happen for intervals only.
+  /// Determines whether a number is too inaccurate, which is possible only for intervals.
   class Is_inaccurate
   {
   public:
@@ -439,7 +439,7 @@ public:
   class Compute_squared_length
   {
   public:
-    /// Returns the squared length, which is exact if `NT` is.
+    /// Returns the squared length, which is exact if `NT` is exact.
     FT operator()(const Halfedge_geometry& h) const { return Geometry::squared_length(h); }
   };
 
@@ -477,8 +477,8 @@ private:
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Computes the number \f$d\f$ for which the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
- * `Exact_intrinsic_triangulation_traits` over a number type without roots. Squares of primes below 1000 are removed
- * from it.
+ * `Exact_intrinsic_triangulation_traits` over a number type without roots. Squares of primes below 1000 are divided out
+ * of this number.
  *
  * \tparam Radicand a number type to which integers given as doubles can be converted
  * \param mesh a triangle mesh
@@ -486,7 +486,7 @@ private:
  * \throws Inexact_root_error if no such number exists; `elements()` are the vertices of a face that does not match the
  *         first one
  *
- * Complexity: linear in the mesh, with arithmetic on integers of some hundred bits.
+ * Complexity: linear in the size of the mesh, with arithmetic on integers of a few hundred bits.
  */
 template <class Radicand, class TriangleMesh, class Metric>
 Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)

@@ -36,14 +36,14 @@ namespace Flip_geodesics {
 struct Geodesic_tree_report
 {
   /// `LOCALLY_SHORTEST` or `STOPPED_BY_VISITOR`; `PRECISION_LIMIT` if paths are bent and doubles, possibly as
-  /// coordinates, cannot resolve it; `DEGENERATE_FACES` if exact predicates cannot either, because degenerate faces
-  /// fold vertices onto one point.
+  /// coordinates, cannot resolve the bend; `DEGENERATE_FACES` if exact predicates cannot resolve it either, because
+  /// degenerate faces fold vertices onto one point.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out [SC20, Algorithm 1]
   std::size_t reopened = 0;  ///< the number of times a vertex was reached again by a shorter path
   /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite
-  /// if no path passes a vertex, and with traits without drift, whose predicates make the measurement unnecessary.
+  /// if no path passes a vertex, and with traits without drift, whose predicates make this measurement unnecessary.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 
@@ -54,11 +54,11 @@ struct Geodesic_tree_report
  * path consists of edges of one intrinsic triangulation [SC20, section 6.5].
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
- * is straight where it leaves the tree, or has an angle of at least \f$\pi\f$ on either side. Otherwise the wedge with
- * the smaller angle is flipped out, which makes room for a shorter path, and the search continues. Such a wedge never
- * contains an edge of the tree, since the paths through its apex are straight. In contrast to [SC20], an accepted
- * vertex is reopened if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of
- * the edge graph of the final triangulation.
+ * has an angle of at least \f$\pi\f$ on either side where it leaves the tree. Otherwise the wedge with the smaller
+ * angle is flipped out, which makes room for a shorter path, and the search continues. Such a wedge never contains an
+ * edge of the tree, since the paths through its apex are straight. In contrast to [SC20], an accepted vertex is
+ * reopened if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of the edge
+ * graph of the final triangulation.
  *
  * The paths are locally shortest and do not cross. Most of them are globally shortest; `make_shortest()` replaces the
  * others.
@@ -92,9 +92,9 @@ public:
    * index.
    *
    * \param source a vertex
-   * \param max_distance the length of the longest path that is needed. A nearer vertex is missed if the search reaches
-   *        it only through neighbors that are farther, so choose a slightly larger value if all vertices within a
-   *        distance are required
+   * \param max_distance the length of the longest path that is needed. A vertex within this distance is missed if the
+   *        search reaches it only through neighbors that are farther away, so choose a slightly larger value if all
+   *        vertices within a distance are required
    * \param visitor a model of `FlipOutVisitor`, of which `on_flip()` and `go_further()` are called
    * \return a report on the growth
    * \throws Vertex_out_of_range_error if `source` is not a vertex of the triangulation
@@ -121,7 +121,7 @@ public:
   /// Returns the source of the tree, or `null_index` before `grow()`.
   Vertex_index source() const { return m_source; }
 
-  /// Returns the report on the growth of the tree, including that by `replace_paths()`.
+  /// Returns the report on the growth of the tree, including the growth in `replace_paths()`.
   const Geodesic_tree_report& report() const { return m_report; }
 
   /// Returns the length of the longest path that was requested.
@@ -150,11 +150,12 @@ public:
     return result;
   }
 
-  /// Detaches vertices from the tree and attaches them elsewhere; `replace_paths()` passes it to a function.
+  /// Detaches vertices from the tree and attaches them elsewhere; `replace_paths()` passes such an object to a
+  /// function.
   class Grafts
   {
   public:
-    /// Detaches `v` alone; vertices whose paths pass `v` must be detached as well.
+    /// Detaches only `v`; vertices whose paths pass through `v` must be detached as well.
     void take_off(Vertex_index v)
     {
       m_tree.m_labels.forget(v);
@@ -183,7 +184,7 @@ public:
   };
 
   /*!
-   * Replaces paths by others, as `make_shortest()` does.
+   * Replaces paths by other paths, as `make_shortest()` does.
    *
    * The tree then grows to the vertices that were detached and not attached again, and to those that new edges reach by
    * shorter paths.
@@ -192,7 +193,7 @@ public:
    * \return the report on the growth of the tree so far, including `grow()`; flips of `function` are not counted
    * \pre `grow()` was not stopped
    *
-   * Complexity: linear in the mesh, plus the growth.
+   * Complexity: linear in the size of the mesh, plus the growth.
    */
   template <class Function>
   Geodesic_tree_report replace_paths(Function function)
@@ -523,7 +524,7 @@ public:
   double total_angle = 0;    ///< the sum of the face angles around the source, \f$2\pi\f$ if the surface is flat there
   bool is_on_border = false; ///< whether the source lies on the border
 
-  /// Constructs the map of a given number of vertices without paths.
+  /// Constructs a map for a given number of vertices that have no paths.
   explicit Vertex_logarithmic_map(Index number_of_vertices)
     : m_coordinates(static_cast<std::size_t>(number_of_vertices))
   {
@@ -539,8 +540,8 @@ public:
 
   /*!
    * Returns the coordinates of vertex `v` in the plane. The angles around an interior source are scaled to a sum of
-   * \f$2\pi\f$, as is common; those around a source on the border are not. The result is the origin for the source, and
-   * NaN if no path exists.
+   * \f$2\pi\f$, as is common; the angles around a source on the border are not scaled. The result is the origin for the
+   * source, and NaN if no path exists.
    */
   std::array<double, 2> in_plane(Vertex_index v) const
   {
@@ -589,9 +590,9 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
  *
  * The directions are angles on the surface, counterclockwise from an input edge, in \f$[0, \mathtt{total\_angle})\f$.
  * They are measured with the input coordinates, so that errors do not accumulate over flips. If a path passes a vertex
- * with more than \f$2\pi\f$, all vertices in the shadow of that vertex have the angle of the path. The map is
- * discontinuous across the cut locus, the points that shortest paths reach from two sides, and at paths of the tree
- * that are not shortest, which `make_shortest()` replaces.
+ * whose angles sum to more than \f$2\pi\f$, all vertices in the shadow of that vertex have the angle of the path. The
+ * map is discontinuous across the cut locus, the points that shortest paths reach from two sides, and at paths of the
+ * tree that are not shortest, which `make_shortest()` replaces.
  *
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it must start at the source. By default it is the first input

@@ -222,7 +222,8 @@ public:
   /// \name Connectivity
   /// The functions take constant time. The face on the left of a halfedge is copied from the input when it is first
   /// accessed. At that time `Invalid_mesh_error`, `Degenerate_face_error` or `Invalid_coordinate_error` is thrown if
-  /// the face is not a triangle, is degenerate, or does not have finite coordinates and lengths. @{
+  /// the face is not a triangle, is degenerate, or does not have finite coordinates and lengths.
+  /// @{
 
   /// Returns the other side of the edge.
   static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }

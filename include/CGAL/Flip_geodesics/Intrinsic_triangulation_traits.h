@@ -57,13 +57,13 @@ using Traits_in_number_type =
  * \ingroup PkgFlipGeodesicsTraits
  *
  * The model of `IntrinsicTriangulationTraits` that computes in the number type of the kernel: angles, squared lengths
- * and flips are numbers of type `NT`, and predicates are as exact as that type is. Another kernel is another number
- * type:
+ * and flips are computed with numbers of type `NT`, and predicates are as exact as that type. The kernel thus selects
+ * the number type:
  *
  *     const FG::Intrinsic_triangulation_traits<K> traits;
  *     FG::geodesic_path(mesh, source, target, output, CGAL::parameters::geom_traits(traits));
  *
- * For `double`, see `Intrinsic_triangulation_traits<K, double>`. For all other number types this class has the members
+ * For `double`, see `Intrinsic_triangulation_traits<K, double>`. For all other number types, this class has the members
  * and constructors of `Exact_intrinsic_triangulation_traits<NT, K>`, whose header has to be included as well.
  *
  * \tparam K a kernel with `Point_3` and `FT`
@@ -83,11 +83,12 @@ public:
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * The fast model of `IntrinsicTriangulationTraits`, in double: each halfedge stores its vector, two doubles, in a frame
- * of its own face. A flip costs one complex division and no root.
+ * The fast model of `IntrinsicTriangulationTraits`, which computes with doubles: each halfedge stores its vector, two
+ * doubles, in a frame of its own face. A flip costs one complex division and no square root.
  *
- * Decisions are taken up to `angle_tolerance()`: a wedge whose angle misses \f$\pi\f$ by less counts as straight, in
- * the wedge test and in the flip test alike. `shorten()` measures the finished curves on the input.
+ * Predicates are evaluated up to `angle_tolerance()`: a wedge whose angle is below \f$\pi\f$ by less than this counts
+ * as straight, in the wedge test and in the flip test alike. In addition, `shorten()` measures the finished curves on
+ * the input.
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *
@@ -99,7 +100,7 @@ template <class K>
 class Intrinsic_triangulation_traits<K, double>
 {
 public:
-  using FT = double; ///< squared lengths are rounded to it
+  using FT = double; ///< the type to which squared lengths are rounded
   /// Vectors drift with flips, so predicates can be wrong, and finished curves must be checked.
   using Has_drift = Tag_true;
   using Point_3 = typename K::Point_3; ///< of the mesh
@@ -132,7 +133,7 @@ public:
     Halfedge_geometry tp; ///< of the halfedge before `t` in its old face
   };
 
-  /// Returns the angle, in radians, by which a straight angle may be missed and still count as straight: 1e-9.
+  /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-9.
   static constexpr double angle_tolerance() { return internal::straight_angle_tolerance; }
 
   /*!
@@ -195,8 +196,7 @@ public:
       return turned_to_first(face, a);
     }
 
-    /// Returns the face with these exact squared side lengths. Each of its coordinates is computed exactly and then
-    /// rounded.
+    /// Returns the face with these exact squared side lengths. Each coordinate is computed exactly and then rounded.
     Face_geometry operator()(const internal::Squared_lengths& lengths) const
     {
       const double base = lengths.length(0).high, height = lengths.doubled_area().high / base;
@@ -355,10 +355,10 @@ public:
   };
 
   /*!
-   * Decides whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, up to
-   * `angle_tolerance()`. A flip turns the sum into \f$2 \pi\f$ minus the sum, so an edge that is not Delaunay is
-   * flipped into one that is, by the tolerance as well. Lawson's algorithm therefore terminates as long as the drift
-   * stays below the tolerance.
+   * Determines whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, up to
+   * `angle_tolerance()`. A flip turns the sum into \f$2 \pi\f$ minus the sum, so flipping an edge that is not Delaunay
+   * yields one that is, by the same tolerance. Lawson's algorithm therefore terminates as long as the drift stays below
+   * the tolerance.
    */
   class Is_locally_delaunay
   {
@@ -384,7 +384,7 @@ public:
     }
   };
 
-  /// Decides whether a vector is so inaccurate that its faces should be recomputed. With these traits, drift is
+  /// Determines whether a vector is so inaccurate that its faces should be recomputed. With these traits, drift is
   /// detected only in finished curves.
   class Is_inaccurate
   {

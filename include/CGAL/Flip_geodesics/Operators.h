@@ -53,7 +53,7 @@ template <class Triangulation, class ConcurrencyTag = CGAL::Sequential_tag>
 class Operators
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>; ///< with the rows and columns described at the class
+  using Matrix = Eigen::SparseMatrix<double>; ///< a sparse matrix, with rows and columns as described for the class
   using Vector = Eigen::VectorXd;             ///< a number per vertex or face, or two per face
 
   /*!
@@ -193,7 +193,8 @@ private:
  *
  * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ [KCPS13]. At the border
  * they are not scaled, and the reference is the first halfedge counterclockwise from the border. The object is a
- * snapshot, which later flips of the triangulation do not affect. Construction is linear in the mesh.
+ * snapshot, which later flips of the triangulation do not affect. Construction takes time linear in the size of the
+ * mesh.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -336,8 +337,8 @@ public:
   /*!
    * Solves the problem for a density and given values.
    *
-   * \param density \f$\rho\f$, a value per vertex, or empty for 0
-   * \param values a number per vertex, of which those at the given vertices are read
+   * \param density \f$\rho\f$, a value per vertex, or empty for zero density
+   * \param values a number per vertex, of which only those at the given vertices are read
    * \return the solution, a value per vertex; NaN at isolated vertices that are not given
    * \throws Invalid_coordinate_error if a number that is read is not finite
    */

@@ -24,11 +24,11 @@ enum class Repair {
   CORNERS_REPEATED,         ///< corners removed because they coincide with the previous corner
   POLYGONS_SPLIT,           ///< polygons split because they pass a point twice
   POLYGONS_TRIANGULATED,    ///< polygons with more than three corners, which were triangulated
-  DUPLICATES_DROPPED,       ///< triangles removed because another one has the same corners
+  DUPLICATES_DROPPED,       ///< triangles removed because another triangle has the same corners
   POLYGONS_REVERSED,        ///< polygons reversed to match the orientation of their neighbors
   EDGES_CUT,                ///< edges with more than two faces, along which the faces were cut apart
-  VERTICES_SPLIT,           ///< vertices duplicated to take over some of the faces of another one
-  POINTS_MERGED,            ///< points merged with a coincident one, at stitched borders or removed corners
+  VERTICES_SPLIT,           ///< vertices duplicated to take over some of the faces of another vertex
+  POINTS_MERGED,            ///< points merged with a coincident point, at stitched borders or removed corners
   DEGENERATE_FACES_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
   DEGENERATE_FACES_DROPPED, ///< triangles with collinear corners or two coincident corners, removed
   POINTS_LEFT               ///< points that thereby lost all their polygons
@@ -123,18 +123,18 @@ public:
   /// Returns how often a repair was made.
   std::size_t number_of(Repair repair) const { return m_record.counts[static_cast<std::size_t>(repair)]; }
 
-  /// Returns whether no repair was made, so that the mesh is identical with the soup.
+  /// Returns whether no repair was made, so that the mesh is identical to the soup.
   bool is_empty() const
   {
     return std::all_of(m_record.counts.begin(), m_record.counts.end(), [](std::size_t count) { return count == 0; });
   }
 
-  /// Returns the number of border edges that nearly coincide with others and remain open: no coordinate of their ends
-  /// differs by more than 1e-6 of the longest side of the bounding box of the borders.
+  /// Returns the number of border edges that nearly coincide with other border edges and remain open: no coordinate of
+  /// their ends differs by more than 1e-6 of the longest side of the bounding box of the borders.
   std::size_t number_of_near_border_edges() const { return m_record.near_border_edges; }
 
-  /// Returns the largest distance between such edges, relative to that side; a larger weld tolerance makes them
-  /// coincide.
+  /// Returns the largest distance between nearly coincident border edges, relative to the longest side of that box; a
+  /// larger weld tolerance makes them coincide.
   double distance_of_near_border_edges() const { return m_record.near_border_distance; }
 
   /// Returns the repairs in words: one line for each repair, and one for border edges that nearly coincide, without
@@ -156,14 +156,14 @@ public:
   /// Returns the number of polygons of the soup.
   std::size_t number_of_polygons() const { return m_record.number_of_polygons; }
 
-  /// Returns the point from which a vertex of the mesh has its position.
+  /// Returns the point that gives a vertex of the mesh its position.
   std::size_t point_of_vertex(std::size_t vertex) const { return m_record.point_of_vertex[vertex]; }
 
   /// Returns the polygon from which a face of the mesh comes.
   std::size_t polygon_of_face(std::size_t face) const { return m_record.polygon_of_face[face]; }
 
   /// Returns the vertices with faces that come from a point: several if it was split, the vertex of another point if it
-  /// was merged into that, and none if it has no faces.
+  /// was merged into that point, and none if it has no faces.
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
   /// Returns the triangles that come from a polygon; none if it was removed, or became part of a neighbor by flips.

@@ -130,7 +130,7 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * Represents a mesh that is slit along some of its edges: a view of the mesh in which these edges are borders on both
  * sides. Paths can run along slits but not cross them. Only a list of the vertices and edges of the mesh is copied.
  *
- * A vertex inside a slit, at which slits meet, or at which a slit meets the border has several copies, one for each
+ * A vertex that lies inside a slit, or at which slits meet or a slit meets the border, has several copies, one for each
  * sector of faces. The end of a slit inside the surface is a single vertex. An edge of a slit becomes two edges. Faces
  * are those of the mesh.
  *
@@ -154,7 +154,7 @@ public:
   struct Vertex
   {
     Mesh_vertex vertex;   ///< of the mesh
-    std::size_t copy = 0; ///< its number, from 0 on
+    std::size_t copy = 0; ///< the number of the copy, starting at 0
 
     /// Constructs a null descriptor.
     Vertex()
@@ -211,8 +211,8 @@ public:
   struct Edge
   {
     Mesh_edge edge;                                  ///< of the mesh
-    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< of the edge of the mesh; at a slit, the one on this side
-    bool is_at_slit = false;                         ///< whether it is one of two
+    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the one on this side
+    bool is_at_slit = false;                         ///< whether it is one of the two edges at a slit
     bool is_outer = false;                           ///< whether it was obtained from its halfedge on the border of a
                                                      ///< slit
 
@@ -234,7 +234,7 @@ public:
    * \param slits a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value type, which is
    *        read once; edges of the border need not be marked
    *
-   * Complexity: linear in the mesh, and \f$O(n \log n)\f$ for \f$n\f$ edges at slits.
+   * Complexity: linear in the size of the mesh, plus \f$O(n \log n)\f$ for \f$n\f$ edges at slits.
    */
   template <class EdgeIsSlitMap>
   Slit_mesh(const TriangleMesh& mesh, const EdgeIsSlitMap& slits)

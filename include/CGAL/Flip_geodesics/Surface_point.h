@@ -31,8 +31,8 @@ namespace Flip_geodesics {
  *
  * The `weights` belong to the tail of `halfedge`, its head, and the third vertex of the face. Only their ratio matters:
  * the point is exactly \f$(w_0 p_0 + w_1 p_1 + w_2 p_2) / (w_0 + w_1 + w_2)\f$. If one weight is exactly zero, the
- * point lies on the opposite edge; if two are, it is a vertex. `halfedge` may be a border halfedge if the third weight
- * is zero.
+ * point lies on the opposite edge; if two weights are zero, the point is a vertex. `halfedge` may be a border halfedge
+ * if the third weight is zero.
  */
 struct Surface_location
 {
@@ -163,10 +163,10 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
  * relative error close to vertices; `u` is 0, and `c` is null. Inside a face, which occurs only for inserted points,
  * `a` is the vertex with the largest weight.
  *
- * Whether the point is a vertex, on an edge or inside a face is exact: `t` inside an edge, and `t` and `u` inside a
- * face, are at least 1e-100, even if they would be rounded to 0. If degenerate edges were contracted, `a`, `b` and `c`
- * are still the ends of an edge of the mesh or the corners of a face; at a vertex they are one of the coincident
- * vertices.
+ * Whether the point is a vertex, on an edge or inside a face is determined exactly: `t` inside an edge, and `t` and `u`
+ * inside a face, are at least 1e-100, even if they would be rounded to 0. If degenerate edges were contracted, `a`, `b`
+ * and `c` are still the ends of an edge of the mesh or the corners of a face; at a vertex they are one of the
+ * coincident vertices.
  */
 struct Surface_point
 {
@@ -174,15 +174,15 @@ struct Surface_point
   Vertex_index b; ///< the input vertex with the weight \f$t\f$; at a vertex, `a`
   double t;       ///< the weight of `b`
   /// On an edge: the crossed input halfedge, as a side of the face from which the curve comes, or on which an inserted
-  /// point lies; inside a face: one of its halfedges; otherwise null.
+  /// point lies; inside a face: one of the halfedges of the face; otherwise null.
   Input_halfedge_index halfedge;
-  Vertex_index c = null_index;      ///< inside a face: its third vertex; otherwise null
+  Vertex_index c = null_index;      ///< inside a face: the third vertex of the face; otherwise null
   double u = 0;                     ///< the weight of `c`; 0 unless inside a face
   Vertex_index vertex = null_index; ///< the vertex of the triangulation at this point; null where an edge is crossed
 
-  /// Returns whether it is at a vertex of the input.
+  /// Returns whether the point is at a vertex of the input.
   bool is_vertex() const { return a == b; }
-  /// Returns whether it is inside an input face and not on an edge.
+  /// Returns whether the point is inside an input face and not on an edge.
   bool is_inside_face() const { return c != null_index; }
 };
 

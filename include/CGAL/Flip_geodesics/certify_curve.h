@@ -59,11 +59,10 @@ struct Given_curve_certificate
   /// The verdict. It is `BENT_JOINT` only if all segments are straight, and `UNDECIDED` if coordinates or lengths of
   /// the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.
   Verdict verdict = Verdict::PROVEN;
-  /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. At a joint, this
-  /// is
-  /// \f$\pi\f$ minus the angle on one side. In a segment, it is the turn, at the end of an edge, of the shortest path
-  /// that crosses the same edges between the same end points. If a straight segment touches a vertex, it is \f$2\pi\f$
-  /// minus the angles of the vertex.
+  /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. At a joint, it
+  /// is \f$\pi\f$ minus the angle on one side. In a segment, it is the turn, at the end of an edge, of the shortest
+  /// path that crosses the same edges between the same end points. If a straight segment touches a vertex, it is
+  /// \f$2\pi\f$ minus the angles of the vertex.
   double bend = 0;
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
   /// The number of the point at the bend: that of the passed vertex, or of the first crossed edge that ends in

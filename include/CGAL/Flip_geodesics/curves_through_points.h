@@ -476,8 +476,8 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
  *
  * \param triangulation a triangulation of the input without flips and curves, which is unchanged afterwards
  * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts
- * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, for each segment. The predicate is
- *        `restarted()` for each segment if possible
+ * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, for each segment. If the predicate
+ *        has a member `restarted()`, the result of that member is used for each segment
  * \return the segments, and a report
  * \throws Invalid_curve_error if fewer than two points are given
  * \throws Occupied_triangulation_error if a network has curves in the triangulation

@@ -41,14 +41,14 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * `cut_along_curves()` or `Conformal_flattening`.
  *
  * In each component, the network consists of the shortest homotopy generators [EW05], as for `Loop_basis`, without the
- * paths that all of them traverse back and forth. It is therefore short, but not the shortest cut graph, whose
+ * paths that all of them traverse back and forth. The network is therefore short, but not the shortest cut graph, whose
  * computation is NP-hard [EH04]. Since borders are already cut, curves lead from one border to another and end there;
- * paths along the border count as having length zero. A disk gets no curve. A sphere gets one, from its base point to
- * the vertex that is farthest from it along edges.
+ * paths along the border count as having length zero. A disk receives no curve. A sphere receives one, from its base
+ * point to the vertex that is farthest from it along edges.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param base_points vertices, at most one in each component. In a component without a base point, the first vertex of
- *        the border is chosen, or the first vertex if it has no border
+ *        the border is chosen, or the first vertex if the component has no border
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin

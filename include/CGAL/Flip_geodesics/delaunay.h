@@ -25,7 +25,7 @@ struct Delaunay_report
 {
   std::size_t flips = 0;       ///< the number of edge flips
   std::size_t constrained = 0; ///< the number of edges that are not locally Delaunay but are held by a curve
-  std::size_t remaining = 0;   ///< the number of other such edges; not zero only if the process was ended early
+  std::size_t remaining = 0;   ///< the number of other such edges; nonzero only if the process ended early
   bool is_stopped = false;     ///< whether the visitor ended the process
   /// Returns whether each given edge is locally Delaunay or held by a curve.
   bool is_complete() const { return remaining == 0; }
@@ -65,10 +65,10 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  *
  * An edge whose four points are cocircular is Delaunay and not flipped. With exact traits, the process terminates on
  * every input: each flip decreases a function of the triangulation, and only finitely many triangulations have a
- * smaller value. With `Intrinsic_triangulation_traits`, points count as cocircular within its tolerance. Faces whose
- * edges are flipped repeatedly are recomputed from the input, so errors do not accumulate. The number of flips depends
- * on the shapes of faces: it is about one per edge on ordinary meshes, and proportional to the aspect ratio for a long
- * thin twisted cylinder.
+ * smaller value. With `Intrinsic_triangulation_traits`, points count as cocircular within the tolerance of these
+ * traits. Faces whose edges are flipped repeatedly are recomputed from the input, so errors do not accumulate. The
+ * number of flips depends on the shapes of faces: it is about one per edge on ordinary meshes, and proportional to the
+ * aspect ratio for a long thin twisted cylinder.
  *
  * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of networks are constrained and are not
  *        flipped
@@ -78,9 +78,9 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}
  *     \cgalParamDescription{the number of flips after which the process ends early; `Delaunay_report::is_complete()`
- *       returns whether they sufficed}
+ *       returns whether this number was sufficient}
  *     \cgalParamType{an integer}
- *     \cgalParamDefault{one million, and a thousand for each edge}
+ *     \cgalParamDefault{one million, plus a thousand for each edge}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor whose `go_further()` is called before each edge, and whose `on_flip()` is called
@@ -114,15 +114,15 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Flips all edges of a triangulation until each is locally Delaunay, so that it becomes the intrinsic Delaunay
- * triangulation. If networks have curves in the triangulation, it becomes the intrinsic constrained Delaunay
- * triangulation (iCDT) of all these curves [SC20, section 6.3].
+ * Flips all edges of a triangulation until each is locally Delaunay, so that the triangulation becomes the intrinsic
+ * Delaunay triangulation. If networks have curves in it, it becomes the intrinsic constrained Delaunay triangulation
+ * (iCDT) of all these curves [SC20, section 6.3].
  *
  * The named parameters and exceptions are those of the overload with edges.
  *
  * \return a report on all edges
  *
- * Complexity: linear in the mesh and the number of flips.
+ * Complexity: linear in the size of the mesh and the number of flips.
  */
 template <class Triangulation, class... NamedParameters,
           std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>

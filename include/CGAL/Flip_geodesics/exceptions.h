@@ -15,7 +15,7 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsErrors
  *
- * Is the base class of all exceptions that this package throws because of its input.
+ * Is the base class of all exceptions that this package throws because of invalid or unsuitable input.
  *
  * It stores the indices of the offending elements, in the order in which the message names them: positions in
  * `vertices(mesh)` for meshes, and positions in the input for curves.
@@ -54,7 +54,7 @@ public:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Specifies what removes a degeneracy of the input.
 enum class Degeneracy_remedy {
-  NONE,     ///< nothing in this package
+  NONE,     ///< there is no remedy in this package
   CONTRACT, ///< contracting degenerate edges (`Zero_length_edges::CONTRACT`), or lengthening them
   MOLLIFY   ///< lengthening degenerate edges (`Mollified_metric`); contracting them does not suffice
 };
@@ -71,7 +71,7 @@ public:
   /// Constructs the error from a problem and its remedy, which are both part of `what()`.
   /// \param problem the first part of the message
   /// \param elements the indices of the offending elements, in the order in which the message names them
-  /// \param remedy what removes the problem
+  /// \param remedy the measure that removes the problem
   Degenerate_face_error(const std::string& problem, std::vector<std::size_t> elements, Degeneracy_remedy remedy)
     : Error(problem + advice(remedy), std::move(elements))
     , m_problem_size(problem.size())
@@ -79,7 +79,7 @@ public:
   {
   }
 
-  /// Returns the message without the advice, for callers that give their own.
+  /// Returns the message without the advice, for callers that give advice of their own.
   std::string problem() const { return std::string(what()).substr(0, m_problem_size); }
 
   /// Returns the remedy of the problem.

@@ -57,11 +57,11 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Reads curves of a network off on the input mesh, by unfolding the edge sequences of their segments: which edges are
- * crossed, and in which order, is exact; where they are crossed is rounded to double.
+ * Extracts curves of a network as curves on the input mesh, by unfolding the edge sequences of their segments. The
+ * crossed edges and their order are exact; the positions of the crossings are rounded to double.
  *
- * If a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there in space.
- * The edges then determine on which side the curve passes, and `Surface_point::t` is not zero.
+ * If a curve passes a vertex within rounding, consecutive points on the edges of the vertex may coincide there in
+ * space. The edges then determine on which side the curve passes, and `Surface_point::t` is not zero.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
  */
@@ -105,7 +105,8 @@ public:
     return result;
   }
 
-  /// Returns the locations of the surface points of a curve, with which it can be a source of a distance field.
+  /// Returns the locations of the surface points of a curve, which can be used to make the curve a source of a distance
+  /// field.
   std::vector<Surface_location> surface_locations(Curve_index curve)
   {
     std::vector<Surface_location> result;
@@ -123,7 +124,7 @@ public:
     return out;
   }
 
-  /// Writes the input halfedges that a curve crosses, each as a side of the face that is left.
+  /// Writes the input halfedges that a curve crosses, each as a side of the face that the curve leaves.
   template <class OutputIterator>
   OutputIterator crossed_halfedges(Curve_index curve, OutputIterator out)
   {
@@ -148,8 +149,8 @@ public:
   }
 
   /*!
-   * Writes a curve as `Curve_point`s, which contain all of these data, or as `Curve_place`s if the metric has no
-   * points. The tangent is the direction of the straight piece in the next face, even if its two points nearly coincide.
+   * Writes a curve as `Curve_point`s, which contain all of this data, or as `Curve_place`s if the metric has no points.
+   * The tangent is the direction of the straight piece in the next face, even if its two points nearly coincide.
    */
   template <class OutputIterator>
   OutputIterator curve_points(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)

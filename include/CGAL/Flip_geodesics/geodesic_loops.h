@@ -49,7 +49,7 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  * Computes closed geodesics around the handles and holes of a surface, by shortening each loop of a `Loop_basis`
  * separately.
  *
- * Two of the resulting geodesics may cross. A sphere and a disk have no loops.
+ * The resulting geodesics may cross one another. A sphere and a disk have no loops.
  *
  * \param mesh a triangle mesh
  * \param out an output iterator that receives one `std::vector` per loop, in the order of the basis, of the points that
@@ -104,12 +104,12 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  * Shortens a network along which each component of a surface is cut open to a disk, and preserves this property.
  * Afterwards, each component is a single disk, and all curves are locally shortest between their ends.
  *
- * Curves that were disjoint can touch in a vertex or overlap along edges after shortening. Cutting along all of them
+ * Curves that were disjoint can touch at a vertex or overlap along edges after shortening. Cutting along all of them
  * would then divide the component into several disks, and some of the curves are superfluous, because two disks with a
- * common chain form one disk without it. Chains between different disks are therefore removed, the longest first,
- * together with all dead ends that this leaves. A vertex at which only two curves remain is no longer a fixed end. The
- * network becomes shorter each time, and is shortened again until no chain is superfluous. If all curves are needed
- * from the beginning, the function is equivalent to `shorten()`.
+ * common chain merge into one disk if the chain is removed. Chains between different disks are therefore removed, the
+ * longest first, together with all resulting dead ends. A vertex at which only two curves remain is no longer a fixed
+ * end. The network becomes shorter with each removal, and is shortened again until no chain is superfluous. If all
+ * curves are needed from the beginning, the function is equivalent to `shorten()`.
  *
  * \param network a network made by `add_cut_graph()`, or any other network that cuts each component into disks; if
  *        curves are removed, the remaining ones are renumbered
@@ -117,8 +117,9 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor as for `shorten()`. If its `go_further()` returns `false`, superfluous chains are
- *       not searched again: the network still cuts each component open, but possibly into several disks}
+ *     \cgalParamDescription{a visitor as for `shorten()`. If its `go_further()` returns `false`, the search for
+ *       superfluous chains is not repeated: the network still cuts each component open, but possibly into several
+ *       disks}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
@@ -128,7 +129,7 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  *
- * Complexity: that of `shorten()`, and linear in the triangulation for each run.
+ * Complexity: that of `shorten()`, plus linear time in the size of the triangulation for each run.
  */
 template <class Network, class... NamedParameters>
 Shortening_report shorten_cut_graph(Network& network, const NamedParameters&... np)
@@ -259,7 +260,7 @@ private:
 /// Specifies the loops among which `shortest_loop()` searches.
 enum class Loop_kind {
   NOT_CONTRACTIBLE, ///< loops that cannot be contracted to a point
-  NOT_BOUNDING      ///< loops whose homology class is not zero: on a closed surface, those that do not separate it
+  NOT_BOUNDING      ///< loops whose homology class is not zero: on a closed surface, loops that do not separate it
 };
 
 namespace internal {
@@ -361,9 +362,9 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  *
  * Computes the shortest edge loop of a given kind on a surface.
  *
- * Such a loop passes a vertex of every network that cuts the surface into disks. Therefore only loops through vertices
- * of a cut graph are searched, each up to half the length of the best loop so far. Parameters and exceptions are those
- * of the overload with a vertex.
+ * Such a loop passes through a vertex of every network that cuts the surface into disks. Therefore only loops through
+ * vertices of a cut graph are searched, each search reaching up to half the length of the best loop so far. Parameters
+ * and exceptions are those of the overload with a vertex.
  *
  * \return the halfedges of the loop; empty if no such loop exists
  *

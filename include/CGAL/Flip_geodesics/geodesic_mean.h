@@ -36,7 +36,7 @@ namespace Flip_geodesics {
 enum class Mean_status {
   CONVERGED, ///< the weighted vectors to the points cancel out there, up to the tolerance
   /// no step along the mean vector decreases the sum of squares, as can happen at a vertex at which shortest paths
-  /// bend, on the border, or where shortest paths arrive from two sides
+  /// bend, on the border, or at a point at which shortest paths arrive from two sides
   STUCK,
   ITERATION_LIMIT ///< the maximal number of steps has been tried
 };
@@ -59,7 +59,7 @@ inline const char* to_string(Mean_status status)
 /// Reports the outcome of the search for a mean.
 struct Mean_report
 {
-  Mean_status status = Mean_status::ITERATION_LIMIT; ///< why it ended
+  Mean_status status = Mean_status::ITERATION_LIMIT; ///< why the search ended
   std::size_t iterations = 0;                        ///< the number of steps tried
   double variance = 0; ///< the weighted mean of the squared distances from the points, which a mean minimizes
   double residual = 0; ///< the length of the weighted mean of the vectors to the points; 0 at a mean
@@ -69,8 +69,8 @@ struct Mean_report
 /// Limits the search for a mean.
 struct Mean_limits
 {
-  double tolerance = default_tolerance(); ///< the residual at which it converges, relative to the square root of the
-                                          ///< variance
+  double tolerance = default_tolerance(); ///< the residual at which the search converges, relative to the square root
+                                          ///< of the variance
   std::size_t most_iterations = 100;      ///< the maximal number of steps
 
   /// Returns the default tolerance, 1e-11.
@@ -82,13 +82,13 @@ struct Mean_limits
  *
  * Finds Karcher (Riemannian) means: points with the least weighted sum of squared distances from given points.
  *
- * The logarithmic map provides the vectors from the current point to the given points. The search continues from there
- * along a straightest geodesic in the direction of the weighted mean of the vectors; if the sum increases, the step is
- * halved repeatedly. In the plane, one step suffices.
+ * The logarithmic map provides the vectors from the current point to the given points. The search continues from the
+ * current point along a straightest geodesic in the direction of the weighted mean of the vectors; if the sum
+ * increases, the step is halved repeatedly. In the plane, one step suffices.
  *
- * The result is a local minimum. It is unique if the points are close together compared with the curvature. On a mesh
- * of needles, the vectors may be less precise than the tolerance, and the status may then depend on the numbering of
- * the mesh: one search ends with `CONVERGED`, another with `ITERATION_LIMIT`.
+ * The result is a local minimum. It is unique if the points are close together relative to the curvature. On a mesh of
+ * needles, the vectors may be less precise than the tolerance, and the status may then depend on the numbering of the
+ * mesh: one search ends with `CONVERGED`, another with `ITERATION_LIMIT`.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
  */
@@ -103,10 +103,10 @@ public:
    *
    * \param triangulation a triangulation of the mesh; both must outlive the object
    * \param mesh the mesh
-   * \param points a range of points of the surface, of any type that `surface_location()` takes
+   * \param points a range of points of the surface, of any type that `surface_location()` accepts
    * \param weights one for each point
    * \throws Invalid_parameter_error if no points are given, the numbers of points and weights differ, a weight is
-   *         negative or not finite, or all are zero
+   *         negative or not finite, or all weights are zero
    */
   template <class PointRange = std::vector<Surface_location>>
   Geodesic_mean(const Triangulation& triangulation, const Triangle_mesh& mesh, const PointRange& points,
@@ -149,7 +149,7 @@ public:
    * Searches for a mean.
    *
    * \param start the point at which the search starts; it receives the point that has been found
-   * \param limits when the search ends
+   * \param limits the limits at which the search ends
    * \return a report on the search
    * \throws Disconnected_endpoints_error if no path connects a point with positive weight and the start; `elements()`
    *         is the number of the point
@@ -295,7 +295,7 @@ struct Geodesic_mean_result
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< of the mesh
 
   std::pair<face_descriptor, std::array<double, 3>> location; ///< the mean, a `Face_location`
-  Mean_report report;                                         ///< whether it is one
+  Mean_report report;                                         ///< whether the location is a mean
 
   Mean_status status() const { return report.status; } ///< returns how the search ended
 };
@@ -304,7 +304,7 @@ struct Geodesic_mean_result
  * \ingroup PkgFlipGeodesicsTangents
  *
  * Computes a Karcher (Riemannian) mean of weighted points: a point with the least weighted sum of squared distances
- * from them. The search starts at the point with the largest weight, see `Geodesic_mean`.
+ * from them. The search starts at the point with the largest weight; see `Geodesic_mean`.
  *
  * \param mesh a triangle mesh
  * \param points a range of vertices, `CGAL::Polygon_mesh_processing::Face_location`s or points in space

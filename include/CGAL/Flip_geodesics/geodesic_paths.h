@@ -246,8 +246,8 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{stop_predicate}
- *     \cgalParamDescription{a predicate that ends the shortening of a path early. It is called from all threads, as
- *       `restarted()` for each path if possible}
+ *     \cgalParamDescription{a predicate that ends the shortening of a path early. It is called from all threads; if it
+ *       has a member `restarted()`, the result of that member is used for each path}
  *     \cgalParamType{a model of `FlipOutStopPredicate`}
  *     \cgalParamDefault{`Never_stop_predicate`}
  *   \cgalParamNEnd

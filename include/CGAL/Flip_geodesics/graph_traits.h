@@ -207,9 +207,9 @@ struct Intrinsic_graph_traits
  *
  * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
  * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be
- * used then.
+ * used on such a triangulation.
  *
- * A flip changes the ends of one edge and replaces two faces by two others; all other descriptors keep their meaning.
+ * A flip changes the ends of one edge and replaces two faces by two new ones; all other descriptors keep their meaning.
  * An insertion adds elements, and changes only the descriptor of the face, or of the halves of the edge, that it
  * splits.
  */

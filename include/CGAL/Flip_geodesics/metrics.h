@@ -56,9 +56,9 @@ class Planar_sine;
  * numbers.
  *
  * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge with number `e` in
- * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result therefore lead back to the mesh: for the
- * `Input_halfedge_index h` of a surface point or a face, `triangulation.input().halfedge(h)` is the halfedge of the
- * mesh, and `face(triangulation.input().halfedge(h), mesh)` is its face.
+ * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result can therefore be converted back to elements
+ * of the mesh: for the `Input_halfedge_index h` of a surface point or a face, `triangulation.input().halfedge(h)` is
+ * the halfedge of the mesh, and `face(triangulation.input().halfedge(h), mesh)` is its face.
  *
  * Member functions take constant time, except that `index()` takes logarithmic time unless the mesh is a
  * `Surface_mesh`.
@@ -70,8 +70,8 @@ template <class TriangleMesh>
 class Numbered_mesh
 {
 public:
-  /// Numbers a mesh, which must outlive the object. \f$O(n \log n)\f$, but constant time for a `Surface_mesh`, which is
-  /// already numbered and not copied.
+  /// Numbers a mesh, which must outlive the object. Takes \f$O(n \log n)\f$ time, but constant time for a
+  /// `Surface_mesh`, which is already numbered and not copied.
   explicit Numbered_mesh(const TriangleMesh& mesh);
 
   Index number_of_vertices() const;  ///< returns the number of vertices
@@ -85,18 +85,19 @@ public:
   /// Returns the halfedge of the mesh with a given number.
   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge(Input_halfedge_index h) const;
 
-  static Input_halfedge_index twin(Input_halfedge_index h);    ///< returns the other side of the edge
-  Input_halfedge_index next(Input_halfedge_index h) const;     ///< returns the next one around face or border
-  Input_halfedge_index previous(Input_halfedge_index h) const; ///< returns the previous one around face or border
-  Vertex_index tail(Input_halfedge_index h) const;             ///< returns the vertex at which `h` starts
-  bool is_border(Input_halfedge_index h) const;                ///< returns whether `h` has no face on its left
-  bool is_triangle(Input_halfedge_index h) const;              ///< returns whether the face of `h` has three sides
+  static Input_halfedge_index twin(Input_halfedge_index h); ///< returns the other side of the edge
+  Input_halfedge_index next(Input_halfedge_index h) const;  ///< returns the next halfedge around the face or border
+  Input_halfedge_index previous(
+      Input_halfedge_index h) const;               ///< returns the previous halfedge around the face or border
+  Vertex_index tail(Input_halfedge_index h) const; ///< returns the vertex at which `h` starts
+  bool is_border(Input_halfedge_index h) const;    ///< returns whether `h` has no face on its left
+  bool is_triangle(Input_halfedge_index h) const;  ///< returns whether the face of `h` has three sides
   /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Input_halfedge_index outgoing(Vertex_index v) const;
 
-  /// Returns whether degenerate edges were contracted, see `Zero_length_edges`.
+  /// Returns whether degenerate edges were contracted; see `Zero_length_edges`.
   bool is_contracted() const;
-  /// Returns the mesh before degenerate edges were contracted, or itself.
+  /// Returns the mesh before degenerate edges were contracted, or this mesh if none were contracted.
   const Numbered_mesh& uncontracted() const;
 };
 #else
@@ -150,7 +151,7 @@ public:
     return length;
   }
 
-  /// The coordinates of a point: doubles, or those near rational numbers with a bound of the error.
+  /// The coordinates of a point: doubles, or doubles close to rational numbers, with an error bound.
 #ifdef DOXYGEN_RUNNING
   using Place = unspecified_type;
 #else
@@ -167,8 +168,8 @@ public:
     return length;
   }
 
-  /// Returns the length of halfedge `h`, given the places of its two ends. For rational coordinates, the error is some
-  /// units in the last place of the coordinates, or \f$2^{-40}\f$ of the length if that is less.
+  /// Returns the length of halfedge `h`, given the positions of its two ends. For rational coordinates, the error is
+  /// some units in the last place of the coordinates, or \f$2^{-40}\f$ of the length if that is less.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     if constexpr(is_rational) {
@@ -203,8 +204,8 @@ public:
       return std::sqrt(squared_norm(difference(p, q)));
   }
 
-  /// Returns the vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face, with the exceptions of
-  /// `length()`.
+  /// Returns the vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face. Throws the exceptions that
+  /// `length()` throws.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
@@ -224,8 +225,8 @@ public:
   }
 
   /// Returns whether a coordinate of the mesh is rounded: it is not a double, and its type does not give the exact
-  /// value as a fraction. Then nothing is certified, since decisions refer to the rounded coordinates. Linear in the
-  /// mesh when it is first called, if the number type of the kernel allows such coordinates.
+  /// value as a fraction. In this case nothing is certified, since predicates refer to the rounded coordinates. The
+  /// first call is linear in the size of the mesh if the number type of the kernel allows such coordinates.
   bool is_rounded(const Mesh& mesh) const
   {
     if constexpr(is_rational || internal::is_within_double<internal::Coordinate<Point_3>>)
@@ -387,7 +388,7 @@ public:
   /// finite or out of range \throws Degenerate_face_error if the length is zero
   double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
-  /// Returns the length of halfedge `h` without any check, for searches that only pass by.
+  /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     return internal::imported_number(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
@@ -402,7 +403,7 @@ public:
   /// Returns zero.
   double distance_lower_bound(Place, Place) const { return 0; }
 
-  /// The squared length of halfedge `h`, exactly. Only if the type of lengths is exact and rational.
+  /// Returns the exact squared length of halfedge `h`. Only available if the type of lengths is exact and rational.
 #ifdef DOXYGEN_RUNNING
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 #else
@@ -415,7 +416,8 @@ public:
   }
 #endif
 
-  /// Returns the geometry of an input face by its lengths, from `h` on, with the exceptions of `length()`.
+  /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
+  /// `length()` throws.
   /// \throws Degenerate_face_error if the lengths violate the triangle inequality
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
@@ -424,8 +426,8 @@ public:
   }
 
   /// Returns whether a length is rounded: it is not a double, and its type does not give the exact value as a fraction.
-  /// Then nothing is certified, since decisions refer to the rounded lengths. Linear in the size of the mesh when it is
-  /// first called, if the type allows such lengths.
+  /// In this case nothing is certified, since predicates refer to the rounded lengths. The first call is linear in the
+  /// size of the mesh if the type allows such lengths.
   bool is_rounded(const Mesh&) const
   {
     if constexpr(is_rational || internal::is_within_double<Length>)
@@ -517,9 +519,9 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents another metric with a small length added to every edge [Sharp, Crane, A Laplacian for Nonmanifold Triangle
+ * Represents a given metric with a small length added to every edge [Sharp, Crane, A Laplacian for Nonmanifold Triangle
  * Meshes, section 4.5], chosen such that each face satisfies the triangle inequality with a margin. Meshes with
- * degenerate edges and faces can be used with this metric, at the price of a slightly different surface.
+ * degenerate edges and faces can be used with this metric, at the cost of a slightly different surface.
  *
  * Curves are geodesics of the modified surface, but their points are still those of the mesh, if it has any.
  *
@@ -572,7 +574,8 @@ public:
       m_least_stretch = (std::min)(1., internal::least_stretch_of_faces(base(), *this, indexed));
   }
 
-  /// Returns the length added to every edge, which is zero if none was needed. The metric is then the other one.
+  /// Returns the length added to every edge, which is zero if none was needed. In that case this metric equals the
+  /// other one.
   double added_length() const { return m_added; }
 
   /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
@@ -582,7 +585,7 @@ public:
     return m_added == 0 ? Base::length(mesh, h) : internal::length_by_weight(*this, mesh, h);
   }
 
-  /// Returns the length of halfedge `h` without any check, for searches that only pass by.
+  /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) + m_added; }
 
   using typename Base::Place;
@@ -606,7 +609,8 @@ public:
   /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  /// Returns the geometry of an input face by its lengths, from `h` on, with the exceptions of `length()`.
+  /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
+  /// `length()` throws.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
@@ -616,7 +620,8 @@ public:
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
 
-  using Base::is_rounded; ///< returns whether the other metric rounds numbers of the mesh, so that nothing is certified
+  using Base::
+      is_rounded; ///< returns whether the other metric rounds numbers of the mesh; in that case nothing is certified
 
 private:
   friend struct internal::Internals<Mollified_metric>;
@@ -660,7 +665,7 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents another metric with each edge scaled by a weight, so that paths avoid regions in which the weight is
+ * Represents a given metric with each edge scaled by a weight, so that paths avoid regions in which the weight is
  * large.
  *
  * Weights are given at vertices, and are linear along edges. The length of an edge is that of the other metric, times
@@ -668,8 +673,8 @@ private:
  * face, this is the conformal change of the metric by the weight, up to terms of second order.
  *
  * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
- * are refracted at the jumps, as light is. Weights given for faces are therefore converted to weights of vertices, each
- * the mean of those of the incident faces.
+ * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each
+ * the mean of the weights of the incident faces.
  *
  * If weights change so much over one face that its lengths violate the triangle inequality, `Degenerate_face_error` is
  * thrown when the shape of the face is needed. Smaller faces, smoother weights, or a `Mollified_metric` of lengths
@@ -721,11 +726,11 @@ public:
   /// finite or out of range \throws Degenerate_face_error if the length is zero
   double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
-  /// Returns the length of halfedge `h` without any check, for searches that only pass by.
+  /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(mesh, h); }
 
-  /// The data that a lower bound requires of a vertex, which are those of the other metric. They are not a point from
-  /// which faces are laid out.
+  /// The data of a vertex that a lower bound requires; they are those of the other metric, and not a point from which
+  /// faces are laid out.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
   /// Returns the length of halfedge `h`, given the positions of its two ends.
@@ -748,9 +753,11 @@ public:
   /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  using Base::is_rounded; ///< returns whether the other metric rounds numbers of the mesh, so that nothing is certified
+  using Base::
+      is_rounded; ///< returns whether the other metric rounds numbers of the mesh; in that case nothing is certified
 
-  /// Returns the geometry of an input face by its lengths, from `h` on, with the exceptions of `length()`.
+  /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
+  /// `length()` throws.
   /// \throws Degenerate_face_error if the lengths violate the triangle inequality
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const

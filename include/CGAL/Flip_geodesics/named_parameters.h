@@ -192,7 +192,7 @@ auto metric(const Metric& metric)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets the condition at which curves are not shortened further.
+ * Sets the condition under which the shortening of curves ends early.
  * \param predicate a model of `FlipOutStopPredicate`, which is copied unless it is passed by `std::ref()`
  */
 template <class StopPredicate>
@@ -244,7 +244,7 @@ auto nearest_source_map(const VertexSourceMap& map)
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the greatest distance from the surface at which a point in space is accepted. A point farther away causes a
  * `Distant_point_error`; by default, points are accepted at any distance.
- * \param distance a number that is not negative, in the unit of the coordinates
+ * \param distance a non-negative number, in the unit of the coordinates
  */
 inline auto greatest_point_distance(double distance)
 {

@@ -151,11 +151,12 @@ private:
  * Adds the edges between faces of different regions as a network: the boundaries of a segmentation [SC20, section 6.1].
  * The border of the mesh is not a boundary of a region, but boundaries can end there.
  *
- * With fixed junctions, one curve leads between vertices at which one or more than two such edges meet, or is closed if
- * it has no such vertex, as with `add_marked_edges()`. With free junctions, each edge carries two segments, one for
- * each adjacent region, which lies on the left; they form closed curves and paths from border to border. The junctions
- * can then move, and a gap that belongs to no region opens between the curves of three regions that met at one vertex.
- * Regions still do not overlap, and every curve keeps its isotopy class among the others.
+ * With fixed junctions, each curve leads from one vertex to another at which one or more than two such edges meet, or
+ * is closed if it has no such vertex, as with `add_marked_edges()`. With free junctions, each edge carries two
+ * segments, one for each adjacent region, with the region on the left; the segments form closed curves and paths from
+ * border to border. The junctions can then move, and a gap that belongs to no region opens between the curves of three
+ * regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy class among the
+ * others.
  *
  * If the function or `regions` throws, the network is empty again.
  *
@@ -202,8 +203,8 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the seams of a texture as a network: the edges at one or both of whose ends the two faces have different texture
- * coordinates.
+ * Adds the seams of a texture as a network: the edges whose two faces have different texture coordinates at one or both
+ * ends.
  *
  * Curves end at vertices at which one or more than two seams meet, in particular at seams that end inside the surface
  * or on its border; border edges are not seams. If the function or `texture` throws, the network is empty again.
@@ -237,12 +238,12 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
  * points without a common face, the crossings of a geodesic with the edges are inserted.
  *
  * \param triangulation a triangulation without flips, which is unchanged afterwards
- * \param polyline the points, a range of points of the surface, of any type that `surface_location()` takes
+ * \param polyline the points, a range of points of the surface, of any type that `surface_location()` accepts
  * \param is_closed whether the polyline is closed
  * \return the polyline, for `draw_polyline()` and `snap_polyline()`
  * \pre no edge of the triangulation has been flipped
  * \throws Occupied_triangulation_error if a network has curves in the triangulation, and a geodesic is needed
- * \throws Invalid_curve_error if the polyline has fewer than two points, or three if it is closed
+ * \throws Invalid_curve_error if the polyline has fewer than two points, or fewer than three if it is closed
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
  * \throws Invalid_location_error as `draw_polyline()` does
  * \throws Insertion_error as `draw_polyline()` does
@@ -282,25 +283,25 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * Adds a polyline anywhere on the mesh to a network, as a curve whose nodes are fixed at all its points [SC20, Figure
  * 9].
  *
- * The points become vertices, and the segments become edges of the triangulation, for which edges in their input faces
- * are flipped; a segment that passes a vertex consists of several edges. The curve therefore coincides with the
- * polyline. `Edge_path_network::free_nodes()` allows it to be shortened.
+ * The points become vertices, and the segments become edges of the triangulation, by flips of edges in their input
+ * faces; a segment that passes a vertex consists of several edges. The curve therefore coincides with the polyline.
+ * `Edge_path_network::free_nodes()` allows the curve to be shortened.
  *
  * Which edges a segment crosses is decided exactly, from the weights of the points. Polylines may be added one after
  * another. They may meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross there.
  * Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
  * \param network the network
- * \param polyline the points, of any type that `surface_location()` takes; two consecutive ones lie in a common face or
- *     on a common edge of the input. A closed polyline does not repeat the first point. Points that equal the previous
- *     one are skipped
+ * \param polyline the points, of any type that `surface_location()` accepts; two consecutive ones lie in a common face
+ *     or on a common edge of the input. A closed polyline does not repeat the first point. Points that equal the
+ *     previous one are skipped
  * \param is_closed whether the polyline is closed
  * \return the index of the curve
  * \pre no edge of the triangulation in these faces crosses an input edge
  * \throws Invalid_curve_error if two consecutive points have no common face, or there are too few points
  * \throws Crossing_curves_error if a segment crosses another one, or a curve of the network, between vertices;
- *         `elements()` are the ends of the crossed edge. No curve is added then, but points of the polyline may have
- *         become vertices
+ *         `elements()` are the ends of the crossed edge. In this case no curve is added, but points of the polyline may
+ *         have become vertices
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does

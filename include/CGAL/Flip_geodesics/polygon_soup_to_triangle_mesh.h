@@ -209,38 +209,41 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * Converts any polygon soup to a triangle mesh that the functions of this package accept: an oriented manifold without
  * degenerate faces.
  *
- * The following repairs are made if they are necessary, and are counted in the report, see `Repair`:
+ * The following repairs are made if they are necessary, and are counted in the report; see `Repair`:
  * - Points with coordinates that are not finite are removed, together with the polygons that contain them or an invalid
  *   index. Corners that coincide with the previous corner are removed, and polygons that pass a point twice are split.
  * - Polygons with more than three corners are triangulated.
- * - Triangles with the same corners as another one are removed.
- * - Triangles are oriented consistently with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, such that in each
- *   component as many as possible keep their orientation. Faces are cut apart at edges with more than two of them,
- *   where they share only a vertex, and at edges between orientations that cannot be made consistent.
+ * - Triangles with the same corners as another triangle are removed.
+ * - Triangles are oriented consistently with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, such that as many
+ *   of them as possible keep their orientation in each component. Faces are cut apart at edges with more than two
+ *   faces, at points where they share only a vertex, and at edges between orientations that cannot be made consistent.
  * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself
  *   if no coordinate differs by more than the tolerance. Shorter edges collapse.
  * - Coincident borders are stitched with `CGAL::Polygon_mesh_processing::stitch_borders()`; their coordinates are
  *   bitwise identical. If more than two border edges coincide, two of the same component are stitched and the others
  *   are not. Borders remain open if stitching would create two edges with the same two vertices.
  * - Triangles whose corners are collinear according to exact predicates are removed by a flip of their longest edge,
- *   which does not change the surface. If this is impossible they are deleted, which leaves a slit inside the surface.
+ *   which does not change the surface. If this is impossible, they are deleted, which leaves a slit inside the surface.
  *
  * The steps are repeated until none of them changes the triangles, so the repair of a result has no effect. The report
- * also contains the number of border edges that nearly coincide with others and would be stitched with a tolerance.
+ * also contains the number of border edges that nearly coincide with others and would be stitched if a tolerance were
+ * given.
  *
  * No point is moved unless a tolerance is given, and no new points are created. The vertex at position `i` of
  * `vertices(mesh)` comes from point `i`, regardless of the repairs. Vertices of points that were merged or lost their
  * faces are isolated and have no copies; `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes them.
  * Copies of split vertices follow. Faces are in the order of the polygons from which they come. A soup without defects
- * therefore yields the same mesh and an empty report. The result depends on the input only.
+ * therefore yields the same mesh and an empty report. The result depends only on the input.
  *
  * \tparam PointRange a range of points of a \cgal kernel. If its number type is `double`, the predicates of
- *         `CGAL::Exact_predicates_inexact_constructions_kernel` are used; otherwise its own, which must be exact
+ *         `CGAL::Exact_predicates_inexact_constructions_kernel` are used; otherwise those of the kernel itself, which
+ *         must be exact
  * \tparam PolygonRange a range of ranges of positions in `points`, of any integer type
  * \tparam TriangleMesh a model of `MutableFaceGraph` that lists vertices and faces in the order in which they are added
  * \param points the points
  * \param polygons the corners of each polygon
- * \param mesh the resulting mesh. An isolated vertex of a point that is not finite gets the position of another point
+ * \param mesh the resulting mesh. An isolated vertex of a point that is not finite is given the position of another
+ *        point
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -258,7 +261,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *
  * \return a report on the repairs, and on the correspondence of elements
  * \pre `mesh` is empty, and the tolerance is in [0, 1)
- * \throws Invalid_mesh_error if the soup has no polygons, or no triangle remains, with the reason; `mesh` is then empty
+ * \throws Invalid_mesh_error if the soup has no polygons, or no triangle remains; the message states the reason, and
+ *         `mesh` is empty
  *
  * Complexity: about the time of sorting the corners a few times. Polygons with many corners take the time of a
  * triangulation in the plane, and the orientation by \cgal takes up to the square of the degree of a vertex.

@@ -39,8 +39,8 @@ struct Refinement_options
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// States how a refinement has ended.
 enum class Refinement_status {
-  BOUNDS_REACHED,       ///< all faces are within the bounds, or exempt
-  BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or skipped, see `Refinement_report`
+  BOUNDS_REACHED,       ///< all faces are within the bounds, or are exempt
+  BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or skipped; see `Refinement_report`
   VERTEX_LIMIT,         ///< `Refinement_options::maximum_insertions` vertices were inserted
   STOPPED_BY_VISITOR    ///< the triangulation may not even be Delaunay
 };
@@ -49,7 +49,7 @@ enum class Refinement_status {
 /// Reports the steps and the result of `refine()`.
 struct Refinement_report
 {
-  Refinement_status status = Refinement_status::BOUNDS_REACHED; ///< how it has ended
+  Refinement_status status = Refinement_status::BOUNDS_REACHED; ///< how the process ended
   std::size_t insertions = 0;                                   ///< the number of vertices inserted inside faces
   std::size_t splits = 0;                                       ///< the number of splits of edges under curves or on
                                                                 ///< the border
@@ -57,10 +57,10 @@ struct Refinement_report
                                                                 ///< undone
   std::size_t refused = 0;        ///< the number of faces left unchanged because no point can be represented there
   double smallest_angle = 0;      ///< of all faces, in degrees
-  double smallest_free_angle = 0; ///< of the faces that are not exempt, see `refine()`
+  double smallest_free_angle = 0; ///< the smallest angle of the faces that are not exempt; see `refine()`
   std::size_t exempt = 0;         ///< the number of faces whose smallest angle is unavoidably below the bound
   std::size_t missed = 0;         ///< the number of faces that violate a bound and are not exempt
-  std::size_t given_up = 0;       ///< the number of those that are too thin for the allowed number of vertices
+  std::size_t given_up = 0;       ///< the number of such faces that are too thin for the allowed number of vertices
   /// Returns whether the bounds have been reached.
   bool is_complete() const { return status == Refinement_status::BOUNDS_REACHED; }
 };
@@ -159,28 +159,28 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  *
  * Refines a triangulation until no angle is too small and no edge is too long.
  *
- * The triangulation is flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, the worst
- * face first, each followed by flips [SSC19, section 4.3]. Curves and the border are constrained: if they are in the
- * way, they are split at vertices on them, and thus remain geodesics of the same length. The surface does not change.
- * Since the positions of vertices on curves are rounded, `certify()` considers the curves bent there by a rounding
- * error, so call it before.
+ * The triangulation is first flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, the
+ * worst face first, each followed by flips [SSC19, section 4.3]. Curves and the border are constrained: if they are in
+ * the way, they are split at vertices on them, and thus remain geodesics of the same length. The surface does not
+ * change. Since the positions of vertices on curves are rounded, `certify()` considers the curves bent there by a
+ * rounding error and should be called before refinement.
  *
  * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point
  * inside them. They are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
- * length is a million times its thickness. The latter is detected in advance. A face of area \f$A\f$ with shortest side
- * \f$s\f$ requires about \f$A/s^2\f$ vertices if all faces are as thin, and far fewer elsewhere. If the sum over all
- * bad faces is 16 times what is allowed, and twice in a row does not decrease by a tenth while as many faces are
- * processed, the worst faces are given up, together with all that have as short a side. The others are improved until
- * these sums do not decrease either.
+ * length is a million times its thickness. The latter case is detected in advance. A face of area \f$A\f$ with shortest
+ * side \f$s\f$ requires about \f$A/s^2\f$ vertices if all faces are equally thin, and far fewer otherwise. If the sum
+ * over all bad faces is 16 times the allowed number, and twice in a row does not decrease by a tenth while as many
+ * faces are processed, the worst faces are given up, together with all faces that have an equally short side. The
+ * others are improved until these sums do not decrease either.
  *
- * Edges that are too long are never given up. They are divided, the longest first, until none is left or the limit is
- * reached. Since edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$, a bound that
- * cannot be met distributes the allowed number of vertices evenly.
+ * Edges that are too long are never given up. They are divided, the longest first, until no such edge is left or the
+ * limit is reached. Since edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$, a
+ * bound that cannot be met distributes the allowed number of vertices evenly.
  *
  * Two kinds of faces are exempt from the bound on angles. In one kind, the smallest angle lies between two constrained
- * edges that meet at less than 60 degrees, or at a vertex whose angles sum to less than that; no insertion could
- * enlarge it. In the other, the shortest side connects two constrained edges at equal distances from such a vertex; an
- * insertion there would cause another one closer to the vertex, without end [Shewchuk 2002].
+ * edges that meet at less than 60 degrees, or at a vertex whose angles sum to less than 60 degrees; no insertion could
+ * enlarge this angle. In the other, the shortest side connects two constrained edges at equal distances from such a
+ * vertex; an insertion there would cause another one closer to the vertex, and so on without end [Shewchuk 2002].
  *
  * \param network an `Edge_path_network` whose triangulation, a model of `IntrinsicTriangulationOfMesh`, is refined
  * \param options the bounds; the process terminates by itself in practice for angles up to about 25 degrees
@@ -199,7 +199,8 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  *
  * \return a report, measured on the result
  * \throws Invalid_parameter_error if the options are out of range
- * \throws Occupied_triangulation_error if another network has curves in the triangulation, which is unchanged then
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation; in this case the
+ *         triangulation is unchanged
  * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
  * \throws Degenerate_face_error if such a face is degenerate
  * \throws Invalid_coordinate_error if such a face has coordinates that are not finite

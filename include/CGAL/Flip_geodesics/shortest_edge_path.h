@@ -64,8 +64,8 @@ public:
    * Chooses the landmarks and computes the distances, unless a visitor stops the construction.
    *
    * \param search a `Shortest_edge_path`, as for the constructor without a visitor
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, before each search and once for
-   *        about a thousand vertices. If it returns `false`, `is_complete()` returns `false`, and all bounds are zero
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, before each search and about
+   *        once per thousand vertices. If it returns `false`, `is_complete()` returns `false`, and all bounds are zero
    * \throws Invalid_coordinate_error as `Shortest_edge_path` does, for any edge
    */
   template <class Search, class Visitor>
@@ -75,7 +75,7 @@ public:
     make(search, &interruption);
   }
 
-  /// Returns whether the distances are known, that is, whether no visitor stopped the construction.
+  /// Returns whether the distances are known, that is, whether the construction was not stopped by a visitor.
   bool is_complete() const { return m_is_complete; }
 
   /// Returns the number of vertices.
@@ -85,9 +85,9 @@ public:
    * Returns a lower bound of the distance between two vertices.
    *
    * If the distances from landmarks are lengths of edge paths, every edge path between the vertices is at least as long
-   * as the bound: values and differences are rounded down, and rounding errors are subtracted. If they were computed by
-   * `Search_method::LOOK_BACK`, the bound is an estimate, since such distances do not satisfy the triangle inequality.
-   * The result is meaningless for vertices of different components.
+   * as the bound: values and differences are rounded down, and rounding errors are subtracted. If the distances were
+   * computed by `Search_method::LOOK_BACK`, the bound is an estimate, since these distances do not satisfy the triangle
+   * inequality. The result is meaningless for vertices of different components.
    */
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
@@ -117,19 +117,19 @@ private:
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Specifies the search for an edge path.
 enum class Search_method {
-  /// Searches a path to be shortened, which is close to a shortest path on the surface rather than shortest along edges
-  /// (any-angle search).
+  /// Searches for a path to be shortened, which is close to a shortest path on the surface rather than shortest along
+  /// edges (any-angle search).
   ///
-  /// The distance of a vertex is measured along straight lines from up to two vertices back on the path to it, but not
-  /// taken as less than the length of the path divided by 1.5. Paths that zigzag along a straight line thus count as
-  /// nearly straight, whereas shortest edge paths deviate in the directions of edges. On smooth meshes, `shorten()`
-  /// then flips several times fewer edges. The bound of the remaining distance is multiplied by 1.1 (weighted A*), so
-  /// that paths of nearly equal length need not be compared. A vertex that is reached again by a path that is hardly
-  /// shorter keeps its position in the queue. It visits about a third as many vertices as `A_STAR`. If the
-  /// metric has no lower bound, the method is equivalent to `DIJKSTRA`.
+  /// The distance of a vertex is measured along straight lines from up to two vertices back on the path to it, but is
+  /// taken to be at least the length of the path divided by 1.5. Paths that zigzag along a straight line thus count as
+  /// nearly straight, whereas shortest edge paths are diverted along the directions of edges. On smooth meshes,
+  /// `shorten()` then flips several times fewer edges. The bound of the remaining distance is multiplied by 1.1
+  /// (weighted A*), so that paths of nearly equal length need not be compared. A vertex that is reached again by a path
+  /// that is only marginally shorter keeps its position in the queue. The search visits about a third as many vertices
+  /// as `A_STAR`. If the metric has no lower bound, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
-  /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if that
-  /// is zero
+  /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if this
+  /// bound is zero
   A_STAR,
   DIJKSTRA ///< a shortest edge path, in all directions
 };
@@ -137,7 +137,7 @@ enum class Search_method {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Searches paths along the edges of the input mesh, which are the usual initial curves. The paths are shortest, or
+ * Searches for paths along the edges of the input mesh, which are the usual initial curves. The paths are shortest, or
  * close to geodesics so that few flips are needed. Only the input is read, and the triangulation does not change.
  *
  * Labels are allocated once and distinguished by epoch, so a search takes \f$O(k \log k)\f$ time for the \f$k\f$
@@ -160,7 +160,7 @@ public:
   }
 
   /// Constructs a search by `Search_method::LOOK_BACK` that is guided by landmarks, which must outlive the search. The
-  /// bound is multiplied by 1.02 only, since it is nearly attained. \pre the landmarks were computed for this mesh
+  /// bound is multiplied by only 1.02, since it is nearly attained. \pre the landmarks were computed for this mesh
   /// \throws Input_mismatch_error if the number of vertices differs
   Shortest_edge_path(const Triangulation& triangulation, const Landmark_distances& landmarks)
     : Shortest_edge_path(triangulation, Search_method::LOOK_BACK)
@@ -175,7 +175,7 @@ public:
   }
 
   /*!
-   * Returns the halfedges of an edge path from `source` to `target`, or no halfedges if they are equal.
+   * Returns the halfedges of an edge path from `source` to `target`, or no halfedges if the two vertices are equal.
    * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the input
    * \throws Disconnected_endpoints_error if no edge path connects the vertices
    * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN. Edges of

@@ -25,11 +25,11 @@ namespace Flip_geodesics {
 /// Lists the decisions of a stop predicate on the next step.
 enum class Stop_decision {
   CONTINUE,           ///< take the step
-  CURVE_LENGTH_LIMIT, ///< reject the step and keep its curve as it is, but continue with the others
-  LENGTH_LIMIT,       ///< reject the step and end
-  ANGLE_LIMIT,        ///< reject the step and end
-  ITERATION_LIMIT,    ///< reject the step and end
-  MEMORY_LIMIT        ///< reject the step and end
+  CURVE_LENGTH_LIMIT, ///< reject the step and keep its curve unchanged, but continue with the other curves
+  LENGTH_LIMIT,       ///< reject the step and end the shortening
+  ANGLE_LIMIT,        ///< reject the step and end the shortening
+  ITERATION_LIMIT,    ///< reject the step and end the shortening
+  MEMORY_LIMIT        ///< reject the step and end the shortening
 };
 
 /// \ingroup PkgFlipGeodesicsStop
@@ -77,7 +77,7 @@ class Length_ratio_stop_predicate
 {
 public:
   /// Sets the limit.
-  /// \param ratio the minimal length, as a fraction of the initial one
+  /// \param ratio the minimal length, as a fraction of the initial length
   /// \pre 0 <= ratio <= 1
   explicit Length_ratio_stop_predicate(double ratio)
     : m_ratio(ratio)
@@ -105,7 +105,7 @@ class Curve_length_ratio_stop_predicate
 {
 public:
   /// Sets the limit.
-  /// \param ratio the minimal length, as a fraction of the initial one
+  /// \param ratio the minimal length, as a fraction of the initial length
   /// \pre 0 <= ratio <= 1
   explicit Curve_length_ratio_stop_predicate(double ratio)
     : m_ratio(ratio)
@@ -262,7 +262,7 @@ public:
   {
   }
 
-  /// Returns the first decision that is not `CONTINUE`, or else `CONTINUE`; predicates after it are not evaluated.
+  /// Returns the first decision that is not `CONTINUE`, or else `CONTINUE`; later predicates are not evaluated.
   Stop_decision operator()(const Shortening_step& step) const
   {
     Stop_decision decision = Stop_decision::CONTINUE;
@@ -325,8 +325,9 @@ struct Default_shortening_visitor
 class Window_limit
 {
 public:
-  /// Sets the default limit, \f$10^6 + 500 n + 2 n^{3/2}\f$ for \f$n\f$ vertices, several times what meshes without
-  /// needles require. On smooth meshes, all distances from a vertex require up to about \f$0.7 n^{3/2}\f$ windows.
+  /// Sets the default limit, \f$10^6 + 500 n + 2 n^{3/2}\f$ for \f$n\f$ vertices, several times the number that meshes
+  /// without needles require. On smooth meshes, all distances from a vertex require up to about \f$0.7 n^{3/2}\f$
+  /// windows.
   Window_limit() = default;
 
   /// Sets an approximate maximal number of windows.

@@ -244,13 +244,14 @@ private:
  * \return the number of flips
  *
  * \throws Invalid_curve_error as `Edge_path_network::add_curve()` does
- * \throws Degenerate_face_error if a face at the path is degenerate; the network is empty then, and nothing is flipped
- * \throws Invalid_coordinate_error if a face at the path is not finite; the network is empty then, and nothing is
+ * \throws Degenerate_face_error if a face at the path is degenerate; in this case the network is empty, and nothing is
  *         flipped
- * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
+ * \throws Invalid_coordinate_error if a face at the path is not finite; in this case the network is empty, and nothing
+ *         is flipped
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation; in this case nothing changes
  *
- * Complexity: that of several rounds over the strip, about as many as there are rows of vertices between the path and
- * the geodesic. The number of flips is linear in the number of edges that the geodesic crosses.
+ * Complexity: that of several rounds over the strip, roughly one for each row of vertices between the path and the
+ * geodesic. The number of flips is linear in the number of edges that the geodesic crosses.
  */
 template <class Network>
 std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_index>& path,

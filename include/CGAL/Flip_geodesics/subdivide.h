@@ -37,11 +37,11 @@ namespace Flip_geodesics {
 /// Describes the origin of a vertex of a `Surface_subdivision`.
 struct Subdivision_vertex
 {
-  Surface_point on_input;                     ///< its position on the input mesh
+  Surface_point on_input;                     ///< the position of the vertex on the input mesh
   Vertex_index intrinsic_vertex = null_index; ///< the vertex of the triangulation, or else:
   Halfedge_index intrinsic_halfedge =
       null_index;         ///< the first halfedge of the intrinsic edge that contains the vertex,
-  double intrinsic_t = 0; ///< and its position there, strictly between 0 at the tail and 1 at the head
+  double intrinsic_t = 0; ///< and the position on that halfedge, strictly between 0 at the tail and 1 at the head
 };
 
 /*!
@@ -51,10 +51,10 @@ struct Subdivision_vertex
  * to both. Such a mesh is constructed by `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
  *
  * Each face lies in one face of the input. The vertices are those of the triangulation, in its order, followed by the
- * crossings of intrinsic with input edges, by the midpoints of curve edges that were split (see `cut_along_curves()`),
- * and after a cut by copies of vertices. The connectivity is exact, regardless of rounding errors in positions. The
- * mesh is oriented and manifold, and has the components, borders and genus of the input unless it is cut open. Since
- * positions are rounded, very thin faces may be geometrically degenerate.
+ * crossings of intrinsic edges with input edges, by the midpoints of curve edges that were split (see
+ * `cut_along_curves()`), and after a cut by copies of vertices. The connectivity is exact, regardless of rounding
+ * errors in positions. The mesh is oriented and manifold, and has the components, borders and genus of the input unless
+ * it is cut open. Since positions are rounded, very thin faces may be geometrically degenerate.
  *
  * No two edges have the same two end points, with one exception: the common subdivision of a mesh in which two faces
  * share all three vertices, or two edges share both end points, may contain such edges, which cannot be stored in files
@@ -87,8 +87,8 @@ public:
 
   /// Returns the mesh.
   const OutputMesh& mesh() const { return m_mesh; }
-  /// Returns the mesh, to be moved out or refined further. The maps back remain valid for its elements as long as these
-  /// exist.
+  /// Returns the mesh, to be moved out or refined further. The maps back remain valid for elements of the mesh as long
+  /// as these exist.
   OutputMesh& mesh() { return m_mesh; }
 
   /// Returns the origin of a vertex.
@@ -102,12 +102,12 @@ public:
   /// edges are in the mesh.
   Halfedge_index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
 
-  /// Returns the area of a face, measured in the plane of the input face. It is not negative, and is 0 if the rounding
-  /// errors of the corners would reverse the face.
+  /// Returns the area of a face, measured in the plane of the input face. The area is not negative, and is 0 if the
+  /// rounding errors of the corners would reverse the face.
   double area(face_descriptor f) const { return get(m_faces, f).area; }
 
   /// Returns the barycentric coordinates of the corners of a face in its input face. The corners are the source, the
-  /// target and the third vertex of `halfedge(f, mesh())`; the coordinates of each belong to the tails of
+  /// target and the third vertex of `halfedge(f, mesh())`; the coordinates of each corner belong to the tails of
   /// `input_face(f)` and the two halfedges after it.
   const std::array<std::array<double, 3>, 3>& corners(face_descriptor f) const { return get(m_faces, f).corners; }
 
@@ -182,7 +182,7 @@ public:
         put(out, vertex_origin(v).intrinsic_vertex, get(in, v));
   }
 
-  /// Assigns face values of the input mesh, with keys of type `Input_face`, to the faces contained in each.
+  /// Assigns face values of the input mesh, with keys of type `Input_face`, to the faces contained in each input face.
   template <class InputMap, class FaceMap>
   void spread_from_input(InputMap in, FaceMap out) const
   {
@@ -190,7 +190,8 @@ public:
       put(out, f, get(in, input_face_descriptor(f)));
   }
 
-  /// Assigns values of intrinsic faces to the faces contained in each. \pre all intrinsic edges are in the mesh
+  /// Assigns values of intrinsic faces to the faces contained in each intrinsic face. \pre all intrinsic edges are in
+  /// the mesh
   template <class IntrinsicMap, class FaceMap>
   void spread_from_intrinsic(IntrinsicMap in, FaceMap out) const
   {
@@ -198,7 +199,7 @@ public:
       put(out, f, get(in, intrinsic_face(f)));
   }
 
-  /// Assigns to each face of the input mesh the area-weighted average of the values of the faces contained in it.
+  /// Assigns to each face of the input mesh the area-weighted average of the values of the faces that it contains.
   template <class FaceMap, class InputMap>
   void average_to_input(FaceMap in, InputMap out) const
   {
@@ -209,7 +210,7 @@ public:
         });
   }
 
-  /// Assigns to each intrinsic face the area-weighted average of the values of the faces contained in it.
+  /// Assigns to each intrinsic face the area-weighted average of the values of the faces that it contains.
   /// \pre all intrinsic edges are in the mesh
   template <class FaceMap, class IntrinsicMap>
   void average_to_intrinsic(FaceMap in, IntrinsicMap out) const
@@ -219,7 +220,7 @@ public:
         [&](Halfedge_index h, const auto& value) { put(out, h, value); });
   }
 
-  /// Returns the face of the input mesh that contains a face.
+  /// Returns the face of the input mesh that contains a given face.
   Input_face input_face_descriptor(face_descriptor f) const
   {
     return internal::graph_face(m_triangulation->input().halfedge(input_face(f)), *m_input_mesh);
@@ -575,8 +576,8 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * Computes the common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which the edges
  * of both are chains of edges, with maps back to both [SSC19, section 3.4.1], [GSC21].
  *
- * A function that is linear in the faces of either is linear in the faces of the subdivision. Data can therefore be
- * transferred from one to the other without loss.
+ * A function that is linear in the faces of either triangulation is linear in the faces of the subdivision. Data can
+ * therefore be transferred from one to the other without loss.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, of `mesh`
  * \param mesh the input mesh
@@ -626,7 +627,7 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  * \ingroup PkgFlipGeodesicsSubdivision
  *
  * Cuts the input mesh open along the curves of a network. The curves are inserted as by `insert_curves()`. Each of
- * their edges is then doubled, and a vertex is duplicated if that separates the faces around it.
+ * their edges is then doubled, and a vertex is duplicated if this separates the faces around the vertex.
  *
  * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
  * single vertices; a closed curve, or one from border to border, becomes two borders. Since both sides of a slit of one
@@ -780,7 +781,7 @@ Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_i
  * Returns the rounded input location of the point of an intrinsic face with given barycentric coordinates, which belong
  * to the tail of `h`, its head, and the third vertex.
  *
- * Every input face that meets the intrinsic face lies along its sides, so the one that contains the point is found
+ * Every input face that meets the intrinsic face lies along its sides, so the face that contains the point is found
  * among these. Linear in the number of input edges that the sides cross. \pre `h` is not on the border, and the
  * coordinates are not negative and sum to one
  */

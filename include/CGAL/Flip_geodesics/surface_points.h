@@ -94,7 +94,7 @@ Surface_location surface_location(
 
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Converts a `Face_location`, where weights of at most 1e-12 count as zero.
-/// \throws Invalid_location_error if it is not a point of the mesh
+/// \throws Invalid_location_error if the point does not lie on the mesh
 template <class Triangulation, class FT>
 Surface_location surface_location(
     const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
@@ -115,7 +115,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
 
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Converts a `Curve_place`, a `Curve_point` or a `Curve_sample` to a location, by its member `location`.
-/// \throws Invalid_location_error if it is not a point of the mesh
+/// \throws Invalid_location_error if the point does not lie on the mesh
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
                                   const Curve_place<typename Triangulation::Triangle_mesh>& place)

@@ -39,7 +39,8 @@ namespace Flip_geodesics {
 struct Texture_report
 {
   std::size_t faces = 0; ///< the number of faces with coordinates
-  /// the number of those that are laid out separately, because the map is discontinuous there or degenerates to a line
+  /// the number of such faces that are laid out separately, because the map is discontinuous there or degenerates to a
+  /// line
   std::size_t torn = 0;
 };
 
@@ -166,11 +167,11 @@ Value picture_place(double x, double y)
  * Maps an image onto the surface like a decal, by assigning texture coordinates to the corners of faces. The
  * coordinates are those of the logarithmic map of a point, which is mapped to the center of the image.
  *
- * The image is the unit square. Along each ray from its center lengths are preserved; curvature stretches or compresses
- * the image in the perpendicular direction. The logarithmic map is discontinuous where shortest paths arrive from two
- * sides, and degenerates to a line behind a vertex at which they bend. A face there is laid out separately, as seen
- * from the end of the shortest path to its center, and its corners can have coordinates different from those in
- * adjacent faces. A face is thus never stretched across the image or reversed.
+ * The image is the unit square. Along each ray from its center, lengths are preserved; curvature stretches or
+ * compresses the image in the perpendicular direction. The logarithmic map is discontinuous where shortest paths arrive
+ * from two sides, and degenerates to a line behind a vertex at which these paths bend. A face there is laid out
+ * separately, as seen from the end of the shortest path to its center, and its corners can have coordinates different
+ * from those in adjacent faces. A face is thus never stretched across the image or reversed.
  *
  * \param mesh a triangle mesh
  * \param source the center: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
@@ -179,7 +180,7 @@ Value picture_place(double x, double y)
  * \param size the length of the sides of the image on the surface, in the unit of the coordinates
  * \param corners a model of `WritablePropertyMap` with the halfedges of the mesh as keys, which represent the corners
  *        at their targets, and `std::array<double, 2>` or `Point_2` as values. Corners of faces that lie outside the
- *        image or are unreachable receive NaN. Border halfedges receive nothing
+ *        image or are unreachable receive NaN. Border halfedges receive no value
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \return a report on the faces
  * \throws Invalid_parameter_error if the size is not positive and finite, the angle is not finite, or the halfedge is
@@ -190,8 +191,8 @@ Value picture_place(double x, double y)
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of a `Geodesic_distance_field` up to the distance of the corners of the image plus the longest side
- * of the mesh, and at most all its windows once more. If rounding errors decide which path is the shortest, the path is
+ * Complexity: that of a `Geodesic_distance_field` up to the distance of the corners of the image plus the longest edge
+ * of the mesh, and at most as many windows again. If rounding errors decide which path is the shortest, the path is
  * followed.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>

@@ -312,10 +312,10 @@ struct No_visitor_of_points
  *
  * Which edges are crossed, and whether a vertex is reached, is decided exactly, from the signs of real numbers that are
  * defined by the weights of the start, the direction and the input coordinates, each rounded to a double. A direction
- * given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly
- * \f$2\pi\f$, the geodesic continues as in a plane without rounding; this includes the interior of planar parts and the
- * edges along which they are folded. At other vertices, and at vertices of a degenerate face, the bisecting angle is
- * rounded, and so is the outgoing direction.
+ * given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly \f$2\pi\f$, the
+ * geodesic continues as in a plane without rounding; this includes the interior of planar parts and the edges along
+ * which they are folded. At other vertices, and at vertices of a degenerate face, the bisecting angle is rounded, and
+ * so is the outgoing direction.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
  */
