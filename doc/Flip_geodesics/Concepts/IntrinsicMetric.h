@@ -4,7 +4,7 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces, whatever
+ * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces, regardless of
  * their source. A model is cheap to copy, and a triangulation keeps a copy.
  *
  * The argument `mesh` of the members is the mesh returned by `Intrinsic_triangulation::input()`, which is numbered by

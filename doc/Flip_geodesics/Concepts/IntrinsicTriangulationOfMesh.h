@@ -101,13 +101,15 @@ public:
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split);
 
-  /// Splits the edge of `h` at a point that lies on it by definition, in the input face at a gap of its edge sequence.
+  /// Splits the edge of `h` at a point that lies on it by definition, in the input face at a given gap of the edge
+  /// sequence of `h`.
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   template <class OnSplit>
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split);
 
-  /// Splits the face on the left of `h` at a point inside it, in the input face at a gap of the edge sequence of `h`.
+  /// Splits the face on the left of `h` at a point inside it, in the input face at a given gap of the edge sequence of
+  /// `h`.
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap);

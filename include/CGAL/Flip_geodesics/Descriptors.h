@@ -44,7 +44,7 @@ inline constexpr Null_index null_index{};
  *
  * Descriptors are ordered by their numbers, can be hashed, and are printed as a letter and the number.
  *
- * \tparam Element the kind of element, of `Element_kind`
+ * \tparam Element the kind of element, a value of `Element_kind`
  */
 template <class Element>
 class Descriptor
@@ -140,8 +140,8 @@ using Vertex_copy_index = Descriptor<Element_kind::Vertex_copy>;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// Identifies an edge of a triangulation. The descriptor stores the halfedge from which it was constructed, which does
-/// not affect comparisons. The `source()` and `target()` of an edge returned by a traversal are therefore its current
-/// vertex and the one that the edge leads to.
+/// not affect comparisons. The `source()` and `target()` of an edge returned by a traversal are therefore the current
+/// vertex of the traversal and the vertex to which the edge leads.
 class Edge_index
 {
 public:

@@ -647,7 +647,7 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
  * \return the number of curves added
  * \pre the edges of the triangulation are still those of the input
  *
- * Complexity: linear in the mesh.
+ * Complexity: linear in the size of the mesh.
  */
 template <class Network, class TriangleMesh, class EdgeIsMarkedMap>
 Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedMap is_marked)

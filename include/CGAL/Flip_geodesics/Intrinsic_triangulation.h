@@ -649,7 +649,7 @@ public:
    *
    * The position of the point with respect to the input faces and the edge sequences is determined exactly. The point
    * lies in the face or on the edge that is split, and the edge sequences of the new edges are correct, even if the
-   * geometry is rounded. Only with inexact predicates can it happen that no face contains the point; it is then
+   * geometry is rounded. Only with inexact predicates is it possible that no face contains the point, which is then
    * inserted on the nearest edge, provided that rounding errors explain the distance. `rollback()` removes the vertex
    * again.
    *

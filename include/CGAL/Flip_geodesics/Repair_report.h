@@ -31,7 +31,7 @@ enum class Repair {
   POINTS_MERGED,            ///< points merged with a coincident point, at stitched borders or removed corners
   DEGENERATE_FACES_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
   DEGENERATE_FACES_DROPPED, ///< triangles with collinear corners or two coincident corners, removed
-  POINTS_LEFT               ///< points that thereby lost all their polygons
+  POINTS_LEFT               ///< points that lost all their polygons as a result
 };
 
 /// \ingroup PkgFlipGeodesicsRepair

@@ -213,8 +213,7 @@ public:
     Mesh_edge edge;                                  ///< of the mesh
     Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the one on this side
     bool is_at_slit = false;                         ///< whether it is one of the two edges at a slit
-    bool is_outer = false;                           ///< whether it was obtained from its halfedge on the border of a
-                                                     ///< slit
+    bool is_outer = false; ///< whether the edge was obtained from its halfedge on the border of a slit
 
     /// Returns the edge of the mesh.
     operator Mesh_edge() const { return edge; }

@@ -29,8 +29,8 @@ struct Straightness
   /// The smallest angle, in radians, at an unblocked side of a joint; infinite if there is no such side.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// Returns the angle, in radians, by which a straight angle may deviate from \f$\pi\f$: 1e-8, far above the error of
-  /// the measurement.
+  /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-8, far
+  /// above the error of the measurement.
   static constexpr double tolerance() { return internal::reported_bend; }
   /// Returns the smallest angle, in radians, at which a side of a joint counts as straight: \f$\pi\f$ minus
   /// `tolerance()`.
@@ -209,7 +209,8 @@ struct Network_certificate
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Certifies from the input alone that the curves of a network are locally shortest, whatever traits computed them.
+ * Certifies from the input alone that the curves of a network are locally shortest, regardless of the traits that
+ * computed them.
  *
  * The input edges that a segment crosses must unfold to a strip that contains the straight line between the ends of the
  * segment, and each unblocked side of a joint must have an angle of at least \f$\pi\f$. The comparisons are those of

@@ -170,8 +170,8 @@ std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// Returns whether all edges that are not under curves are locally Delaunay. Exact if the predicates of the traits are.
-/// Linear in the size of the mesh.
+/// Returns whether all edges that are not under curves are locally Delaunay. Exact if the predicates of the traits are
+/// exact. Linear in the size of the mesh.
 template <class Triangulation>
 bool is_delaunay(const Triangulation& triangulation)
 {

@@ -42,9 +42,10 @@ private:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the connectivity of the input is not that of an oriented triangulated surface: a face is not a
 /// triangle, an edge is in no face, a `Surface_mesh` contains removed vertices or edges, or there are more elements
-/// than indices. It is also thrown if umbrellas meet in a vertex only and the class of a curve or the angle of
-/// directions there is requested, or if the surface does not bound a solid and handles and tunnels are requested.
-/// `elements()` are at most eight vertices of the face, those of the edge, or that vertex.
+/// than indices. It is also thrown if umbrellas meet only at a vertex and the class of a curve or the angle of
+/// directions there is requested, or if handles and tunnels of a surface that does not bound a solid are requested.
+/// `elements()` are at most eight vertices of the face, the vertices of the edge, or the vertex at which umbrellas
+/// meet.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -52,7 +53,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Specifies what removes a degeneracy of the input.
+/// Specifies the remedy for a degeneracy of the input.
 enum class Degeneracy_remedy {
   NONE,     ///< there is no remedy in this package
   CONTRACT, ///< contracting degenerate edges (`Zero_length_edges::CONTRACT`), or lengthening them
@@ -62,7 +63,7 @@ enum class Degeneracy_remedy {
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a face has a degenerate edge, or lengths that violate the triangle inequality, or if degenerate faces
 /// at a degenerate edge leave no surface when the edge is contracted. `elements()` are its vertices. It is also thrown
-/// if rounding errors in almost degenerate faces lead a path astray; `elements()` is empty then.
+/// if rounding errors in almost degenerate faces lead a path astray; in this case `elements()` is empty.
 class Degenerate_face_error : public Error
 {
 public:
@@ -104,7 +105,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a coordinate or an edge length is NaN, infinite, or too large or small to be computed with; lengths
+/// Is thrown if a coordinate or an edge length is NaN, infinite, or too large or too small for computations; lengths
 /// must lie between 1e-70 and 1e70. It is also thrown if the offset of a source is negative, not finite, or far too
 /// large for the mesh.
 class Invalid_coordinate_error : public Error
@@ -115,10 +116,10 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the value of a parameter is invalid: for example a level that is not finite, a tolerance that is not
-/// positive or smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached, isolated
-/// base points of loops, or two base points in one component. It is also thrown if a distance field returns NaN, or is
-/// queried at a location for which it stores no data. `elements()` is the position of the level, the face or the base
-/// point, if applicable.
+/// positive or is smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached,
+/// isolated base points of loops, or two base points in one component. It is also thrown if a distance field returns
+/// NaN, or is queried at a location for which it stores no data. `elements()` is the position of the level, the face or
+/// the base point, if applicable.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -153,7 +154,7 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a point in space is farther from the surface than `parameters::greatest_point_distance()` allows;
-/// `elements()` is its position among the given points.
+/// `elements()` is the position of this point among the given points.
 class Distant_point_error : public Invalid_location_error
 {
 public:
@@ -188,8 +189,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if an edge would have to be flipped or split that lies under a curve of a network, or of another network
-/// than the one being changed. Nothing has been changed then.
+/// Is thrown if an edge under a curve of a network, or of a network other than the one being changed, would have to be
+/// flipped or split. In this case nothing has been changed.
 class Occupied_triangulation_error : public Error
 {
 public:
@@ -233,8 +234,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a file is not in the expected format, has another version, or is damaged; `elements()` is the number of
-/// words before the damage, if it is known.
+/// Is thrown if a file is not in the expected format, has a different version, or is damaged; `elements()` is the
+/// number of words before the damage, if it is known.
 class File_format_error : public Error
 {
 public:
@@ -243,7 +244,7 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a file cannot be written, because it cannot be created or the disk is full, the data are empty, or the
-/// format has no numbers for that many elements.
+/// format cannot number that many elements.
 class File_write_error : public Error
 {
 public:
@@ -251,7 +252,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if loaded data were saved for another mesh or another metric, or landmarks were computed for one.
+/// Is thrown if loaded data were saved, or landmarks were computed, for a different mesh or metric.
 class Input_mismatch_error : public Error
 {
 public:

@@ -53,8 +53,8 @@ struct Default_curve_insertion_visitor
 
   /// Called before the edge of a halfedge is split, once for each new vertex on it.
   void before_edge_split(halfedge_descriptor, TriangleMesh&) {}
-  /// Called with the new halfedge, whose target is the new vertex, after it has been linked and the vertex has its
-  /// point.
+  /// Called with the new halfedge, whose target is the new vertex, after the halfedge has been linked and the vertex
+  /// has received its point.
   void edge_split(halfedge_descriptor, TriangleMesh&) {}
   /// Called after the edge has been split.
   void after_edge_split() {}

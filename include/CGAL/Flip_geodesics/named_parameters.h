@@ -178,7 +178,7 @@ namespace parameters {
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets the source of lengths, instead of the points of the mesh: an `Edge_length_metric` for instance.
+ * Sets the metric that defines lengths instead of the points of the mesh, for instance an `Edge_length_metric`.
  * \param metric a model of `IntrinsicMetric` for the mesh, which is copied
  */
 template <class Metric>
@@ -216,7 +216,7 @@ auto search_limit(const Limit& limit)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets landmarks that guide searches, which pays off for many searches.
+ * Sets landmarks that guide searches; they pay off for many searches.
  * \param landmarks `Landmark_distances` for `geodesic_paths()`, `Geodesic_landmarks` for `shortest_path()`, computed
  *        for the mesh and its metric; they are not copied and must outlive the call
  */

@@ -37,7 +37,7 @@ struct Refinement_options
 };
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// States how a refinement has ended.
+/// States how a refinement ended.
 enum class Refinement_status {
   BOUNDS_REACHED,       ///< all faces are within the bounds, or are exempt
   BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or skipped; see `Refinement_report`

@@ -276,7 +276,7 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * \return a report with one entry per curve
  * \throws Degenerate_face_error if a face that is visited is degenerate or violates the triangle inequality. The
  *         network and its triangulation remain valid, and no curve is longer than before
- * \throws Invalid_coordinate_error if a coordinate or length of such a face is invalid, with the same guarantee
+ * \throws Invalid_coordinate_error if a coordinate or length of such a face is invalid; the same guarantee applies
  *
  * Complexity: constant time per flip.
  *

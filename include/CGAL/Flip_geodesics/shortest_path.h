@@ -98,7 +98,7 @@ public:
    * \throws Invalid_coordinate_error for any face for which `Intrinsic_triangulation` throws it on access
    * \throws Invalid_mesh_error for any face for which `Intrinsic_triangulation` throws it on access
    *
-   * Complexity: \f$O(n \log n)\f$ for each landmark; more on meshes of needles.
+   * Complexity: \f$O(n \log n)\f$ for each landmark, and more on meshes of needles.
    */
   template <class Triangulation, class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number,
@@ -124,7 +124,7 @@ public:
    * \throws Invalid_coordinate_error for any face for which `Intrinsic_triangulation` throws it on access
    * \throws Invalid_mesh_error for any face for which `Intrinsic_triangulation` throws it on access
    *
-   * Complexity: \f$O(n \log n)\f$ for each landmark; more on meshes of needles.
+   * Complexity: \f$O(n \log n)\f$ for each landmark, and more on meshes of needles.
    */
   template <class Triangulation, class VertexRange = std::vector<Vertex_index>, class ConcurrencyTag = Sequential_tag,
             class... NamedParameters, std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>

@@ -197,8 +197,8 @@ decltype(auto) restarted(const StopPredicate& stop)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when a time has elapsed since the construction of the predicate. Functions that compute several curves one
-/// after the other measure the time of each curve separately. \cgalModels{FlipOutStopPredicate}
+/// Stops when a given time has elapsed since the construction of the predicate. Functions that compute several curves
+/// one after the other measure the time of each curve separately. \cgalModels{FlipOutStopPredicate}
 class Time_stop_predicate
 {
 public:
@@ -226,8 +226,8 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the records of flips take more memory than a limit. The flips of one step can exceed it until they are
-/// rolled back, and data derived for them is kept. \cgalModels{FlipOutStopPredicate}
+/// Stops when the records of flips take more memory than a limit. The flips of one step can exceed the limit until they
+/// are rolled back, and data derived for them is kept. \cgalModels{FlipOutStopPredicate}
 class Memory_stop_predicate
 {
 public:
@@ -320,8 +320,8 @@ struct Default_shortening_visitor
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of windows that a search for shortest paths may create, of some 60 bytes each, and the number of
-/// edges along which rays may start from vertices. The search is aborted when either is exceeded.
+/// Limits the number of windows that a search for shortest paths may create, each of some 60 bytes, and the number of
+/// edges along which rays may start from vertices. The search is aborted when either limit is exceeded.
 class Window_limit
 {
 public:

@@ -226,10 +226,10 @@ private:
  *
  * Adds an edge path to an empty network after initial straightening, so that `shorten()` needs few flips.
  *
- * The curve is never longer than the path. It may pass vertices between its ends, but its topology does not change
- * otherwise, and `shorten()` decides what is straight. The function is intended for paths of which only the ends
- * matter, such as those of `Shortest_edge_path`. If a stop predicate or a visitor has to observe the whole process, use
- * `Edge_path_network::add_curve()` instead.
+ * The curve is never longer than the path. The curve may pass through vertices between its ends, but its topology does
+ * not change otherwise, and `shorten()` determines what is straight. The function is intended for paths of which only
+ * the ends matter, such as those of `Shortest_edge_path`. If a stop predicate or a visitor has to observe the whole
+ * process, use `Edge_path_network::add_curve()` instead.
  *
  * The face strip along the path is unfolded, the path is shortened in it with a funnel algorithm, and the strip is
  * moved to the other side of the vertices at which the path bends [XW07]. All of this is computed in doubles and

@@ -631,7 +631,7 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  *
  * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
  * single vertices; a closed curve, or one from border to border, becomes two borders. Since both sides of a slit of one
- * edge would have both end points in common, each side gets a vertex at its midpoint.
+ * edge would have both end points in common, each side receives a vertex at its midpoint.
  *
  * \param network, mesh as for `insert_curves()`
  * \return a `Surface_subdivision`, as for `common_subdivision()`

@@ -93,7 +93,7 @@ Surface_location surface_location(
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Converts a `Face_location`, where weights of at most 1e-12 count as zero.
+/// Converts a `Face_location` to a location; weights of at most 1e-12 count as zero.
 /// \throws Invalid_location_error if the point does not lie on the mesh
 template <class Triangulation, class FT>
 Surface_location surface_location(
@@ -114,7 +114,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Converts a `Curve_place`, a `Curve_point` or a `Curve_sample` to a location, by its member `location`.
+/// Converts a `Curve_place`, a `Curve_point` or a `Curve_sample` to a location, using its member `location`.
 /// \throws Invalid_location_error if the point does not lie on the mesh
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,

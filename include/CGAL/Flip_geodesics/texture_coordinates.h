@@ -192,7 +192,7 @@ Value picture_place(double x, double y)
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
  * Complexity: that of a `Geodesic_distance_field` up to the distance of the corners of the image plus the longest edge
- * of the mesh, and at most as many windows again. If rounding errors decide which path is the shortest, the path is
+ * of the mesh, and at most as many windows again. If rounding errors determine which path is the shortest, the path is
  * followed.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>

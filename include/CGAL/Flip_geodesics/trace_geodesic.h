@@ -44,7 +44,7 @@ namespace Flip_geodesics {
 enum class Trace_status {
   LENGTH,           ///< it has the requested length
   VERTEX,           ///< it reaches a vertex exactly and had to stop there
-  BORDER,           ///< it meets the border, on an edge or at a vertex, or would leave the surface at its start there
+  BORDER,           ///< it meets the border, on an edge or at a vertex, or would leave the surface there at its start
   CONSTRAINED_EDGE, ///< it meets an edge that must not be crossed, or a vertex of such an edge
   CROSSING_LIMIT    ///< it has crossed the maximal number of edges
 };
