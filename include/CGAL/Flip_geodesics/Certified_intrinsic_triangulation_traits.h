@@ -62,8 +62,8 @@ public:
   /// Constructs traits with the default work limit, which takes about a tenth of a second.
   Certified_intrinsic_triangulation_traits() = default;
 
-  /// Constructs traits with the work limit returned by `sign_work_limit()`; with 0, exact arithmetic with roots is not
-  /// used.
+  /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, exact arithmetic with roots
+  /// is not used.
   explicit Certified_intrinsic_triangulation_traits(std::uint64_t sign_work_limit)
     : m_sign_work_limit(sign_work_limit)
   {

@@ -228,8 +228,8 @@ public:
   /// Returns the number of moves that `undo()` can undo.
   std::size_t number_of_moves() const { return m_moves.size(); }
 
-  /// Undoes the last move and restores the previous segments bitwise, in the time needed to swap them. Returns false if
-  /// no move is left.
+  /// Undoes the last move and restores the previous segments bitwise, in the time needed to swap them. Returns `false`
+  /// if there is no move to undo.
   bool undo()
   {
     if(m_moves.empty())

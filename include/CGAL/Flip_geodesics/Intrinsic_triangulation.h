@@ -215,7 +215,7 @@ public:
   /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted
   Mesh_vertex vertex(Vertex_index v) const { return input().vertex(v); }
 
-  /// Returns the halfedge of the input mesh with the number of `h`.
+  /// Returns the halfedge of the input mesh with the same number as `h`.
   Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
 
   /// @}

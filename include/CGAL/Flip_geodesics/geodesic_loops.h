@@ -108,8 +108,8 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  * would then divide the component into several disks, and some of the curves are superfluous, because two disks with a
  * common chain merge into one disk if the chain is removed. Chains between different disks are therefore removed, the
  * longest first, together with all resulting dead ends. A vertex at which only two curves remain is no longer a fixed
- * end. The network becomes shorter with each removal, and is shortened again until no chain is superfluous. If all
- * curves are needed from the beginning, the function is equivalent to `shorten()`.
+ * end. The network becomes shorter with each removal, and is shortened again until no chain is superfluous. If no curve
+ * is superfluous initially, the function is equivalent to `shorten()`.
  *
  * \param network a network made by `add_cut_graph()`, or any other network that cuts each component into disks; if
  *        curves are removed, the remaining ones are renumbered

@@ -203,7 +203,7 @@ struct Intrinsic_graph_traits
  *
  * All functions take constant time, with three exceptions. A step across the border turns around a vertex and takes
  * time linear in its degree. `faces()` and `num_faces()` traverse all halfedges. The map of face indices is constructed
- * in linear time when it is requested, and is valid until the next flip.
+ * in linear time when it is requested, and remains valid until the next flip.
  *
  * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
  * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be

@@ -215,7 +215,7 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map, in which the edges of curves are marked. Edges that are marked before the
+ *     \cgalParamDescription{a property map in which the edges of curves are marked. Edges that are marked before the
  *       call remain marked, with all their parts}
  *     \cgalParamType{a model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as
  *       key and `bool` as value type}

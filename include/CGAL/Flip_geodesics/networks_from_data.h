@@ -288,8 +288,8 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * `Edge_path_network::free_nodes()` allows the curve to be shortened.
  *
  * Which edges a segment crosses is decided exactly, from the weights of the points. Polylines may be added one after
- * another. They may meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross there.
- * Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
+ * another. They may meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross at these
+ * places. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
  * \param network the network
  * \param polyline the points, of any type that `surface_location()` accepts; two consecutive ones lie in a common face

@@ -199,7 +199,7 @@ public:
 
   /*!
    * Calls `visit(v, distance)` for each vertex that is reachable from `source`, with its distance as measured by this
-   * search, in the order of distances.
+   * search, in order of increasing distance.
    * \throws Vertex_out_of_range_error if `source` is not a vertex of the input
    * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN
    */
@@ -213,7 +213,7 @@ public:
    * Calls `visit(v, distance)` for each vertex that is reachable from `source`, unless a visitor stops the search. The
    * exceptions are those of the overload without a visitor.
    * \param source a vertex of the input
-   * \param visit a function object, called in the order of distances
+   * \param visit a function object, called in order of increasing distance
    * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, about once per thousand
    *        vertices. If it returns `false`, the remaining vertices are not visited
    * \return whether all vertices have been visited

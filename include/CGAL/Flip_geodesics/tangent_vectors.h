@@ -191,9 +191,9 @@ public:
     return {p.radius * std::cos(angle), p.radius * std::sin(angle)};
   }
 
-  /// Returns the polar coordinates of a vector in that plane, as the inverse of `in_plane()`. At a border vertex whose
-  /// angles exceed \f$2\pi\f$, several angles correspond to the same vector; the one nearest to the middle of the
-  /// surface is returned.
+  /// Returns the polar coordinates of a vector in the plane of `in_plane()`, as the inverse of that function. At a
+  /// border vertex whose angles exceed \f$2\pi\f$, several angles correspond to the same vector; the one nearest to the
+  /// middle of the surface is returned.
   Polar_coordinates from_plane(const std::array<double, 2>& vector) const
   {
     const double angle = std::atan2(vector[1], vector[0]) / m_frame.stretch();
