@@ -74,7 +74,7 @@ public:
   struct Wedge
   {
     Wedge_state state; ///< what the wedge contains
-    Turn turn;         ///< over the corners up to the next segment end; meaningful only if `state` is `FREE`
+    Turn turn;         ///< the angle of the corners up to the next segment end; meaningful only if `state` is `FREE`
   };
 
   /// Constructs an empty network in a triangulation. Constant time.

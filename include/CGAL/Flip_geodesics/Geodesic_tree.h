@@ -193,7 +193,7 @@ public:
    * \return the report on the growth of the tree so far, including `grow()`; flips of `function` are not counted
    * \pre `grow()` was not stopped
    *
-   * Complexity: linear in the size of the mesh, plus the growth.
+   * Complexity: linear in the size of the mesh, plus the time of the growth.
    */
   template <class Function>
   Geodesic_tree_report replace_paths(Function function)

@@ -30,7 +30,7 @@ enum class Repair {
   VERTICES_SPLIT,           ///< vertices duplicated to take over some of the faces of another vertex
   POINTS_MERGED,            ///< points merged with a coincident point, at stitched borders or removed corners
   DEGENERATE_FACES_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
-  DEGENERATE_FACES_DROPPED, ///< triangles with collinear corners or two coincident corners, removed
+  DEGENERATE_FACES_DROPPED, ///< triangles deleted because their corners are collinear or two corners coincide
   POINTS_LEFT               ///< points that lost all their polygons as a result
 };
 

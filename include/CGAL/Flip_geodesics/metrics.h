@@ -729,8 +729,8 @@ public:
   /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(mesh, h); }
 
-  /// The data of a vertex that a lower bound requires; they are those of the other metric, and not a point from which
-  /// faces are laid out.
+  /// The data of a vertex that a lower bound requires, which are those of the other metric. They do not represent a
+  /// point from which faces can be laid out.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
   /// Returns the length of halfedge `h`, given the positions of its two ends.
