@@ -11,8 +11,8 @@
  *
  * As far as the field is finite, it is continuous across edges and vertices and 1-Lipschitz: the values at two points
  * differ by at most the length of any path on the surface between them. Sources may have offsets; negative ones are
- * allowed, although `Geodesic_distance_field` does not accept them. Rounding errors are harmless. If a field has larger slopes, both functions still work, but bounds that are
- * derived from this property need not hold.
+ * allowed, although `Geodesic_distance_field` does not accept them. Rounding errors are harmless. If a field has larger
+ * slopes, both functions still work, but bounds that are derived from this property need not hold.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Interpolated_distances<TriangleMesh\,VertexDistanceMap>}

@@ -617,10 +617,11 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *
  * Adds a shortest path between two vertices to an empty network, and returns a lower bound of the length of all paths.
  *
- * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is usually within 1e-13 of the
- * length. A `Verdict::PROVEN` geodesic whose length is within `Shortest_path_report::rounding_tolerance()` of the bound
- * is reported as `Verdict::WITHIN_ROUNDING`. The path cannot be confirmed if the search encounters a degenerate edge or
- * is aborted, or if coordinates or lengths of the mesh had to be rounded; the bound is then that of the rounded mesh.
+ * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is usually within a relative
+ * 1e-13 of the length. A `Verdict::PROVEN` geodesic whose length is within `Shortest_path_report::rounding_tolerance()`
+ * of the bound is reported as `Verdict::WITHIN_ROUNDING`. The path cannot be confirmed if the search encounters a
+ * degenerate edge or is aborted, or if coordinates or lengths of the mesh had to be rounded; the bound is then that of
+ * the rounded mesh.
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param search an edge path search over that triangulation; `Search_method::LOOK_BACK` is fastest
