@@ -38,7 +38,7 @@ FG::Index number(const std::string& text)
   std::istringstream in(text);
   FG::Index result = 0;
   if(!(in >> result && in.eof()))
-    throw std::invalid_argument(text + " is no number");
+    throw std::invalid_argument(text + " is not a number");
   return result;
 }
 

@@ -38,7 +38,7 @@ Mesh::size_type number(const std::string& text)
   std::istringstream in(text);
   Mesh::size_type result = 0;
   if(!(in >> result && in.eof()))
-    throw std::invalid_argument(text + " is no number");
+    throw std::invalid_argument(text + " is not a number");
   return result;
 }
 

@@ -48,7 +48,7 @@ double number(const std::string& text)
   std::istringstream in(text);
   double result = 0;
   if(!(in >> result && in.eof()))
-    throw std::invalid_argument(text + " is no number");
+    throw std::invalid_argument(text + " is not a number");
   return result;
 }
 

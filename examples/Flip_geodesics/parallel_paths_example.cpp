@@ -49,7 +49,7 @@ std::size_t number(const std::string& text)
   std::istringstream in(text);
   std::size_t result = 0;
   if(!(in >> result && in.eof()))
-    throw std::invalid_argument(text + " is no number");
+    throw std::invalid_argument(text + " is not a number");
   return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Geodesics are locally shortest. This program computes the globally shortest: one path, with the confirmation that
-// there is no shorter one, and the distances to all vertices.
+// all others are at least as long, and the distances to all vertices.
 //
 //   shortest_path_example MESH [SOURCE TARGET]
 //
@@ -36,7 +36,7 @@ Mesh::size_type number(const std::string& text)
   std::istringstream in(text);
   Mesh::size_type result = 0;
   if(!(in >> result && in.eof()))
-    throw std::invalid_argument(text + " is no number");
+    throw std::invalid_argument(text + " is not a number");
   return result;
 }
 

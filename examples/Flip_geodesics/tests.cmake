@@ -93,7 +93,7 @@ foreach(case "decal_example 7 two" "edge_length_metric_example two" "geodesic_pa
   if(TARGET ${name})
     add_test(
       NAME ${name}_no_number
-      COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D STATUS=1 -D "PATTERN=two is no number" -D
+      COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D STATUS=1 -D "PATTERN=two is not a number" -D
               "ARGUMENTS=torus.off|${arguments}" -P ${run_program}
       WORKING_DIRECTORY ${example_dir})
     set_tests_properties(${name}_no_number PROPERTIES FIXTURES_REQUIRED example_input)

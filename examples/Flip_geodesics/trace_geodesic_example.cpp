@@ -37,7 +37,7 @@ Number number(const std::string& text)
   std::istringstream in(text);
   Number result = 0;
   if(!(in >> result && in.eof()))
-    throw std::invalid_argument(text + " is no number");
+    throw std::invalid_argument(text + " is not a number");
   return result;
 }
 

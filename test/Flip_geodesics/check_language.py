@@ -16,7 +16,7 @@ from pathlib import Path
 
 WORDS = [(better, re.compile(expression)) for better, expression in [
     ('shorten to a geodesic', r'\bpull\w*(?: \w+)? (?:tight|taut)\b|\btaut\b'),
-    ('X is not a Y; without', r'(?<!there )\b(?:is|are|was|were) no (?!(?:longer|more|less|\w+er)\b)[a-z]'),
+    ('X is not a Y; without', r'(?<!there )\b(?:is|are|was|were) no (?!(?:more|less|(?:long|short|great|larg|small|farth|clos|low|high|lat|near)er)\b)[a-z]'),
     ('given, measured from, returns', r'\btold\b|\btells?\b(?! apart)'),
     ('recomputed from the input', r'\bafresh\b|\banew\b'),
     ('verified', r'\bbeliev\w+'),

@@ -26,7 +26,8 @@ inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Vertex_index a, V
   return is_of_face ? h : Mesh::null_halfedge();
 }
 
-/// The point (1-t-u) a + t b + u c of an edge, or of a face if c is given. Nothing if there is no such edge or face.
+/// The point (1-t-u) a + t b + u c of an edge, or of a face if c is given. Nothing if the mesh does not have such an
+/// edge or face.
 inline std::optional<CGAL::Flip_geodesics::Surface_location> location_between(const Mesh& mesh, Vertex_index a,
                                                                               Vertex_index b, Vertex_index c, double t,
                                                                               double u)

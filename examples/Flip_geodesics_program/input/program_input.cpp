@@ -76,7 +76,7 @@ std::vector<program::Named_point> program::read_sources(const Options& options, 
       sources.push_back(read_named_point(read_point, std::string(word), words.place()));
   });
   if(sources.empty())
-    throw Bad_input("--sources: there is no point in the file; write one per line");
+    throw Bad_input("--sources: the file is without points; write one per line");
   return sources;
 }
 

@@ -26,7 +26,7 @@ struct Straightness
 {
   /// The largest angle, in radians, by which a segment leaves the strip of input faces that it should cross.
   double largest_bend = 0;
-  /// The smallest angle, in radians, at an unblocked side of a joint; infinite if there is no such side.
+  /// The smallest angle, in radians, at an unblocked side of a joint; infinite without such sides.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
   /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-8, far

@@ -163,7 +163,7 @@ struct Curve_report
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how its shortening ended
   double initial_length = 0;                                      ///< its initial length, before any straightening
   double length = 0;                                              ///< its current length, 0 if it has contracted
-  /// The smallest angle, in radians, at an unblocked side of a joint; infinite if there is no such side.
+  /// The smallest angle, in radians, at an unblocked side of a joint; infinite without such sides.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back
   /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose

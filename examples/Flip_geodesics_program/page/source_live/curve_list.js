@@ -83,7 +83,7 @@ export class Curve_list {
     this.states.splice(--this.at, 1); // the state without curves
   }
 
-  // Which curve is edited is no step of its own.
+  // The choice of the edited curve is not a step of its own.
   choose(id) {
     this.states[this.at] = { ...this.state, active: id };
     this.step = undefined;
