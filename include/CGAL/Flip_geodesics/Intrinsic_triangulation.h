@@ -10,10 +10,10 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
-#include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/Zero_edge_contractor.h>
 #include <CGAL/Flip_geodesics/internal/surface/concept_checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>

@@ -10,9 +10,8 @@
 #include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
-#include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
 
 #include <boost/test/unit_test.hpp>
@@ -34,75 +33,46 @@ namespace {
 namespace FGI = CGAL::Flip_geodesics::internal;
 using CGAL::Flip_geodesics::Index;
 
-// A number that is counted as long as it lives.
-class Counted
-{
-public:
-  explicit Counted(int value = 0)
-    : m_value(value)
-  {
-    ++s_alive;
-  }
-  Counted(const Counted& other)
-    : m_value(other.m_value)
-  {
-    ++s_alive;
-  }
-  Counted& operator=(const Counted&) = default;
-  ~Counted() { --s_alive; }
-
-  int value() const { return m_value; }
-  static int alive() { return s_alive; }
-
-private:
-  int m_value;
-  static inline int s_alive = 0;
-};
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_stack_in_blocks_is_a_stack)
 {
   std::mt19937 random(1);
-  {
-    FGI::Block_array<Counted> stack;
-    std::vector<int> model;
-    for(int round = 0; round < 400; ++round) {
-      const std::size_t size = random() % 5 == 0 ? 512 * (random() % 4) : random() % 2000;
-      switch(random() % 3) {
-      case 0: // one by one
-        while(model.size() < size) {
-          model.push_back(static_cast<int>(random() % 1000));
-          stack.push_back(Counted(model.back()));
-        }
-        while(model.size() > size) {
-          model.pop_back();
-          stack.pop_back();
-        }
-        break;
-      case 1:
-        stack.resize(size, Counted(round));
-        model.resize(size, round);
-        break;
-      case 2: {
-        FGI::Block_array<Counted> other(std::move(stack));
-        stack = std::move(other);
+  FGI::Block_array<int> stack;
+  std::vector<int> model;
+  for(int round = 0; round < 400; ++round) {
+    const std::size_t size = random() % 5 == 0 ? 512 * (random() % 4) : random() % 2000;
+    switch(random() % 3) {
+    case 0: // one by one
+      while(model.size() < size) {
+        model.push_back(static_cast<int>(random() % 1000));
+        stack.push_back(int(model.back()));
       }
+      while(model.size() > size) {
+        model.pop_back();
+        stack.pop_back();
       }
-      BOOST_REQUIRE(stack.size() == model.size());
-      BOOST_TEST(stack.empty() == model.empty());
-      BOOST_TEST(Counted::alive() == static_cast<int>(model.size()));
-      BOOST_TEST(stack.memory() == model.size() * sizeof(Counted));
-      if(model.empty())
-        continue;
-      BOOST_TEST(stack.back().value() == model.back());
-      bool is_same = true;
-      for(std::size_t i = 0; i < model.size(); ++i)
-        is_same = is_same && stack[i].value() == model[i];
-      BOOST_TEST(is_same);
+      break;
+    case 1:
+      stack.resize(size, round);
+      model.resize(size, round);
+      break;
+    case 2: {
+      FGI::Block_array<int> other(std::move(stack));
+      stack = std::move(other);
     }
+    }
+    BOOST_REQUIRE(stack.size() == model.size());
+    BOOST_TEST(stack.empty() == model.empty());
+    BOOST_TEST(stack.memory() == model.size() * sizeof(int));
+    if(model.empty())
+      continue;
+    BOOST_TEST(stack.back() == model.back());
+    bool is_same = true;
+    for(std::size_t i = 0; i < model.size(); ++i)
+      is_same = is_same && stack[i] == model[i];
+    BOOST_TEST(is_same);
   }
-  BOOST_TEST(Counted::alive() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_cache_of_versions_drops_what_was_not_asked_for_longest)

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window.h>
-#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
-#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
-#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 
 #include <CGAL/assertions.h>
 

@@ -8,8 +8,8 @@
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>

@@ -20,15 +20,6 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Converts a number of elements to a bound of indices; throws `Invalid_mesh_error` if it is too large. */
-template <class Count>
-Index checked_index_bound(Count count)
-{
-  if(static_cast<std::uint64_t>(count) >= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)()))
-    throw Invalid_mesh_error("the mesh has more elements than 32-bit indices can number");
-  return static_cast<Index>(count);
-}
-
 /* The message lists the vertices of the face on the left of h, the first of them if there are many. */
 template <class Input_mesh>
 [[noreturn]] BOOST_NOINLINE void throw_no_triangle(const Input_mesh& input, Input_halfedge_index h)

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
-#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Uncertain.h>

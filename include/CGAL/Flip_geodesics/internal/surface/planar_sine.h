@@ -9,7 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 
 #include <CGAL/Uncertain.h>

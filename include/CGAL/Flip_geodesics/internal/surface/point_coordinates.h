@@ -8,9 +8,8 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <algorithm>
 #include <array>

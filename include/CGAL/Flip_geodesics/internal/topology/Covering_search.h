@@ -7,8 +7,8 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
 #include <CGAL/Flip_geodesics/internal/topology/Reduced_words.h>

@@ -5,11 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
-#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
-#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <CGAL/assertions.h>
 

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 
 #include <CGAL/assertions.h>

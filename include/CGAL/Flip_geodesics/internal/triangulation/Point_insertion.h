@@ -7,8 +7,8 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>

@@ -11,8 +11,8 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
-#include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 #include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>

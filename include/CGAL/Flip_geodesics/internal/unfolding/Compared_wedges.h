@@ -4,8 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_COMPARED_WEDGES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
-#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>
