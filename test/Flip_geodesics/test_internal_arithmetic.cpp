@@ -8,7 +8,7 @@
 #include "test_internal_arithmetic/numbers.h"
 
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 
 using namespace Flip_geodesics_test;
 
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(products_of_vectors_have_the_signs_of_integers)
           c *= i % 14 == 0 ? 0x1p-200 : 0x1p200;
     const auto n = FI::to_integers<9>({o[0], o[1], o[2], a[0], a[1], a[2], b[0], b[1], b[2]});
     const Integers u = {n[3] - n[0], n[4] - n[1], n[5] - n[2]}, v = {n[6] - n[0], n[7] - n[1], n[8] - n[2]};
-    const FI::Exact_vector to_a(o, a), to_b(o, b);
+    const FI::Exact_vector<Place> to_a(o, a), to_b(o, b);
     wrong += to_a.has_exact_products() && to_b.has_exact_products() ? 0 : 1;
     const FI::Integer dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     wrong += static_cast<int>(sign_of_dot(to_a, to_b)) == dot.sign() ? 0 : 1;
@@ -235,9 +235,9 @@ BOOST_AUTO_TEST_CASE(products_of_vectors_have_the_signs_of_integers)
   BOOST_TEST(parallel > 1000);
   BOOST_TEST(right + parallel < 19000 * scale);
   // Too small and too large for products.
-  BOOST_TEST(!FI::Exact_vector({0, 0, 0}, {0x1p-500, 0, 0}).has_exact_products());
-  BOOST_TEST(!FI::Exact_vector({0, 0, 0}, {0, 0, 0x1p500}).has_exact_products());
-  BOOST_TEST(!FI::Exact_vector({0, 0x1p-460, 0}, {0, 1, 0}).has_exact_products());
+  BOOST_TEST(!FI::Exact_vector<Place>({0, 0, 0}, {0x1p-500, 0, 0}).has_exact_products());
+  BOOST_TEST(!FI::Exact_vector<Place>({0, 0, 0}, {0, 0, 0x1p500}).has_exact_products());
+  BOOST_TEST(!FI::Exact_vector<Place>({0, 0x1p-460, 0}, {0, 1, 0}).has_exact_products());
 }
 
 namespace {

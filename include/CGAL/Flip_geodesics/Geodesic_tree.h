@@ -72,7 +72,7 @@ struct Geodesic_tree_report
 template <class Triangulation_>
 class Geodesic_tree
 {
-  static_assert(internal::Has_edge_sequences<Triangulation_>::value || !Triangulation_::Traits::Has_drift::value,
+  static_assert(internal::has_edge_sequences<Triangulation_> || !Triangulation_::Traits::Has_drift::value,
                 "decisions that can err are measured from the input, with which the triangulation does not correspond");
 
 public:

@@ -164,7 +164,7 @@ template <class TriangleMesh, class Traits_, class Metric_>
 class Intrinsic_triangulation_elements
 {
   static_assert(internal::are_triangulation_traits<Traits_>());
-  static_assert(internal::is_intrinsic_metric<Metric_, Traits_, internal::Has_squared_lengths<Metric_>::value>());
+  static_assert(internal::is_intrinsic_metric<Metric_, Traits_, internal::has_squared_lengths<Metric_>>());
 
 public:
   using Triangle_mesh = TriangleMesh;                           ///< the type of the input

@@ -70,7 +70,7 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * Complexity: \f$O(n \log n)\f$.
  */
 template <class Network, class VertexRange, class... NamedParameters,
-          std::enable_if_t<!internal::Is_named_parameters<VertexRange>::value, int> = 0>
+          std::enable_if_t<!internal::is_named_parameters<VertexRange>, int> = 0>
 Index add_cut_graph(Network& network, const VertexRange& base_points, const NamedParameters&... np)
 {
   return internal::result_unless_stopped(internal::options_of<internal_np::visitor_t>(np...), [&](auto* interruption) {
@@ -82,7 +82,7 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, const Name
 /// Adds a network along which each component of a surface can be cut open to a topological disk, with a base point
 /// chosen by the function in each component.
 template <class Network, class... NamedParameters,
-          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+          std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Index add_cut_graph(Network& network, const NamedParameters&... np)
 {
   return Flip_geodesics::add_cut_graph(network, std::vector<Vertex_index>(), np...);

@@ -99,7 +99,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * Complexity: linear in the number of flips and of given edges.
  */
 template <class Triangulation, class EdgeRange, class... NamedParameters,
-          std::enable_if_t<!internal::Is_named_parameters<EdgeRange>::value, int> = 0>
+          std::enable_if_t<!internal::is_named_parameters<EdgeRange>, int> = 0>
 Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, const NamedParameters&... np)
 {
   static_assert(internal::is_range_of<EdgeRange, Edge_index>,
@@ -125,7 +125,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * Complexity: linear in the size of the mesh and the number of flips.
  */
 template <class Triangulation, class... NamedParameters,
-          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+          std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParameters&... np)
 {
   return Flip_geodesics::flip_to_delaunay(triangulation,

@@ -885,7 +885,7 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown.
  */
 template <class TriangleMesh, class Source, class VertexPolarMap, class... NamedParameters,
-          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+          std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Distances_report logarithmic_map(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
                                  const NamedParameters&... np)
 {

@@ -333,7 +333,7 @@ struct Geodesic_mean_result
  * Complexity: that of a `Geodesic_distance_field` up to the farthest point for each step that is tried.
  */
 template <class TriangleMesh, class PlaceRange, class WeightRange, class... NamedParameters,
-          std::enable_if_t<!internal::Is_named_parameters<WeightRange>::value, int> = 0>
+          std::enable_if_t<!internal::is_named_parameters<WeightRange>, int> = 0>
 Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const PlaceRange& points,
                                                  const WeightRange& weights, const NamedParameters&... np)
 {
@@ -355,7 +355,7 @@ Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const
 /// \ingroup PkgFlipGeodesicsTangents
 /// Computes a Karcher (Riemannian) mean of points with equal weights; see the overload with weights.
 template <class TriangleMesh, class PlaceRange, class... NamedParameters,
-          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+          std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const PlaceRange& points,
                                                  const NamedParameters&... np)
 {

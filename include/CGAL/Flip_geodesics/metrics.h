@@ -185,7 +185,7 @@ public:
   Place place(const Mesh& mesh, Vertex_index v) const
   {
     if constexpr(is_rational) {
-      if constexpr(internal::Is_lazy_point<Point_3>::value)
+      if constexpr(internal::is_lazy_point<Point_3>)
         return internal::approximate_place(point(mesh, v));
       else
         return internal::approximate_place(precise_place(mesh, v));
@@ -327,9 +327,7 @@ struct Internals<Embedded_metric<TriangleMesh, VertexPointMap>>
     const auto place = [&](Input_halfedge_index g) { return metric.exact_place(mesh, mesh.tail(g)); };
     const Input_halfedge_index hn = mesh.next(h);
     const std::array<typename Metric::Exact_place, 3> places = {place(h), place(hn), place(mesh.next(hn))};
-    std::array<Integer, 9> coordinates;
-    to_integers(places.data(), places.size(), coordinates.data());
-    return exact_face_from_points(coordinates);
+    return exact_face_from_points(to_integers(places));
   }
 
   static bool sine_in_plane(const Metric& metric, const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b,

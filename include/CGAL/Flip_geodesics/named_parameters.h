@@ -56,10 +56,10 @@ inline parameters::Default_named_parameters joined() { return parameters::defaul
 template <class NamedParameters, class... Others>
 decltype(auto) joined(const NamedParameters& np, const Others&... others)
 {
-  static_assert(Is_named_parameters<NamedParameters>::value,
+  static_assert(is_named_parameters<NamedParameters>,
                 "an option is not a named parameter: parameters::stop_predicate(), parameters::search_limit() and "
                 "others make one of it; named parameters come last");
-  if constexpr(!Is_named_parameters<NamedParameters>::value)
+  if constexpr(!is_named_parameters<NamedParameters>)
     return joined(others...); // avoids another error message
   else if constexpr(sizeof...(Others) == 0)
     return (np);

@@ -40,7 +40,7 @@ namespace Flip_geodesics {
 template <class Network_>
 class Shortener
 {
-  static_assert(internal::Has_edge_sequences<typename Network_::Triangulation>::value ||
+  static_assert(internal::has_edge_sequences<typename Network_::Triangulation> ||
                     !Network_::Triangulation::Traits::Has_drift::value,
                 "decisions that can err are measured from the input, with which the triangulation does not correspond");
 
@@ -171,7 +171,7 @@ private:
   Straightnesses measured([[maybe_unused]] Verdicts& verdicts) const
   {
     Straightnesses result(static_cast<std::size_t>(m_network.number_of_curves()));
-    if constexpr(internal::Has_edge_sequences<typename Network::Triangulation>::value) {
+    if constexpr(internal::has_edge_sequences<typename Network::Triangulation>) {
       Straightness_meter<Network> meter(m_network);
       [[maybe_unused]] Decision_statistics statistics;
       [[maybe_unused]] const bool is_certified = !Traits::Has_drift::value && !is_rounded();

@@ -897,7 +897,7 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t numb
 /// \ingroup PkgFlipGeodesicsFunctions
 /// Computes `Geodesic_landmarks::default_number` landmarks in each component.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class... NamedParameters,
-          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+          std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParameters&... np)
 {
   return Flip_geodesics::geodesic_landmarks<ConcurrencyTag>(mesh, Geodesic_landmarks::default_number, np...);
@@ -916,11 +916,11 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParam
  * \throws Invalid_coordinate_error as `Geodesic_landmarks` does
  * \throws Invalid_mesh_error as `Geodesic_landmarks` does
  */
-template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-          class VertexRange = std::vector<internal::Vertex_in<TriangleMesh>>, class... NamedParameters,
-          std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value &&
-                               !internal::Is_named_parameters<VertexRange>::value,
-                           int> = 0>
+template <
+    class ConcurrencyTag = Sequential_tag, class TriangleMesh,
+    class VertexRange = std::vector<internal::Vertex_in<TriangleMesh>>, class... NamedParameters,
+    std::enable_if_t<
+        !std::is_convertible<VertexRange, std::size_t>::value && !internal::is_named_parameters<VertexRange>, int> = 0>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRange& landmarks,
                                       const NamedParameters&... np)
 {

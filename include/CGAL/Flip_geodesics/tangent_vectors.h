@@ -399,7 +399,7 @@ private:
  * \sa `Logarithmic_map`
  */
 template <class TriangleMesh, class Source, class TargetRange, class OutputIterator, class... NamedParameters,
-          std::enable_if_t<!internal::Is_named_parameters<OutputIterator>::value, int> = 0>
+          std::enable_if_t<!internal::is_named_parameters<OutputIterator>, int> = 0>
 Logarithmic_map_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMesh& mesh, const Source& source,
                                                                      const TargetRange& targets, OutputIterator out,
                                                                      const NamedParameters&... np)

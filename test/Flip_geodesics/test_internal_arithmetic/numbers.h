@@ -11,7 +11,7 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>

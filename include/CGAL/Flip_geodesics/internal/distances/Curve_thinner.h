@@ -36,7 +36,7 @@ namespace internal {
 inline constexpr double side_by_tolerance = 1.5;
 
 /* Detects fields that can be evaluated at points in the faces of a mesh; true if the other argument is not a mesh. */
-template <class Field, class TriangleMesh, bool IS_MESH = Has_faces<TriangleMesh>::value>
+template <class Field, class TriangleMesh, bool IS_MESH = has_faces<TriangleMesh>>
 constexpr bool is_distance_field = true;
 template <class Field, class TriangleMesh>
 constexpr bool is_distance_field<Field, TriangleMesh, true> =
@@ -47,7 +47,7 @@ constexpr bool is_distance_field<Field, TriangleMesh, true> =
 template <class TriangleMesh, class Field, class Tolerance>
 constexpr bool are_in_order()
 {
-  static_assert(Has_faces<TriangleMesh>::value,
+  static_assert(has_faces<TriangleMesh>,
                 "the first argument is not a mesh; the order is mesh, field, levels if any, output, tolerance");
   static_assert(is_distance_field<Field, TriangleMesh>,
                 "the second argument is not a model of GeodesicDistanceField for the mesh");

@@ -260,7 +260,7 @@ public:
       m_figure.add(shape_of_points(Shape::Kind::POINTS, [&part]() -> decltype(auto) { return (part); }));
     else if constexpr(Is_range_of_polylines<Part>::value)
       add_curves(part);
-    else if constexpr(Has_faces<Part>::value) {
+    else if constexpr(has_faces<Part>) {
       Shape shape = surface_shape(part, np);
       if constexpr(Is_texture<Texture>::value) {
         add_texture(shape, part, texture);
@@ -270,7 +270,7 @@ public:
       m_figure.add(std::move(shape));
     } else
       static_assert(std::is_same<Part, IO::Tubes>::value || std::is_same<Part, IO::Colors>::value ||
-                        Is_texture<Part>::value || Is_vertex_values<Part>::value || Is_named_parameters<Part>::value,
+                        Is_texture<Part>::value || Is_vertex_values<Part>::value || is_named_parameters<Part>,
                     "what is written is a face graph, a range of points or a range of polylines");
   }
 
@@ -311,10 +311,10 @@ private:
 template <class... Parts>
 decltype(auto) named_parameters_of(const Parts&... parts)
 {
-  constexpr std::size_t count = (std::size_t(0) + ... + (Is_named_parameters<Parts>::value ? 1 : 0));
+  constexpr std::size_t count = (std::size_t(0) + ... + (is_named_parameters<Parts> ? 1 : 0));
   static_assert(sizeof...(Parts) > count, "what is written is missing: a face graph, points or polylines");
   using Last = std::tuple_element_t<sizeof...(Parts) - 1, std::tuple<Parts...>>;
-  static_assert(count == (Is_named_parameters<Last>::value ? 1 : 0), "named parameters come last");
+  static_assert(count == (is_named_parameters<Last> ? 1 : 0), "named parameters come last");
   if constexpr(count == 0)
     return parameters::default_values();
   else

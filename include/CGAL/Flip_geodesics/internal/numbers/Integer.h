@@ -166,36 +166,8 @@ inline std::array<Integer, 3> integer_weights(const std::array<double, 3>& weigh
   return result;
 }
 
-/* Coordinates of models are often short: then so are the numbers that follow from them. */
-inline void take_out_power_of_two(std::array<std::array<Integer, 3>, 3>& vectors)
-{
-  unsigned power = (std::numeric_limits<unsigned>::max)();
-  for(const auto& v : vectors)
-    for(const Integer& n : v)
-      if(n != 0)
-        power = (std::min)(power, lowest_bit(n));
-  for(auto& v : vectors)
-    for(Integer& n : v)
-      if(n != 0)
-        n = n < 0 ? Integer(-(Integer(-n) >> power)) : Integer(n >> power);
-}
-
-/* The face of three points, given by their coordinates one after the other. */
-inline Exact_face exact_face_from_points(const std::array<Integer, 9>& c)
-{
-  using Vector = std::array<Integer, 3>;
-  std::array<Vector, 3> e;
-  for(int i = 0; i < 3; ++i)
-    for(int k = 0; k < 3; ++k)
-      e[i][k] = c[3 * ((i + 1) % 3) + k] - c[3 * i + k];
-  take_out_power_of_two(e);
-  const auto dot = [](const Vector& u, const Vector& v) { return Integer(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]); };
-  Exact_face face = {dot(e[0], e[0]), dot(e[0], e[1]), dot(e[0], e[2]), 0};
-  face.doubled_area_squared = face.squared_length * dot(e[1], e[1]) - face.dot_next * face.dot_next; // [Lagrange]
-  return face;
-}
-
-/* Twice the squares, so that half sums stay whole: |hp|^2 = |h + hn|^2 and |hn|^2 = |h + hp|^2. */
+/* Returns the face with these squared lengths. They are doubled, so that half sums are integers: |hp|^2 = |h + hn|^2 and
+ * |hn|^2 = |h + hp|^2. */
 inline Exact_face exact_face_from_squares(const std::array<Integer, 3>& squares)
 {
   const Integer a = 2 * squares[0], b = 2 * squares[1], c = 2 * squares[2];

@@ -44,14 +44,9 @@ enum class Rational_kind {
 };
 
 template <class NT>
-struct Is_lazy_number : std::false_type
-{
-};
-
+constexpr bool is_lazy_number = false;
 template <class ET>
-struct Is_lazy_number<Lazy_exact_nt<ET>> : std::true_type
-{
-};
+constexpr bool is_lazy_number<Lazy_exact_nt<ET>> = true;
 
 template <class NT>
 constexpr bool is_exact_integer()
@@ -86,7 +81,7 @@ constexpr Rational_kind rational_kind()
                : (boost::multiprecision::number_category<NT>::value == boost::multiprecision::number_kind_integer
                       ? Rational_kind::INTEGER
                       : Rational_kind::NONE);
-  else if constexpr(Is_lazy_number<NT>::value)
+  else if constexpr(is_lazy_number<NT>)
     return rational_kind<typename NT::ET>() != Rational_kind::NONE ? Rational_kind::LAZY : Rational_kind::NONE;
   else if constexpr(Fraction_traits<NT>::Is_fraction::value)
     return is_exact_integer<typename Fraction_traits<NT>::Numerator_type>() ? Rational_kind::FRACTION

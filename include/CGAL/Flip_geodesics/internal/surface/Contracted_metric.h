@@ -39,7 +39,7 @@ struct Contracted_metric
   /* Points need no exact comparison: two sides that join the same two places have the same rounded length. */
   bool are_equally_long(Input_halfedge_index g, Input_halfedge_index h) const
   {
-    if constexpr(Has_squared_lengths<Metric>::value)
+    if constexpr(has_squared_lengths<Metric>)
       return metric.squared_length(input, g) == metric.squared_length(input, h);
     else
       return !(length(g) < length(h) || length(h) < length(g));

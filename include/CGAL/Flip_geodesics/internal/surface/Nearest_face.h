@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_NEAREST_FACE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_NEAREST_FACE_H
 
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -18,20 +19,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-using Place_in_space = std::array<double, 3>;
-
-inline double dot(const Place_in_space& u, const Place_in_space& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
-inline Place_in_space cross(const Place_in_space& u, const Place_in_space& v)
-{
-  return {{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}};
-}
-
-inline Place_in_space difference(const Place_in_space& u, const Place_in_space& v)
-{
-  return {{u[0] - v[0], u[1] - v[1], u[2] - v[2]}};
-}
 
 /* The barycentric coordinates of a point of a triangle, and its distance from the origin. */
 struct Nearest_weights

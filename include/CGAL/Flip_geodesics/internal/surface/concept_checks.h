@@ -96,12 +96,12 @@ constexpr bool has_types_of_traits<
 template <class T>
 constexpr bool are_triangulation_traits()
 {
-  static_assert(Is_triangulation_traits<T>::value,
+  static_assert(is_triangulation_traits<T>,
                 "the traits are not a model of IntrinsicTriangulationTraits: of a kernel K, give "
                 "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
   if constexpr(has_types_of_traits<T>) {
     return makes_functors<T>();
-  } else if constexpr(Is_triangulation_traits<T>::value) {
+  } else if constexpr(is_triangulation_traits<T>) {
     CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", FT);
     CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", Point_3);
     CGAL_FLIP_GEODESICS_HAS_TYPE(T, "IntrinsicTriangulationTraits", Face_geometry);

@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Rational_places.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/edge_lengths.h>
 
@@ -25,20 +25,15 @@ class Flat_edges;
 
 /* Detects the optional member of IntrinsicMetric. */
 template <class Metric, class = void>
-struct Has_squared_lengths : std::false_type
-{
-};
-
+constexpr bool has_squared_lengths = false;
 template <class Metric>
-struct Has_squared_lengths<Metric, std::void_t<decltype(std::declval<const Metric&>().squared_length(
-                                       std::declval<const typename Metric::Mesh&>(), Input_halfedge_index()))>>
-  : std::true_type
-{
-};
+constexpr bool
+    has_squared_lengths<Metric, std::void_t<decltype(std::declval<const Metric&>().squared_length(
+                                    std::declval<const typename Metric::Mesh&>(), Input_halfedge_index()))>> = true;
 
 /* Are the faces of a metric known in exact numbers? */
 template <class Metric>
-inline constexpr bool has_exact_faces = Has_squared_lengths<Metric>::value || Internals<Metric>::has_exact_faces;
+inline constexpr bool has_exact_faces = has_squared_lengths<Metric> || Internals<Metric>::has_exact_faces;
 
 /* The exact squared lengths of a face from h on. */
 template <class Metric, class Mesh>
@@ -76,7 +71,7 @@ template <class Metric, class Mesh, class Traits>
 typename Traits::Face_geometry face_geometry(const Metric& metric, const Mesh& mesh, Input_halfedge_index h,
                                              const Traits& traits)
 {
-  if constexpr(Has_squared_lengths<Metric>::value)
+  if constexpr(has_squared_lengths<Metric>)
     return face_geometry_from_squares(metric, mesh, h, traits);
   else
     return metric.face_geometry(mesh, h, traits);
@@ -87,7 +82,7 @@ template <class Metric, class Mesh>
 Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_index h)
 {
   static_assert(has_exact_faces<Metric>, "the metric has no squared_length(), which exact decisions need");
-  if constexpr(Has_squared_lengths<Metric>::value)
+  if constexpr(has_squared_lengths<Metric>)
     return exact_face_from_squares(squared_lengths(metric, mesh, h).numerators);
   else
     return Internals<Metric>::exact_face(metric, mesh, h);

@@ -27,26 +27,16 @@ namespace internal {
 
 /* Detects traits, as opposed to kernels, by the type of what a halfedge stores. */
 template <class T, class = void>
-struct Is_triangulation_traits : std::false_type
-{
-};
-
+constexpr bool is_triangulation_traits = false;
 template <class T>
-struct Is_triangulation_traits<T, std::void_t<typename T::Halfedge_geometry>> : std::true_type
-{
-};
+constexpr bool is_triangulation_traits<T, std::void_t<typename T::Halfedge_geometry>> = true;
 
 /* Detects kernels. */
 template <class T, class = void>
-struct Is_kernel : std::false_type
-{
-};
-
+constexpr bool is_kernel = false;
 template <class T>
-struct Is_kernel<T, std::void_t<typename T::FT, typename T::Point_3, typename T::Vector_3>>
-  : std::bool_constant<!Is_triangulation_traits<T>::value>
-{
-};
+constexpr bool is_kernel<T, std::void_t<typename T::FT, typename T::Point_3, typename T::Vector_3>> =
+    !is_triangulation_traits<T>;
 
 /* Returns whether the points of a metric belong to another kernel. A metric without points fits any kernel. */
 template <class Kernel, class Metric, class = void>
@@ -60,37 +50,24 @@ constexpr bool has_other_points<Kernel, Metric, std::void_t<typename Metric::Poi
 template <class Given, class Metric, class Default>
 struct Traits_given
 {
-  static constexpr bool is_kernel = Is_kernel<Given>::value;
-
-  static_assert(is_kernel || Is_triangulation_traits<Given>::value,
+  static_assert(is_kernel<Given> || is_triangulation_traits<Given>,
                 "geom_traits() takes a kernel or a model of IntrinsicTriangulationTraits");
-  static_assert(!is_kernel || !has_other_points<Given, Metric>,
+  static_assert(!is_kernel<Given> || !has_other_points<Given, Metric>,
                 "the kernel given as geom_traits() is not that of the mesh's points");
-  using type = std::conditional_t<Is_triangulation_traits<Given>::value, Given, Default>;
+  using type = std::conditional_t<is_triangulation_traits<Given>, Given, Default>;
 };
 
 /* Detects triangulations that provide the sequences of input edges crossed by their edges. */
 template <class Triangulation, class = void>
-struct Has_edge_sequences : std::false_type
-{
-};
-
+constexpr bool has_edge_sequences = false;
 template <class Triangulation>
-struct Has_edge_sequences<Triangulation,
-                          std::void_t<decltype(std::declval<const Triangulation&>().edge_sequence(Halfedge_index()))>>
-  : std::true_type
-{
-};
+constexpr bool has_edge_sequences<
+    Triangulation, std::void_t<decltype(std::declval<const Triangulation&>().edge_sequence(Halfedge_index()))>> = true;
 
 template <class T>
-struct Is_named_parameters : std::false_type
-{
-};
-
+constexpr bool is_named_parameters = false;
 template <class T, class Tag, class Base>
-struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
-{
-};
+constexpr bool is_named_parameters<Named_function_parameters<T, Tag, Base>> = true;
 
 template <class Range>
 using Range_value = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
@@ -114,14 +91,9 @@ constexpr bool is_range_of<Range, T, std::void_t<Range_value<Range>>> =
 
 /* Detects meshes by their faces. */
 template <class T, class = void>
-struct Has_faces : std::false_type
-{
-};
-
+constexpr bool has_faces = false;
 template <class T>
-struct Has_faces<T, std::void_t<decltype(faces(std::declval<const T&>()))>> : std::true_type
-{
-};
+constexpr bool has_faces<T, std::void_t<decltype(faces(std::declval<const T&>()))>> = true;
 
 /* Detects containers with keys, such as `std::map`, which resemble property maps. */
 template <class T, class = void>
@@ -224,16 +196,10 @@ private:
 };
 
 template <class Metric, class Mesh, class = void>
-struct Tells_rounding : std::false_type
-{
-};
-
+constexpr bool reports_rounding = false;
 template <class Metric, class Mesh>
-struct Tells_rounding<Metric, Mesh,
-                      std::void_t<decltype(std::declval<const Metric&>().is_rounded(std::declval<const Mesh&>()))>>
-  : std::true_type
-{
-};
+constexpr bool reports_rounding<
+    Metric, Mesh, std::void_t<decltype(std::declval<const Metric&>().is_rounded(std::declval<const Mesh&>()))>> = true;
 
 /*
  * Returns whether a metric replaces numbers of its mesh by rounded doubles. Results that are exact for these doubles
@@ -245,7 +211,7 @@ bool is_rounded_metric(const Metric& metric, const Mesh& mesh)
   using Length = decltype(metric.length(mesh, mesh.outgoing({})));
   if constexpr(!is_within_double<std::decay_t<Length>>)
     return true;
-  else if constexpr(Tells_rounding<Metric, Mesh>::value)
+  else if constexpr(reports_rounding<Metric, Mesh>)
     return metric.is_rounded(mesh);
   else
     return false;
@@ -258,7 +224,7 @@ bool is_rounded_metric(const Metric& metric, const Mesh& mesh)
 template <class Triangulation>
 bool is_input_rounded(const Triangulation& triangulation)
 {
-  if constexpr(Has_edge_sequences<Triangulation>::value)
+  if constexpr(has_edge_sequences<Triangulation>)
     return is_rounded_metric(triangulation.metric(), triangulation.input());
   else
     return static_cast<void>(triangulation), false;

@@ -4,13 +4,10 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_PLANAR_SINE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Rational_places.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
-#include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -18,10 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <sstream>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,10 +23,10 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * A line over walls: faces that bend along parallel edges only, the rulings, as those of an extrusion or a prism. They
- * are unrolled into a plane with the direction of the rulings as one axis. There the line leads up by the difference of
- * two places along that direction, a rational number; and sideways by the distances from ruling to ruling, a sum of
- * roots.
+ * A line over a developable region with parallel rulings: faces that bend along parallel edges only, such as those of an
+ * extrusion or a prism. They are unrolled into a plane with the direction of the rulings as one axis. There the line
+ * leads up by the difference of two places along that direction, which is a rational number, and sideways by the
+ * distances between the rulings, which is a sum of roots.
  */
 template <class Place>
 struct Unrolled_line
@@ -43,159 +36,59 @@ struct Unrolled_line
   Sign height = ZERO;        // POSITIVE if it leads along that direction
 };
 
-/* The sign of the sine of the angle clockwise from one line to another, over walls with rulings of some direction. */
-template <class Place>
-class Unrolled_sine
+/* Adds the distances that an unrolled line leads sideways, times a factor, for rulings in direction u. */
+inline void add_widths(const std::array<Integer, 3>& u, const std::array<Integer, 3>* places, std::size_t size,
+                       const Integer& factor, Root_sum& sum)
 {
-  using Unrolled_line = internal::Unrolled_line<Place>;
-
-public:
-  /* From one place to another along the rulings' direction. */
-  Unrolled_sine(const Place& from, const Place& to)
-    : m_from(from)
-    , m_to(to)
-  {
+  for(std::size_t i = 1; i < size; ++i) {
+    const std::array<Integer, 3> normal = cross(u, difference(places[i], places[i - 1]));
+    sum.add(factor, dot(normal, normal));
   }
+}
 
-  /* Uncertain if the default limit of work is met. */
-  Uncertain<Sign> operator()(const Unrolled_line& a, const Unrolled_line& b) const
-  {
-    const Sign first = a.height * b.side, second = CGAL::opposite(b.height * a.side);
-    if(first == second || second == ZERO)
-      return first;
-    if(first == ZERO)
-      return second;
-    const Bounded left = product(a, b), right = product(b, a);
-    const double difference = (left.value - right.value).high;
-    if(std::abs(difference) > 2 * (left.error + right.error))
-      return difference > 0 ? first : second;
-    return exact(a, b);
-  }
-
-private:
-  // Values that are not negative, and bounds of their errors, up to rounding of the bounds.
-  struct Bounded
-  {
-    Double_double value;
-    double error;
-  };
-
-  using Precise_vector = std::array<Double_double, 3>;
-
-  // Differences err by 2^-106 at most, and a product of two vectors by less than 30 double_double_error of their
-  // lengths.
-  static constexpr double unit = 64 * double_double_error;
-
-  static Double_double dot(const Precise_vector& u, const Precise_vector& v)
-  {
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-  }
-
-  // What the error of a product is relative to; infinite where what underflows may show.
-  static double size_of_product(const Precise_vector& u, const Precise_vector& v)
-  {
-    const auto length = [](const Precise_vector& w) { return std::hypot(w[0].high, w[1].high, w[2].high); };
-    const double size = length(u) * length(v);
-    return size == 0 || (size > least_unscaled && size < greatest_unscaled) ? size
-                                                                            : std::numeric_limits<double>::infinity();
-  }
-
-  // How far a line leads up, times how far another one leads sideways.
-  Bounded product(const Unrolled_line& up, const Unrolled_line& sideways) const
-  {
-    const Bounded h = height(up), w = width(sideways);
-    const Double_double value = h.value * w.value;
-    return {value, h.value.high * w.error + h.error * w.value.high + h.error * w.error + unit * value.high};
-  }
-
-  Bounded height(const Unrolled_line& line) const
-  {
-    const Precise_vector u = precise_difference(m_from, m_to),
-                         v = precise_difference(line.places.front(), line.places.back());
-    const Double_double value = dot(u, v);
-    return {value.high < 0 ? -value : value, unit * size_of_product(u, v)};
-  }
-
-  Bounded width(const Unrolled_line& line) const
-  {
-    const Precise_vector u = precise_difference(m_from, m_to);
-    Bounded sum = {{0, 0}, 0};
-    for(std::size_t i = 1; i < line.places.size(); ++i) {
-      const Precise_vector v = precise_difference(line.places[i - 1], line.places[i]),
-                           cross = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-      sum.value = sum.value + internal::sqrt(dot(cross, cross));
-      sum.error += unit * (size_of_product(u, v) + sum.value.high);
-    }
-    return sum;
-  }
-
-  // ---------------------------------------------------------------- in integers
-
-  using Vector = std::array<Integer, 3>;
-
-  static Vector difference(const Integer* p, const Integer* q) { return {q[0] - p[0], q[1] - p[1], q[2] - p[2]}; }
-
-  Uncertain<Sign> exact(const Unrolled_line& a, const Unrolled_line& b) const
-  {
-    std::vector<Place> places = {m_from, m_to};
-    for(const Unrolled_line* line : {&a, &b})
-      places.insert(places.end(), line->places.begin(), line->places.end());
-    std::vector<Integer> integers(3 * places.size());
-    to_integers(places.data(), places.size(), integers.data());
-    const Vector u = shortened(difference(&integers[0], &integers[3]));
-    const Integer *of_a = &integers[6], *of_b = of_a + 3 * a.places.size();
-    Root_sum sum;
-    add_widths(u, of_b, b, height(u, of_a, a), sum);
-    add_widths(u, of_a, a, -height(u, of_b, b), sum);
-    Work_limit work;
-    return sum.sign(work);
-  }
-
-  static Vector shortened(Vector v)
-  {
-    const Integer common = boost::multiprecision::gcd(boost::multiprecision::gcd(v[0], v[1]), v[2]);
-    for(Integer& x : v)
-      x /= common;
-    return v;
-  }
-
-  static Integer height(const Vector& u, const Integer* places, const Unrolled_line& line)
-  {
-    const Vector v = difference(places, places + 3 * (line.places.size() - 1));
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-  }
-
-  static void add_widths(const Vector& u, const Integer* places, const Unrolled_line& line, const Integer& factor,
-                         Root_sum& sum)
-  {
-    for(std::size_t i = 1; i < line.places.size(); ++i, places += 3) {
-      const Vector v = difference(places, places + 3);
-      Integer square = 0;
-      for(std::size_t k = 0; k < 3; ++k) {
-        const Integer c = u[k] * v[(k + 1) % 3] - u[(k + 1) % 3] * v[k];
-        square += c * c;
-      }
-      sum.add(line.side == POSITIVE ? factor : Integer(-factor), square);
-    }
-  }
-
-  Place m_from, m_to;
-};
+/* Returns the sign of the sine of the angle clockwise from one unrolled line to another; it is uncertain if the default
+ * work limit is exceeded. The rulings have the direction of the line between two places. */
+template <class Place>
+Uncertain<Sign> sine_of_unrolled_lines(const std::array<Place, 2>& ruling, const Unrolled_line<Place>& a,
+                                       const Unrolled_line<Place>& b)
+{
+  const Sign first = a.height * b.side, second = CGAL::opposite(b.height * a.side);
+  if(first == second || second == ZERO)
+    return first;
+  if(first == ZERO)
+    return second;
+  std::vector<Place> places(ruling.begin(), ruling.end());
+  for(const Unrolled_line<Place>* line : {&a, &b})
+    places.insert(places.end(), line->places.begin(), line->places.end());
+  std::vector<std::array<Integer, 3>> integers(places.size());
+  to_integers(places.data(), places.size(), integers.data());
+  std::array<Integer, 3> u = difference(integers[1], integers[0]);
+  const Integer common = boost::multiprecision::gcd(boost::multiprecision::gcd(u[0], u[1]), u[2]);
+  for(Integer& x : u)
+    x /= common;
+  const auto *of_a = &integers[2], *of_b = of_a + a.places.size();
+  const Integer height_of_a = dot(u, difference(of_b[-1], of_a[0])),
+                height_of_b = dot(u, difference(integers.back(), of_b[0]));
+  Root_sum sum;
+  add_widths(u, of_b, b.places.size(), b.side == POSITIVE ? height_of_a : Integer(-height_of_a), sum);
+  add_widths(u, of_a, a.places.size(), a.side == POSITIVE ? Integer(-height_of_b) : height_of_b, sum);
+  Work_limit work;
+  return sum.sign(work);
+}
 
 /*
- * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points;
- * or which bend along parallel edges only, so that they are unrolled into a plane. These are the common cases of exact
- * ties: the flat parts of technical models, and their walls.
+ * Computes the sign of the sine of a wedge by exact predicates of points, if its input faces lie unfolded in one plane of
+ * space, or bend along parallel edges only, so that they can be unrolled into a plane. Most exact ties are of these
+ * kinds: they occur in the plane parts and the extruded parts of technical models.
  *
- * PlaceOf maps an input vertex to three double coordinates or to a `Rational_place`. Edge sequences with an end
- * elsewhere are left to others, since the coordinates of such a point are neither.
+ * PlaceOf maps an input vertex to three double coordinates or to a `Rational_place`. Edge sequences with an end at an
+ * inserted vertex are not treated, since its coordinates are neither.
  */
 template <class Mesh, class PlaceOf>
 class Planar_sine
 {
   using Place = decltype(std::declval<const PlaceOf&>()(Vertex_index()));
-  using Exact_vector =
-      std::conditional_t<std::is_same<Place, Rational_place>::value, Rational_vector, internal::Exact_vector>;
+  using Exact_vector = internal::Exact_vector<Place>;
   using Halfedges = std::vector<Input_halfedge_index>;
 
 public:
@@ -208,7 +101,7 @@ public:
 
   /*
    * The wedge leads from the direction of edge sequence a clockwise over `steps` input corners to that of edge sequence
-   * b, and is below 2 pi. Returns false, and no sign, if its faces do not lie so.
+   * b, and is below 2 pi. Returns false, and no sign, if its faces are not of these kinds.
    */
   bool operator()(const Edge_sequence& a, const Edge_sequence& b, Index steps, Sign& sine) const
   {
@@ -232,7 +125,7 @@ public:
   }
 
 private:
-  // An edge sequence, a halfedge of its first face, and the edges on its way along which the faces bend.
+  // An edge sequence, a halfedge of its first face, and the crossed edges along which the faces bend.
   struct Line
   {
     const Edge_sequence& sequence;
@@ -259,7 +152,7 @@ private:
     if(!unroll(a, bend, line_a) || !unroll(b, bend, line_b))
       return false;
     const Uncertain<Sign> result =
-        Unrolled_sine<Place>(place_of_tail(bend), place_of_tail(twin_index(bend)))(line_a, line_b);
+        sine_of_unrolled_lines<Place>({place_of_tail(bend), place_of_tail(twin_index(bend))}, line_a, line_b);
     sine = result.is_certain() ? result.make_certain() : ZERO;
     return result.is_certain();
   }
@@ -318,8 +211,8 @@ private:
     return true;
   }
 
-  // Do the faces beside an edge bend by more than rounding? Where they do not, others will, along edges that are not
-  // parallel, and to look at them takes longer than to leave it to vectors.
+  // Returns whether the faces beside an edge bend by more than rounding errors. If they do not, the next ones probably
+  // bend along edges that are not parallel, and examining them takes longer than computing with vectors.
   bool is_sharp(Input_halfedge_index h) const
   {
     const Exact_vector u = vector(h), v(place_of_tail(h), m_place_of(apex(h))),
@@ -358,27 +251,12 @@ private:
 
   Vertex_index apex(Input_halfedge_index h) const { return m_mesh.tail(m_mesh.next(m_mesh.next(h))); }
 
-  Place corner(Input_halfedge_index h, int i) const
-  {
-    for(; i > 0; --i)
-      h = m_mesh.next(h);
-    return m_place_of(m_mesh.tail(h));
-  }
-
-  bool is_flat(const Edge_sequence& sequence) const
-  {
-    for(Input_halfedge_index h : sequence.crossed)
-      if(!is_flat_across(h))
-        return false;
-    return true;
-  }
-
   bool is_flat_across(Input_halfedge_index h) const
   {
     return m_flat_edges(h, [&] { return lies_in_one_plane(h); });
   }
 
-  // Do the faces on both sides of an edge, unfolded?
+  // Returns whether the faces on both sides of an edge lie in one plane and are unfolded.
   bool lies_in_one_plane(Input_halfedge_index h) const
   {
     const Place p = m_place_of(m_mesh.tail(h)), q = m_place_of(m_mesh.tail(twin_index(h)));
@@ -386,7 +264,7 @@ private:
     return orientation(p, q, r, s) == ZERO && is_unfolded(p, q, r, s);
   }
 
-  // Are r and s, which lie in one plane with p and q, on different sides of the line through these two?
+  // Returns whether r and s lie on different sides of the line through p and q. \pre the four lie in one plane
   static bool is_unfolded(const Place& p, const Place& q, const Place& r, const Place& s)
   {
     for(std::size_t axis = 0; axis < 3; ++axis) {
@@ -397,10 +275,10 @@ private:
     return false;
   }
 
-  // Which way a face is seen to turn, from where an axis leads to.
+  // Returns the orientation of the corners of a face as seen along an axis.
   Sign side_of_face(std::size_t axis, Input_halfedge_index h) const
   {
-    return orientation_along(axis, corner(h, 0), corner(h, 1), corner(h, 2));
+    return orientation_along(axis, place_of_tail(h), place_of_tail(twin_index(h)), m_place_of(apex(h)));
   }
 
   const Mesh& m_mesh;

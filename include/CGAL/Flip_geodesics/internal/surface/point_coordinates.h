@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Rational_places.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
@@ -36,21 +36,16 @@ inline constexpr bool has_rational_coordinates = is_rational_number<Coordinate<P
 
 /* Detects points with an exact and an approximate value, such as those of kernels of lazy numbers. */
 template <class Point, class = void>
-struct Is_lazy_point : std::false_type
-{
-};
-
+constexpr bool is_lazy_point = false;
 template <class Point>
-struct Is_lazy_point<Point, std::void_t<decltype(std::declval<const Point&>().approx().x().is_point()),
-                                        decltype(std::declval<const Point&>().exact().x())>> : std::true_type
-{
-};
+constexpr bool is_lazy_point<Point, std::void_t<decltype(std::declval<const Point&>().approx().x().is_point()),
+                                                decltype(std::declval<const Point&>().exact().x())>> = true;
 
 /* Returns the exact coordinates of a point. */
 template <class Point>
 Rational_place rational_place(const Point& p)
 {
-  if constexpr(Is_lazy_point<Point>::value)
+  if constexpr(is_lazy_point<Point>)
     return rational_place(p.exact());
   else
     return rational_place(to_rational(p.x()), to_rational(p.y()), to_rational(p.z()));
@@ -69,7 +64,7 @@ bool has_double_approximation(const Point& p)
 template <class Point>
 Precise_place precise_place(const Point& p)
 {
-  if constexpr(Is_lazy_point<Point>::value) {
+  if constexpr(is_lazy_point<Point>) {
     const auto& a = p.approx();
     if(has_double_approximation(p))
       return {{{a.x().inf(), 0}, {a.y().inf(), 0}, {a.z().inf(), 0}}};
@@ -123,7 +118,7 @@ inline double difference_error(const Double_double& p, const Double_double& q)
 template <class Point>
 double rounded_difference(const Point& p, const Point& q, std::size_t i)
 {
-  if constexpr(Is_lazy_point<Point>::value) {
+  if constexpr(is_lazy_point<Point>) {
     return rounded_difference(p.exact(), q.exact(), i);
   } else {
     const auto coordinate = [i](const Point& r) { return i == 0 ? r.x() : (i == 1 ? r.y() : r.z()); };
@@ -206,8 +201,8 @@ inline std::array<double, 3> least_vector(const Approximate_place& p, const Appr
 
 /*
  * The precise positions of vertices, computed on first use, since evaluating an exact number takes far longer than
- * reading a double. They are kept in blocks, since a query needs few of them. A copy starts empty. Several threads may
- * query at once.
+ * reading a double. A query writes few of them, so that most of the array takes no memory. A copy starts empty. Several
+ * threads may query at once.
  */
 class Precise_places
 {
@@ -217,20 +212,16 @@ class Precise_places
     char is_known;
   };
 
-  static constexpr std::size_t block_size = 64;
-  using Block = std::array<Entry, block_size>;
-
-  struct Blocks
+  struct Entries
   {
-    Lazy_array<Block*> array;
-    std::vector<std::unique_ptr<Block>> owned;
-    Index size = 0; // of vertices; zero until there is an array
+    Lazy_array<Entry> array;
+    Index size = 0; // of the array, set after it
     Short_lock lock;
   };
 
 public:
   Precise_places()
-    : m_blocks(std::make_unique<Blocks>())
+    : m_entries(std::make_unique<Entries>())
   {
   }
   Precise_places(const Precise_places&)
@@ -245,15 +236,11 @@ public:
   template <class Compute>
   Precise_place operator()(Vertex_index v, Index size, const Compute& compute) const
   {
-    if(load_acquire(m_blocks->size) == 0)
+    if(load_acquire(m_entries->size) == 0)
       allocate(size);
-    if(v.idx() >= load_relaxed(m_blocks->size))
+    if(v.idx() >= load_relaxed(m_entries->size))
       return compute();
-    const auto i = static_cast<std::size_t>(v.idx());
-    Block*& block = m_blocks->array[i / block_size];
-    if(load_acquire(block) == nullptr)
-      add_block(block);
-    Entry& entry = (*load_relaxed(block))[i % block_size];
+    Entry& entry = m_entries->array[static_cast<std::size_t>(v.idx())];
     if(load_acquire(entry.is_known) == 0)
       keep(entry, compute());
     return entry.place;
@@ -262,33 +249,24 @@ public:
 private:
   void allocate(Index size) const
   {
-    const std::lock_guard<Short_lock> guard(m_blocks->lock);
-    if(m_blocks->size != 0)
+    const std::lock_guard<Short_lock> guard(m_entries->lock);
+    if(m_entries->size != 0)
       return;
-    m_blocks->array = Lazy_array<Block*>((static_cast<std::size_t>(size) + block_size - 1) / block_size);
-    store_release(m_blocks->size, size);
-  }
-
-  void add_block(Block*& block) const
-  {
-    const std::lock_guard<Short_lock> guard(m_blocks->lock);
-    if(block != nullptr)
-      return;
-    m_blocks->owned.push_back(std::make_unique<Block>());
-    store_release(block, m_blocks->owned.back().get());
+    m_entries->array = Lazy_array<Entry>(static_cast<std::size_t>(size));
+    store_release(m_entries->size, size);
   }
 
   // Another thread may have been faster, with the same result.
   void keep(Entry& entry, const Precise_place& place) const
   {
-    const std::lock_guard<Short_lock> guard(m_blocks->lock);
+    const std::lock_guard<Short_lock> guard(m_entries->lock);
     if(entry.is_known != 0)
       return;
     entry.place = place;
     store_release(entry.is_known, char(1));
   }
 
-  std::unique_ptr<Blocks> m_blocks;
+  std::unique_ptr<Entries> m_entries;
 };
 
 } // namespace internal

@@ -43,7 +43,7 @@ void for_each_edge_in_star(const Triangulation& triangulation, Vertex_index v, F
 template <class Triangulation>
 class Lawson_flips
 {
-  static_assert(Has_edge_sequences<Triangulation>::value || !Triangulation::Traits::Has_drift::value,
+  static_assert(has_edge_sequences<Triangulation> || !Triangulation::Traits::Has_drift::value,
                 "inaccurate faces are recomputed from the input, with which the triangulation does not correspond");
 
 public:

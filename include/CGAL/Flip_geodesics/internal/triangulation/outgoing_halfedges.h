@@ -134,7 +134,7 @@ void collect_outgoing_halfedges(const Triangulation& triangulation, Vertex_index
     return;
   for(h = first.clockwise(); !h.is_none(); h = h.clockwise())
     add(h);
-  if constexpr(Has_edge_sequences<Triangulation>::value) // the others are manifolds
+  if constexpr(has_edge_sequences<Triangulation>) // the others are manifolds
     for_each_outgoing_halfedge_of_other_umbrellas(triangulation, index_of(result.front()),
                                                   [&](Halfedge_index g) { add(triangulation.walker(g)); });
 }

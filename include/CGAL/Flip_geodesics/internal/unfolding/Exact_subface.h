@@ -5,32 +5,17 @@
 
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/* The quotient of two integers, rounded to a number of about 106 bits. \pre a >= 0, b > 0, a is not much larger than b
- * */
-inline Double_double rounded_quotient(const Integer& a, const Integer& b)
-{
-  constexpr int bits = 120; // of the quotient: more than a double-double number has
-  if(a == 0)
-    return {};
-  const int shift = (std::max)(bits + static_cast<int>(highest_bit(b)) - static_cast<int>(highest_bit(a)), 0);
-  const Integer quotient = Integer(a << static_cast<unsigned>(shift)) / b;
-  const double high = static_cast<double>(quotient);
-  const Double_double result = ordered_sum(high, static_cast<double>(Integer(quotient - Integer(high))));
-  return {std::ldexp(result.high, -shift), std::ldexp(result.low, -shift)};
-}
 
 /*
  * A triangle in an input face whose corners are given by weights in that face. Its sides are exact: with sides h, hn,
@@ -75,7 +60,7 @@ public:
   Double_double length(std::size_t i) const
   {
     return m_face_length *
-           sqrt(rounded_quotient(dot(i, i) * (m_numerator * m_numerator), m_denominator * m_denominator));
+           sqrt(precise_quotient(dot(i, i) * (m_numerator * m_numerator), m_denominator * m_denominator));
   }
 
   /* The halfedges from side i on. A quotient, a root and a product add less than 32 u^2 to the error of the length, for
@@ -128,8 +113,8 @@ private:
   Double_double_vector direction(std::size_t i, std::size_t j) const
   {
     const Integer squares = dot(i, i) * dot(j, j), along = dot(i, j), across = cross(i, j);
-    const Double_double x = sqrt(rounded_quotient(along * along, squares));
-    const Double_double y = sqrt(rounded_quotient(across * across * m_radicand, squares));
+    const Double_double x = sqrt(precise_quotient(along * along, squares));
+    const Double_double y = sqrt(precise_quotient(across * across * m_radicand, squares));
     return {along < 0 ? -x : x, across < 0 ? -y : y};
   }
 

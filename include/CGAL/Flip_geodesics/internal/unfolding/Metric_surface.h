@@ -112,9 +112,9 @@ struct No_graph
 template <class TriangleMesh>
 struct Vertex_of
 {
-  static_assert(Has_faces<TriangleMesh>::value,
+  static_assert(has_faces<TriangleMesh>,
                 "the first argument is not a mesh; the order is mesh, ends or curves, output, named parameters");
-  using Graph = std::conditional_t<Has_faces<TriangleMesh>::value, boost::graph_traits<TriangleMesh>, No_graph>;
+  using Graph = std::conditional_t<has_faces<TriangleMesh>, boost::graph_traits<TriangleMesh>, No_graph>;
   using type = typename Graph::vertex_descriptor;
 };
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
@@ -63,25 +64,16 @@ public:
     template <class Point_3>
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
-      const std::array<Vector_3, 3> e = {precise_vector(p, q), precise_vector(q, r), precise_vector(r, p)};
+      const std::array<std::array<Double_double, 3>, 3> e = {precise_vector(p, q), precise_vector(q, r),
+                                                             precise_vector(r, p)};
       std::array<Double_double, 3> lengths, dots;
       for(int i = 0; i < 3; ++i) {
         lengths[i] = sqrt(dot(e[i], e[i]));
         dots[i] = dot(e[i], e[(i + 1) % 3]);
       }
       const int longest = index_of_longest(lengths);
-      const Vector_3 n = cross(e[(longest + 1) % 3], e[(longest + 2) % 3]);
+      const auto n = cross(e[(longest + 1) % 3], e[(longest + 2) % 3]);
       return assembled(lengths, dots, sqrt(dot(n, n)));
-    }
-
-  private:
-    using Vector_3 = std::array<Double_double, 3>;
-
-    static Double_double dot(const Vector_3& u, const Vector_3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
-    static Vector_3 cross(const Vector_3& u, const Vector_3& v)
-    {
-      return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     }
   };
 

@@ -41,24 +41,8 @@ private:
 };
 
 /* The input's faces in exact numbers: those stored by the triangulation, or others with the lifetime of this object. */
-template <class Triangulation, bool = Internals<Triangulation>::has_exact_faces>
-class Exact_input_faces
-{
-public:
-  explicit Exact_input_faces(const Triangulation& triangulation)
-    : m_triangulation(triangulation)
-  {
-  }
-
-  const Exact_face& operator()(Input_halfedge_index h) const { return m_faces(m_triangulation, h); }
-
-private:
-  const Triangulation& m_triangulation;
-  mutable Exact_face_cache m_faces;
-};
-
 template <class Triangulation>
-class Exact_input_faces<Triangulation, true>
+class Exact_input_faces
 {
 public:
   explicit Exact_input_faces(const Triangulation& triangulation)
@@ -68,11 +52,15 @@ public:
 
   const Exact_face& operator()(Input_halfedge_index h) const
   {
-    return Internals<Triangulation>::exact_face(m_triangulation, h);
+    if constexpr(Internals<Triangulation>::has_exact_faces)
+      return Internals<Triangulation>::exact_face(m_triangulation, h);
+    else
+      return m_faces(m_triangulation, h);
   }
 
 private:
   const Triangulation& m_triangulation;
+  mutable Exact_face_cache m_faces; // empty if the triangulation has its own
 };
 
 /*
