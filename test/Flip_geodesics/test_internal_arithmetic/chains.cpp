@@ -56,13 +56,9 @@ public:
       left = random_vector();
     } while(Plane::det(right - tail, left - tail) <= 0);
     first = starts_at_corner ? tail : random_vector();
-    origin = tail;
     m_first_face = plane.face(tail, right, left);
     m_faces.reserve(number_of_faces);
-    if(starts_at_corner)
-      steps.push_back({Kind::START, &m_first_face});
-    else
-      steps.push_back({Kind::START_INSIDE, &m_first_face});
+    steps.push_back({Kind::START, &m_first_face});
     m_first_sides = {right - tail, left - right};
     m_first_right = right;
     m_first_left = left;
@@ -103,14 +99,14 @@ public:
     Unfolding_chain result;
     result.is_conjugate = true;
     result.right = combination(v);
-    result.steps.push_back({Kind::START_INSIDE, &m_first_face});
+    result.steps.push_back({Kind::START, &m_first_face});
     return result;
   }
 
   Vector random_vector() { return {m_random.below(9) - 4, m_random.below(9) - 4}; }
 
   std::vector<Unfolding_step> steps;
-  Vector first, origin, right, left, before_right, before_left, apex;
+  Vector first, right, left, before_right, before_left, apex;
 
 private:
   FI::Side_combination combination(const Vector& v) const
@@ -124,11 +120,9 @@ private:
   {
     Unfolding_chain result;
     result.steps = steps;
-    if(first.x != origin.x || first.y != origin.y || steps.front().kind == Kind::START_INSIDE) {
-      result.right = combination(m_first_right - first);
-      result.left = combination(m_first_left - first);
-      result.to_right = combination(m_first_right - m_first_left);
-    }
+    result.right = combination(m_first_right - first);
+    result.left = combination(m_first_left - first);
+    result.to_right = combination(m_first_right - m_first_left);
     return result;
   }
 
@@ -246,10 +240,11 @@ BOOST_AUTO_TEST_CASE(products_with_their_conjugates_are_real)
   for(int n : {2, 3, 5, 7})
     faces.push_back(Plane{n}.face({0, 0}, {3, 1}, {1, 2}));
   for(std::size_t number = 1; number <= faces.size(); ++number) {
-    Unfolding_chain there, back;
-    for(std::size_t i = 0; i < number; ++i) {
-      there.steps.push_back({i == 0 ? Kind::START : Kind::NEW_LEFT, &faces[i]});
-      back.steps.push_back({i == 0 ? Kind::START : Kind::NEW_LEFT, &faces[number - 1 - i]});
+    Unfolding_chain there = FI::chain_to_side(faces.front(), {1, 0, 0}, 1);
+    Unfolding_chain back = FI::chain_to_side(faces[number - 1], {1, 0, 0}, 1);
+    for(std::size_t i = 1; i < number; ++i) {
+      there.steps.push_back({Kind::NEW_LEFT, &faces[i]});
+      back.steps.push_back({Kind::NEW_LEFT, &faces[number - 1 - i]});
     }
     there.reads_left = back.reads_left = true;
     Unfolding_chain opposite_there = there, opposite_back = back;

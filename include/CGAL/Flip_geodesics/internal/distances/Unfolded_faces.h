@@ -87,7 +87,7 @@ public:
   Vector apex(Index side) const
   {
     const Side& s = (*this)[side];
-    return (*this)[previous(side)].length * Vector(s.cosine, s.sine);
+    return (*this)[previous(side)].length * Vector{s.cosine, s.sine};
   }
 
   double length(Input_halfedge_index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
@@ -255,7 +255,7 @@ public:
   Vector apex(Index side) const
   {
     const Side& s = (*this)[side];
-    return (*this)[previous(side)].length * Vector(s.cosine, s.sine);
+    return (*this)[previous(side)].length * Vector{s.cosine, s.sine};
   }
 
   Number length(Input_halfedge_index h)

@@ -378,12 +378,12 @@ private:
       return {arrival.along, 0};
     const Window* w = &m_windows[arrival.window];
     const Vector apex = m_faces.apex(m_faces.number(w->halfedge));
-    Vector ray(apex.real() - w->x, apex.imag() + w->y);
+    Vector ray{apex.real() - w->x, apex.imag() + w->y};
     for(; w->parent != null_index; w = &m_windows[w->parent])
       ray = ray * axis_of(*w);
     const Input_halfedge_index crossed = twin_index(w->halfedge);
     const Index side = m_faces.number(crossed), outgoing_halfedge = Faces::previous(side);
-    const Vector to_head(m_faces[side].length - w->x, w->y);
+    const Vector to_head{m_faces[side].length - w->x, w->y};
     const Vector turn = ray * conj(to_head);
     return {m_faces[outgoing_halfedge].halfedge,
             std::atan2(Rounding::nearest(turn.imag()), Rounding::nearest(turn.real()))};
@@ -394,7 +394,7 @@ private:
   {
     const Index side = m_faces.number(m_windows[w.parent].halfedge);
     const auto base = m_faces[side], next = m_faces[Faces::next(side)];
-    return twin_index(w.halfedge) == next.halfedge ? Vector(next.cosine, -next.sine) : Vector(base.cosine, base.sine);
+    return twin_index(w.halfedge) == next.halfedge ? Vector{next.cosine, -next.sine} : Vector{base.cosine, base.sine};
   }
 
   /*
@@ -641,7 +641,7 @@ private:
   {
     const Window& w = m_windows[id];
     const auto in_frame = [&](const Number& x, const Number& y) {
-      return Vector(x - edge.base, y) * conj(edge.axis) + edge.base_place;
+      return Vector{x - edge.base, y} * conj(edge.axis) + edge.base_place;
     };
     const Vector seen = in_frame(w.x, -w.y);
     const Number away = norm(w.x - edge.base, w.y);

@@ -92,34 +92,32 @@ inline Double_double sqrt(const Double_double& a)
 }
 
 /*
- * Complex numbers of this type. The error of each operation, as a vector, is at most `double_double_vector_error`, that
+ * Complex numbers. With this type, the error of each operation, as a vector, is at most `double_double_vector_error`, that
  * is 64 u^2, of |v| + |w| for a sum and of |v| |w| for a product: there each coordinate takes two products and a sum of
  * them, in all 33 u^2 (|v.x w.x| + |v.y w.y|) or the like, which is at most 33 u^2 |v| |w| [Cauchy, Schwarz].
  */
-struct Double_double_vector
+template <class Number>
+struct Complex_number
 {
-  Double_double x, y;
+  Number x, y;
+
+  const Number& real() const { return x; }
+  const Number& imag() const { return y; }
+
+  friend Complex_number conj(const Complex_number& v) { return {v.x, -v.y}; }
+  friend Complex_number operator-(const Complex_number& v) { return {-v.x, -v.y}; }
+  friend Complex_number operator+(const Complex_number& v, const Complex_number& w) { return {v.x + w.x, v.y + w.y}; }
+  friend Complex_number operator+(const Complex_number& v, const Number& a) { return {v.x + a, v.y}; }
+  friend Complex_number operator*(const Number& a, const Complex_number& v) { return {a * v.x, a * v.y}; }
+  friend Complex_number operator*(const Complex_number& v, const Complex_number& w)
+  {
+    return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
+  }
 };
 
-inline Double_double_vector operator-(const Double_double_vector& v) { return {-v.x, -v.y}; }
-inline Double_double_vector conjugate(const Double_double_vector& v) { return {v.x, -v.y}; }
+using Double_double_vector = Complex_number<Double_double>;
 
-inline Double_double_vector operator+(const Double_double_vector& v, const Double_double_vector& w)
-{
-  return {v.x + w.x, v.y + w.y};
-}
-
-inline Double_double_vector operator*(const Double_double_vector& v, const Double_double_vector& w)
-{
-  return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
-}
-
-inline Double_double_vector operator*(const Double_double& a, const Double_double_vector& v)
-{
-  return {a * v.x, a * v.y};
-}
-
-/* The length, in double. */
+/* Returns the length as a double. */
 inline double length(const Double_double_vector& v)
 {
   return std::sqrt(unfused(v.x.high * v.x.high) + unfused(v.y.high * v.y.high));

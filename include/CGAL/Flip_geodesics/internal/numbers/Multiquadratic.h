@@ -81,7 +81,6 @@ public:
   }
 
   Complex one() const { return {integer(1), integer(0)}; }
-  Complex zero() const { return {integer(0), integer(0)}; }
 
   /* Returns the dot of a side, and its root times n. */
   Complex combination(const Side& q, const Integer& n) const
@@ -274,7 +273,6 @@ public:
   }
 
   Complex one() const { return {1, 0, 0, 1}; }
-  Complex zero() const { return {0, 0, 0, 0}; }
 
   /* Returns the dot of a side, and its root times n. */
   Complex combination(const Side& q, const Integer& n) const { return rounded(q.dot, q.root * Float(n), 0); }

@@ -74,33 +74,7 @@ private:
   Double_double m_value;
 };
 
-/* Complex numbers of this type, with the operations of `std::complex` that unfolding requires. */
-class Precise_vector
-{
-public:
-  Precise_vector(const Precise_number& real, const Precise_number& imag)
-    : m_real(real)
-    , m_imag(imag)
-  {
-  }
-
-  const Precise_number& real() const { return m_real; }
-  const Precise_number& imag() const { return m_imag; }
-
-  friend Precise_vector conj(const Precise_vector& v) { return {v.m_real, -v.m_imag}; }
-  friend Precise_vector operator+(const Precise_vector& v, const Precise_number& a) { return {v.m_real + a, v.m_imag}; }
-  friend Precise_vector operator*(const Precise_number& a, const Precise_vector& v)
-  {
-    return {a * v.m_real, a * v.m_imag};
-  }
-  friend Precise_vector operator*(const Precise_vector& v, const Precise_vector& w)
-  {
-    return {v.m_real * w.m_real - v.m_imag * w.m_imag, v.m_real * w.m_imag + v.m_imag * w.m_real};
-  }
-
-private:
-  Precise_number m_real, m_imag;
-};
+using Precise_vector = Complex_number<Precise_number>;
 
 /* The properties of number types required by algorithms for either kind. */
 template <class Number>

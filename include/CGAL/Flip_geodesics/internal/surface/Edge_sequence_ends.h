@@ -172,12 +172,19 @@ Input_halfedge_index next_outgoing_halfedge(const Triangulation& triangulation, 
   return triangulation.is_inserted(v) ? t : triangulation.input().next(t);
 }
 
+/* Returns the number of a side of the face of h, counted from h. */
+template <class Input_mesh>
+int side_number(const Input_mesh& input, Input_halfedge_index h, Input_halfedge_index side)
+{
+  return side == h ? 0 : (side == input.next(h) ? 1 : 2);
+}
+
 /* Returns the weights of a canonical surface point, on an edge or in the interior, in the face of h, relative to h. */
 template <class Input_mesh>
 std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_location& location, Input_halfedge_index h)
 {
   const Input_halfedge_index side = location_anchor(input, location, h);
-  const int i = side == h ? 0 : (side == input.next(h) ? 1 : 2);
+  const int i = side_number(input, h, side);
   const bool is_along = location.halfedge == side;
   std::array<double, 3> result;
   result[i] = location.weights[is_along ? 0 : 1];

@@ -77,7 +77,7 @@ using Lazy_array = std::vector<T, Zero_allocator<T>>;
 template <class T>
 class Block_array
 {
-  static constexpr std::size_t block_size = 512;
+  static constexpr std::size_t block_size = 64;
   static constexpr std::size_t most_spare_bytes = 1 << 22;
 
 public:

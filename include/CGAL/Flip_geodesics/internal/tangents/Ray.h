@@ -58,7 +58,6 @@ class Exact_ray_side
 {
   using Ring = Ball_ring<50>;
   using Arithmetic = Chain_arithmetic<Ring>;
-  using Kind = Unfolding_step::Kind;
 
   struct State
   {
@@ -85,10 +84,10 @@ public:
       start(triangulation, faces(m_place.halfedge), crossed[m_first_portal], arithmetic);
     State& state = *m_state;
     for(; state.number_of_portals + 1 < crossed.size(); ++state.number_of_portals) {
-      state.corner.steps.push_back(step(triangulation, faces, crossed, state.number_of_portals));
+      state.corner.steps.push_back(step_across(triangulation.input(), faces, crossed, state.number_of_portals));
       arithmetic.apply(state.corner, state.corner.steps.back(), state.portal);
     }
-    const Unfolding_step last = step(triangulation, faces, crossed, crossed.size() - 1);
+    const Unfolding_step last = step_across(triangulation.input(), faces, crossed, crossed.size() - 1);
     Arithmetic::Portal portal = state.portal;
     arithmetic.apply(state.corner, last, portal);
     const Uncertain<Sign> quick = ring.sign(ring.imaginary_part(ring.multiply(state.value, portal.right)));
@@ -110,15 +109,12 @@ public:
     if(m_passed == null_index)
       return;
     const Exact_face& face = faces(m_passed);
-    Unfolding_chain direction;
     m_place = {m_passed, {{1, 0, 0}}};
-    if(m_portals_before == crossed.size()) // along the edge to the third corner of the face
-      direction.right = Side_combination(face, {Integer(0), Integer(0), Integer(-1)});
-    else
-      direction = corner_of_first_face(triangulation, face, crossed[m_portals_before]);
-    direction.steps.push_back({Kind::START_INSIDE, &face});
+    const bool is_along_edge = m_portals_before == crossed.size(); // to the third corner of the face
+    Unfolding_chain direction = is_along_edge ? chain_in_face(face, {0, 0, -1})
+                                              : corner_of_first_face(triangulation, face, crossed[m_portals_before]);
     for(std::size_t i = m_portals_before; i < crossed.size(); ++i)
-      direction.steps.push_back(step(triangulation, faces, crossed, i));
+      direction.steps.push_back(step_across(triangulation.input(), faces, crossed, i));
     direction.is_conjugate = true;
     m_direction = direction;
     m_first_portal = m_portals_before;
@@ -133,16 +129,6 @@ public:
   }
 
 private:
-  // Across a portal, up to the next one, or to the corner behind the last one.
-  template <class Triangulation, class ExactFaces>
-  static Unfolding_step step(const Triangulation& triangulation, const ExactFaces& faces,
-                             const std::vector<Input_halfedge_index>& crossed, std::size_t i)
-  {
-    const Input_halfedge_index entered = twin_index(crossed[i]);
-    const bool is_leaving_right = i + 1 < crossed.size() && crossed[i + 1] == triangulation.input().next(entered);
-    return {is_leaving_right ? Kind::NEW_LEFT : Kind::NEW_RIGHT, &faces(entered)};
-  }
-
   template <class Triangulation>
   void start(const Triangulation& triangulation, const Exact_face& face, Input_halfedge_index crossed,
              const Arithmetic& arithmetic)
@@ -152,7 +138,6 @@ private:
     state.direction = m_direction ? *m_direction : direction_in_first_face(face);
     state.value = arithmetic.value(state.direction);
     state.corner = corner_of_first_face(triangulation, face, crossed);
-    state.corner.steps.push_back({Kind::START_INSIDE, &face});
     state.portal = arithmetic.first_portal();
     arithmetic.apply(state.corner, state.corner.steps.back(), state.portal);
     state.number_of_portals = m_first_portal;
@@ -161,34 +146,18 @@ private:
   Unfolding_chain direction_in_first_face(const Exact_face& face) const
   {
     const std::array<Integer, 2> d = to_integers(m_face_direction);
-    Unfolding_chain result;
-    result.right = Side_combination(face, {d[0], Integer(0), Integer(-d[1])});
-    result.steps.push_back({Kind::START_INSIDE, &face});
+    Unfolding_chain result = chain_in_face(face, {d[0], Integer(0), Integer(-d[1])});
     result.is_conjugate = true;
     return result;
   }
 
-  // The ends of the first portal, relative to the start; without a step.
+  // The ends of the first portal, relative to the start.
   template <class Triangulation>
   Unfolding_chain corner_of_first_face(const Triangulation& triangulation, const Exact_face& face,
                                        Input_halfedge_index crossed) const
   {
-    const std::array<Integer, 3> w = integer_weights(m_place.weights);
-    const auto corner = [&](int i) { // relative to the start, times the sum of the weights
-      std::array<Integer, 3> sides = {0, 0, 0};
-      sides[(i + 2) % 3] = w[(i + 2) % 3];
-      sides[i] = -w[(i + 1) % 3];
-      return Side_combination(face, sides);
-    };
-    const Input_halfedge_index h = m_place.halfedge;
-    const int side = crossed == h ? 0 : (crossed == triangulation.input().next(h) ? 1 : 2);
-    std::array<Integer, 3> to_right = {0, 0, 0};
-    to_right[side] = -(w[0] + w[1] + w[2]);
-    Unfolding_chain result;
-    result.right = corner(side);
-    result.left = corner((side + 1) % 3);
-    result.to_right = Side_combination(face, to_right);
-    return result;
+    return chain_to_side(face, integer_weights(m_place.weights),
+                         side_number(triangulation.input(), m_place.halfedge, crossed));
   }
 
   Surface_location m_place; // the start of the ray, or the last corner but one that it has passed

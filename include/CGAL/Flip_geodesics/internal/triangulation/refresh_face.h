@@ -84,10 +84,10 @@ public:
   /* Multiplies a rotation by that of the wedge, and adds to its relative error. */
   void extend(Double_double_vector& rotation, double& error) const
   {
-    rotation = rotation * (m_from.end * conjugate(m_to.end));
+    rotation = rotation * (m_from.end * conj(m_to.end));
     error += m_from.end_error + m_to.end_error + 4 * double_double_vector_error;
     for_each_corner([&](const Precise_halfedge& side) {
-      rotation = rotation * -conjugate(side.next);
+      rotation = rotation * -conj(side.next);
       error += side.error + double_double_vector_error;
     });
   }

@@ -169,7 +169,7 @@ struct Precise_edge
   /* Returns the reverse direction. */
   Precise_edge reversed() const
   {
-    const Double_double_vector direction = conjugate(head_direction);
+    const Double_double_vector direction = conj(head_direction);
     return {
         -(end * direction), direction,      length,         end_error + direction_error + double_double_vector_error,
         direction_error,    head_reference, tail_reference, first_corner};
@@ -280,7 +280,7 @@ public:
   /* Returns the side of the line from tail to head on which a point lies. POSITIVE is the left side. */
   Uncertain<Sign> side(const Point& p) const
   {
-    const Double_double sine = (p.position * conjugate(m_edge.end)).y;
+    const Double_double sine = (p.position * conj(m_edge.end)).y;
     const double size = length(p.position);
     const double error = m_edge.length * (p.error + 2 * size * (m_edge.end_error + double_double_vector_error));
     if(!(std::abs(sine.high) > 2 * error))

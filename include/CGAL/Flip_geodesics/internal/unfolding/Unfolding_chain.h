@@ -70,12 +70,11 @@ private:
 struct Unfolding_step
 {
   enum class Kind {
-    START,        // from 1 to (1, 1 + q / L)
-    START_INSIDE, // from 1 to two combinations of the face's sides, and their difference
-    NEW_LEFT,     // the apex, right + q / L (right - left), replaces the left end
-    NEW_RIGHT,    // the apex replaces the right end
-    POINT,        // a combination of left end, right end and apex replaces the right end
-    CORNER        // right times q
+    START,     // from 1 to two combinations of the face's sides, and their difference
+    NEW_LEFT,  // the apex, right + q / L (right - left), replaces the left end
+    NEW_RIGHT, // the apex replaces the right end
+    POINT,     // a combination of left end, right end and apex replaces the right end
+    CORNER     // right times q
   };
 
   Kind kind;
@@ -108,9 +107,51 @@ struct Unfolding_chain
   std::vector<Unfolding_step> steps;
   bool is_conjugate = false;
   bool reads_left = false;
-  Side_combination right, left, to_right; // of START_INSIDE
+  Side_combination right, left, to_right; // of START
   std::array<Integer, 3> weights;         // of POINT: for left end, right end, apex
 };
+
+/* Returns corner i of a face relative to the point with given weights, as coefficients of the sides, times the sum of
+ * the weights. */
+inline std::array<Integer, 3> corner_from_point(const std::array<Integer, 3>& weights, int i)
+{
+  std::array<Integer, 3> result = {0, 0, 0};
+  result[(i + 2) % 3] = weights[(i + 2) % 3];
+  result[i] = -weights[(i + 1) % 3];
+  return result;
+}
+
+/* Returns the chain from the point of a face with given weights to the ends of a side. */
+inline Unfolding_chain chain_to_side(const Exact_face& face, const std::array<Integer, 3>& weights, int side)
+{
+  std::array<Integer, 3> to_right = {0, 0, 0};
+  to_right[side] = -(weights[0] + weights[1] + weights[2]);
+  Unfolding_chain result;
+  result.right = Side_combination(face, corner_from_point(weights, side));
+  result.left = Side_combination(face, corner_from_point(weights, (side + 1) % 3));
+  result.to_right = Side_combination(face, to_right);
+  result.steps.push_back({Unfolding_step::Kind::START, &face});
+  return result;
+}
+
+/* Returns the chain to a combination of the sides of a face. */
+inline Unfolding_chain chain_in_face(const Exact_face& face, const std::array<Integer, 3>& coefficients)
+{
+  Unfolding_chain result;
+  result.right = Side_combination(face, coefficients);
+  result.steps.push_back({Unfolding_step::Kind::START, &face});
+  return result;
+}
+
+/* Returns the step across crossed edge i to the ends of the next one; behind the last one, the apex is the right end. */
+template <class Input_mesh, class Exact_faces>
+Unfolding_step step_across(const Input_mesh& input, const Exact_faces& faces,
+                           const std::vector<Input_halfedge_index>& crossed, std::size_t i)
+{
+  const Input_halfedge_index entered = twin_index(crossed[i]);
+  const bool is_leaving_right = i + 1 < crossed.size() && crossed[i + 1] == input.next(entered);
+  return {is_leaving_right ? Unfolding_step::Kind::NEW_LEFT : Unfolding_step::Kind::NEW_RIGHT, &faces(entered)};
+}
 
 /* Constructs chains for edge sequences and for fans of input corners. */
 template <class Triangulation>
@@ -144,16 +185,11 @@ public:
   Unfolding_chain portal(const Edge_sequence& sequence, std::size_t number, bool is_left) const
   {
     Unfolding_chain result;
+    if(sequence.along == null_index)
+      result = start(sequence);
+    for(std::size_t i = 0; i < number && sequence.along == null_index; ++i)
+      result.steps.push_back(step_across(m_triangulation.input(), m_faces, sequence.crossed, i));
     result.reads_left = is_left;
-    if(sequence.along != null_index)
-      return result;
-    result.steps.reserve(number + 1);
-    start(sequence, result);
-    for(std::size_t i = 0; i < number; ++i) {
-      const Input_halfedge_index entered = twin_index(sequence.crossed[i]);
-      const bool is_leaving_right = i + 1 < sequence.crossed.size() && sequence.crossed[i + 1] == next(entered);
-      result.steps.push_back({is_leaving_right ? Kind::NEW_LEFT : Kind::NEW_RIGHT, &face(entered)});
-    }
     return result;
   }
 
@@ -166,20 +202,18 @@ public:
     const Weights n = integer_weights(w);
     if(gap == sequence.crossed.size())
       return point_in_face(sequence, gap, n);
-    const Input_halfedge_index told_from = sequence.crossed[gap];
+    const Input_halfedge_index reference = sequence.crossed[gap];
     if(gap > 0)
-      return point_in_face(sequence, gap, turned(n, told_from, twin_index(sequence.crossed[gap - 1])));
+      return point_in_face(sequence, gap, turned(n, reference, twin_index(sequence.crossed[gap - 1])));
     const Input_halfedge_index h = tail_anchor(m_triangulation, sequence);
-    const Weights v = turned(n, told_from, h);
-    const std::array<Weights, 3> corners = corners_from(sequence, h);
+    const Weights v = turned(n, reference, h), from = weights(sequence.tail, h);
     Weights sum = {0, 0, 0};
-    for(int i = 0; i < 3; ++i)
+    for(int i = 0; i < 3; ++i) {
+      const Weights corner = corner_from_point(from, i);
       for(int k = 0; k < 3; ++k)
-        sum[k] += v[i] * corners[i][k];
-    Unfolding_chain result;
-    result.right = Side_combination(face(h), sum);
-    result.steps.push_back({Kind::START_INSIDE, &face(h)});
-    return result;
+        sum[k] += v[i] * corner[k];
+    }
+    return chain_in_face(face(h), sum);
   }
 
   /* Returns the rotation over `count` input corners clockwise from input halfedge h. */
@@ -193,7 +227,6 @@ public:
   }
 
 private:
-  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
   const Exact_face& face(Input_halfedge_index h) const { return m_faces(h); }
 
   Weights weights(Vertex_index v, Input_halfedge_index h) const
@@ -204,39 +237,15 @@ private:
   // Converts weights of a face's corners from one reference halfedge to another.
   Weights turned(const Weights& w, Input_halfedge_index from, Input_halfedge_index to) const
   {
-    const int shift = from == to ? 0 : (to == next(from) ? 1 : 2);
+    const int shift = side_number(m_triangulation.input(), from, to);
     return {w[shift], w[(shift + 1) % 3], w[(shift + 2) % 3]};
   }
 
-  // The corners of the face of h relative to the tail of an edge sequence in it, times the sum of its weights.
-  std::array<Weights, 3> corners_from(const Edge_sequence& sequence, Input_halfedge_index h) const
-  {
-    const Weights w = weights(sequence.tail, h);
-    std::array<Weights, 3> result;
-    for(int i = 0; i < 3; ++i) {
-      result[i] = {0, 0, 0};
-      result[i][(i + 2) % 3] = w[(i + 2) % 3];
-      result[i][i] = -w[(i + 1) % 3];
-    }
-    return result;
-  }
-
-  void start(const Edge_sequence& sequence, Unfolding_chain& chain) const
+  Unfolding_chain start(const Edge_sequence& sequence) const
   {
     const Input_halfedge_index h = tail_anchor(m_triangulation, sequence), first = sequence.crossed.front();
-    if(!m_triangulation.is_inserted(sequence.tail)) {
-      chain.steps.push_back({Kind::START, &face(h)});
-      return;
-    }
-    const Weights w = weights(sequence.tail, h);
-    const int side = first == h ? 0 : (first == next(h) ? 1 : 2);
-    const std::array<Weights, 3> corners = corners_from(sequence, h);
-    Weights to_right = {0, 0, 0};
-    to_right[side] = -(w[0] + w[1] + w[2]);
-    chain.right = Side_combination(face(h), corners[side]);
-    chain.left = Side_combination(face(h), corners[(side + 1) % 3]);
-    chain.to_right = Side_combination(face(h), to_right);
-    chain.steps.push_back({Kind::START_INSIDE, &face(h)});
+    const Weights w = m_triangulation.is_inserted(sequence.tail) ? weights(sequence.tail, h) : Weights{1, 0, 0};
+    return chain_to_side(face(h), w, side_number(m_triangulation.input(), h, first));
   }
 
   // The vector between two points of one face.
@@ -245,11 +254,8 @@ private:
     const Input_halfedge_index h = tail_anchor(m_triangulation, sequence);
     const Weights from = weights(sequence.tail, h), to = weights(sequence.head, h);
     const Integer from_sum = from[0] + from[1] + from[2], to_sum = to[0] + to[1] + to[2];
-    Unfolding_chain result;
-    result.right = Side_combination(face(h), {Integer(to[1] * from_sum - from[1] * to_sum), Integer(0),
-                                              Integer(from[2] * to_sum - to[2] * from_sum)});
-    result.steps.push_back({Kind::START_INSIDE, &face(h)});
-    return result;
+    return chain_in_face(face(h), {Integer(to[1] * from_sum - from[1] * to_sum), Integer(0),
+                                   Integer(from[2] * to_sum - to[2] * from_sum)});
   }
 
   // By weights relative to the halfedge across which the face is entered.
@@ -310,13 +316,13 @@ public:
   }
 
   /* Returns the portal before the first step. */
-  Portal first_portal() const { return {m_ring.one(), m_ring.zero(), m_ring.zero()}; }
+  Portal first_portal() const { return {m_ring.one(), {}, {}}; }
 
   /* Applies a step of a chain to a portal. */
   void apply(const Unfolding_chain& chain, const Unfolding_step& step, Portal& portal) const
   {
     const Integer& length = step.squared_length();
-    if(step.kind == Kind::START_INSIDE) {
+    if(step.kind == Kind::START) {
       portal = {combined(step, chain.right), combined(step, chain.left), combined(step, chain.to_right)};
       return;
     }
@@ -325,7 +331,7 @@ public:
       portal.right = m_ring.times_side(portal.right, q);
       return;
     }
-    const Complex to_apex = m_ring.times_side(step.kind == Kind::START ? portal.right : portal.to_right, q);
+    const Complex to_apex = m_ring.times_side(portal.to_right, q);
     portal.right = m_ring.rescale(portal.right, length);
     const Complex apex = m_ring.add(portal.right, to_apex);
     if(step.kind == Kind::POINT) {
