@@ -246,7 +246,7 @@ private:
   {
     if constexpr(is_rational)
       return internal::rounded_vector(precise_place(mesh, v), precise_place(mesh, w),
-                                      [&](const auto& use) { return use(point(mesh, v), point(mesh, w)); });
+                                      [&] { return internal::precise_vector(point(mesh, v), point(mesh, w)); });
     else
       return difference(place(mesh, v), place(mesh, w));
   }
@@ -306,7 +306,7 @@ private:
   };
 
   VertexPointMap m_points;
-  internal::Known_rounding m_is_rounded;
+  internal::Cached_decision m_is_rounded;
   std::conditional_t<is_rational, internal::Precise_places, No_places> m_places;
 };
 
@@ -441,7 +441,7 @@ public:
 private:
   const TriangleMesh* m_mesh;
   EdgeLengthMap m_lengths;
-  internal::Known_rounding m_is_rounded;
+  internal::Cached_decision m_is_rounded;
 };
 
 namespace internal {

@@ -165,9 +165,9 @@ void check_sign(const Chains& chains, int expected)
 {
   FI::Work_limit work;
   const Roots roots(squared_roots(chains), work);
-  BOOST_TEST((roots.sign(FI::Chain_arithmetic<Roots>(roots).sine(chains)) == CGAL::Sign(expected)));
+  BOOST_TEST((FI::Chain_arithmetic<Roots>(roots).sign_of_sine(chains) == CGAL::Sign(expected)));
   const Digits digits;
-  const CGAL::Uncertain<CGAL::Sign> by_digits = digits.sign(FI::Chain_arithmetic<Digits>(digits).sine(chains));
+  const CGAL::Uncertain<CGAL::Sign> by_digits = FI::Chain_arithmetic<Digits>(digits).sign_of_sine(chains);
   BOOST_TEST(by_digits.is_certain() == (expected != 0));
   BOOST_TEST((expected == 0 || by_digits.make_certain() == expected));
   FG::Decision_statistics statistics;

@@ -109,10 +109,10 @@ public:
     return {times_integer(z.re, n), times_integer(z.im, n)};
   }
 
-  Number imaginary_part(const Complex& z) const { return z.im; }
-
-  Uncertain<Sign> sign(const Number& a) const
+  /* Returns the sign of the imaginary part. */
+  Uncertain<Sign> sign_of_sine(const Complex& z) const
   {
+    const Number& a = z.im;
     Root_sum sum;
     if(m_work.is_met())
       return Uncertain<Sign>::indeterminate();
@@ -240,12 +240,6 @@ class Ball_ring
       boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Digits>, boost::multiprecision::et_off>;
 
 public:
-  struct Number
-  {
-    Float middle;
-    double radius;
-  };
-
   struct Complex
   {
     Float re, im;
@@ -301,12 +295,11 @@ public:
     return rounded(z.re * factor, z.im * factor, z.radius * std::abs(as_double(factor)));
   }
 
-  Number imaginary_part(const Complex& z) const { return {z.im, z.radius}; }
-
-  Uncertain<Sign> sign(const Number& a) const
+  /* Returns the sign of the imaginary part. */
+  Uncertain<Sign> sign_of_sine(const Complex& z) const
   {
-    if(boost::multiprecision::abs(a.middle) > a.radius)
-      return a.middle > 0 ? POSITIVE : NEGATIVE;
+    if(boost::multiprecision::abs(z.im) > z.radius)
+      return z.im > 0 ? POSITIVE : NEGATIVE;
     return Uncertain<Sign>::indeterminate();
   }
 

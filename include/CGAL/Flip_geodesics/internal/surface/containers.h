@@ -59,7 +59,7 @@ struct Zero_allocator
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
 
-  void construct(T*) { static_assert(std::is_trivially_copyable_v<T>, "zero bytes must be a valid element"); }
+  void construct(T*) { static_assert(std::is_trivially_destructible_v<T>, "zero bytes must be a valid element"); }
 
   friend bool operator==(const Zero_allocator&, const Zero_allocator&) { return true; }
   friend bool operator!=(const Zero_allocator&, const Zero_allocator&) { return false; }
@@ -290,38 +290,60 @@ private:
   std::size_t m_number_of_slots = block_size;
 };
 
-/* Records for input edges whether the faces beside them, unfolded, lie in one plane. Several threads may query at once
- * and may then perform the same computation. */
+/* A result that is found on first use. Several threads may query at once and may then find the same result. */
+class Cached_decision
+{
+public:
+  Cached_decision() = default;
+  Cached_decision(const Cached_decision& other)
+    : m_state(load_relaxed(other.m_state))
+  {
+  }
+  Cached_decision& operator=(const Cached_decision& other)
+  {
+    store_relaxed(m_state, load_relaxed(other.m_state));
+    return *this;
+  }
+
+  /* Returns the result of `find()`, which each thread calls at most once. */
+  template <class Find>
+  bool operator()(const Find& find) const
+  {
+    std::uint8_t state = load_relaxed(m_state);
+    if(state == unknown) {
+      state = find() ? yes : no;
+      store_relaxed(m_state, state);
+    }
+    return state == yes;
+  }
+
+private:
+  static constexpr std::uint8_t unknown = 0, yes = 1, no = 2;
+
+  mutable std::uint8_t m_state = unknown;
+};
+
+/* Records for input edges whether the faces beside them, unfolded, lie in one plane. */
 class Flat_edges
 {
 public:
   /* With space for the results of `number_of_edges` edges; with none, nothing is stored. */
   explicit Flat_edges(std::size_t number_of_edges = 0)
-    : m_states(number_of_edges)
+    : m_decisions(number_of_edges)
   {
   }
 
-  std::size_t size() const { return m_states.size(); }
+  std::size_t size() const { return m_decisions.size(); }
 
   /* Returns the result for the edge of h, which is that of `compute()` in the first query. */
   template <class Compute>
   bool operator()(Input_halfedge_index h, const Compute& compute)
   {
-    if(m_states.size() == 0)
-      return compute();
-    std::uint8_t& known = m_states[static_cast<std::size_t>(h.idx() / 2)];
-    std::uint8_t state = load_relaxed(known);
-    if(state == unknown) {
-      state = compute() ? flat : bent;
-      store_relaxed(known, state);
-    }
-    return state == flat;
+    return size() == 0 ? compute() : m_decisions[static_cast<std::size_t>(h.idx() / 2)](compute);
   }
 
 private:
-  static constexpr std::uint8_t unknown = 0, flat = 1, bent = 2;
-
-  Lazy_array<std::uint8_t> m_states;
+  Lazy_array<Cached_decision> m_decisions;
 };
 
 } // namespace internal

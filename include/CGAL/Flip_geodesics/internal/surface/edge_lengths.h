@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
@@ -27,12 +28,11 @@ inline bool is_usable_length(double length) { return length > least_length && le
 /* The same for searches along edges, which pass degenerate edges. */
 inline bool is_zero_or_usable_length(double length) { return length == 0 || is_usable_length(length); }
 
-/* Is a > b + c, exactly? By the rounding error of the sum, which is a double [Knuth, TwoSum]. */
+/* Returns whether a > b + c, exactly. */
 inline bool is_longer_than_sum(double a, double b, double c)
 {
-  const double sum = b + c, rest = sum - b;
-  const double error = (b - (sum - rest)) + (c - rest);
-  return a > sum || (a == sum && error < 0);
+  const Double_double sum = exact_sum(b, c);
+  return a > sum.high || (a == sum.high && sum.low < 0);
 }
 
 [[noreturn]] inline void throw_unusable_length(double length, Vertex_index v, Vertex_index w)

@@ -159,42 +159,6 @@ bool is_rounded_number(const NT& x)
     return !CGAL::certainly(x == NT(imported_number(x)));
 }
 
-/*
- * Caches whether a metric rounds its input to doubles. A copy of a metric copies the result. Several threads may query
- * at once.
- */
-class Known_rounding
-{
-public:
-  Known_rounding() = default;
-  Known_rounding(const Known_rounding& other)
-    : m_state(load_relaxed(other.m_state))
-  {
-  }
-  Known_rounding& operator=(const Known_rounding& other)
-  {
-    store_relaxed(m_state, load_relaxed(other.m_state));
-    return *this;
-  }
-
-  /* Returns the result of `find()`, which each thread calls at most once. */
-  template <class Find>
-  bool operator()(const Find& find) const
-  {
-    State state = load_relaxed(m_state);
-    if(state == State::UNKNOWN) {
-      state = find() ? State::ROUNDED : State::EXACT;
-      store_relaxed(m_state, state);
-    }
-    return state == State::ROUNDED;
-  }
-
-private:
-  enum class State : char { UNKNOWN, EXACT, ROUNDED };
-
-  mutable State m_state = State::UNKNOWN;
-};
-
 template <class Metric, class Mesh, class = void>
 constexpr bool reports_rounding = false;
 template <class Metric, class Mesh>

@@ -114,61 +114,6 @@ inline double difference_error(const Double_double& p, const Double_double& q)
   return p.low == 0 && q.low == 0 ? 0 : double_double_error * (std::abs(p.high) + std::abs(q.high));
 }
 
-/* Returns a coordinate of the vector from p to q, computed from the exact values and rounded once. */
-template <class Point>
-double rounded_difference(const Point& p, const Point& q, std::size_t i)
-{
-  if constexpr(is_lazy_point<Point>) {
-    return rounded_difference(p.exact(), q.exact(), i);
-  } else {
-    const auto coordinate = [i](const Point& r) { return i == 0 ? r.x() : (i == 1 ? r.y() : r.z()); };
-    const Coordinate<Point> from = coordinate(p), to = coordinate(q);
-    if(from == to)
-      return 0;
-    const Rational a = to_rational(from), b = to_rational(to);
-    return precise_quotient(b.numerator * a.denominator - a.numerator * b.denominator, a.denominator * b.denominator)
-        .high;
-  }
-}
-
-/*
- * Returns the vector from one point to another, each coordinate rounded once, like the difference of two doubles. If
- * the difference of the precise points is too small, the exact points are used: `points(use)` calls `use()` with them.
- */
-template <class Points>
-std::array<double, 3> rounded_vector(const Precise_place& p, const Precise_place& q, const Points& points)
-{
-  std::array<double, 3> result;
-  for(std::size_t i = 0; i < 3; ++i) {
-    result[i] = (q[i] - p[i]).high;
-    if(!(difference_error(p[i], q[i]) <= negligible_rounding * std::abs(result[i])))
-      result[i] = points([i](const auto& from, const auto& to) { return rounded_difference(from, to, i); });
-  }
-  return result;
-}
-
-/* The sides of a triangle in space as vectors, each coordinate rounded once. */
-struct Rounded_sides
-{
-  std::array<std::array<double, 3>, 3> vectors;
-};
-
-/* Returns the vectors from p to q, to r, and back. */
-template <class Point>
-Rounded_sides rounded_sides(const Point& p, const Point& q, const Point& r)
-{
-  const auto side = [](const Point& a, const Point& b) {
-    if constexpr(has_rational_coordinates<Point>)
-      return std::array<double, 3>{rounded_difference(a, b, 0), rounded_difference(a, b, 1),
-                                   rounded_difference(a, b, 2)};
-    else
-      return std::array<double, 3>{imported_number(b.x()) - imported_number(a.x()),
-                                   imported_number(b.y()) - imported_number(a.y()),
-                                   imported_number(b.z()) - imported_number(a.z())};
-  };
-  return {{side(p, q), side(q, r), side(r, p)}};
-}
-
 /* Returns the vector from one point to another in double-double arithmetic. Each coordinate has a relative error of
  * little more than 2^-106; for doubles it is exact. */
 template <class Point>
@@ -184,10 +129,42 @@ std::array<Double_double, 3> precise_vector(const Point& p, const Point& q)
     }
     return result;
   } else {
-    return {exact_sum(imported_number(q.x()), -imported_number(p.x())),
-            exact_sum(imported_number(q.y()), -imported_number(p.y())),
-            exact_sum(imported_number(q.z()), -imported_number(p.z()))};
+    return precise_difference(Place_in_space{imported_number(p.x()), imported_number(p.y()), imported_number(p.z())},
+                              Place_in_space{imported_number(q.x()), imported_number(q.y()), imported_number(q.z())});
   }
+}
+
+/*
+ * Returns the vector from one point to another, each coordinate rounded once, like the difference of two doubles. If
+ * the difference of the precise points is too small, `precise()` is used, the precise vector between the exact points.
+ */
+template <class Precise_vector>
+std::array<double, 3> rounded_vector(const Precise_place& p, const Precise_place& q, const Precise_vector& precise)
+{
+  std::array<double, 3> result;
+  for(std::size_t i = 0; i < 3; ++i) {
+    result[i] = (q[i] - p[i]).high;
+    if(!(difference_error(p[i], q[i]) <= negligible_rounding * std::abs(result[i])))
+      result[i] = precise()[i].high;
+  }
+  return result;
+}
+
+/* The sides of a triangle in space as vectors, each coordinate rounded once. */
+struct Rounded_sides
+{
+  std::array<std::array<double, 3>, 3> vectors;
+};
+
+/* Returns the vectors from p to q, to r, and back. */
+template <class Point>
+Rounded_sides rounded_sides(const Point& p, const Point& q, const Point& r)
+{
+  const auto side = [](const Point& a, const Point& b) {
+    const auto [x, y, z] = precise_vector(a, b);
+    return std::array<double, 3>{x.high, y.high, z.high};
+  };
+  return {{side(p, q), side(q, r), side(r, p)}};
 }
 
 /* Returns a vector that bounds the distance of approximate points from below: no difference is overestimated. */

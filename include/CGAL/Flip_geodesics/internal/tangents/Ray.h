@@ -90,7 +90,7 @@ public:
     const Unfolding_step last = step_across(triangulation.input(), faces, crossed, crossed.size() - 1);
     Arithmetic::Portal portal = state.portal;
     arithmetic.apply(state.corner, last, portal);
-    const Uncertain<Sign> quick = ring.sign(ring.imaginary_part(ring.multiply(state.value, portal.right)));
+    const Uncertain<Sign> quick = ring.sign_of_sine(ring.multiply(state.value, portal.right));
     if(quick.is_certain()) {
       ++statistics.by_precision;
       return quick.make_certain();

@@ -75,7 +75,7 @@ private:
   {
     using Ring = Ball_ring<50>;
     const Ring ring;
-    const Uncertain<Sign> sign = ring.sign(Chain_arithmetic<Ring>(ring).sine(chains));
+    const Uncertain<Sign> sign = Chain_arithmetic<Ring>(ring).sign_of_sine(chains);
     m_statistics.by_precision += sign.is_certain() ? 1 : 0;
     return sign;
   }
@@ -86,7 +86,7 @@ private:
     Work_limit work(m_work_limit);
     const Ring ring(squares, work);
     m_statistics.most_roots = (std::max)(m_statistics.most_roots, ring.number_of_roots());
-    const Uncertain<Sign> sign = ring.sign(Chain_arithmetic<Ring>(ring).sine(chains));
+    const Uncertain<Sign> sign = Chain_arithmetic<Ring>(ring).sign_of_sine(chains);
     m_statistics.by_roots += sign.is_certain() ? 1 : 0;
     m_statistics.zeros_by_roots += sign.is_certain() && sign.make_certain() == ZERO ? 1 : 0;
     return sign;

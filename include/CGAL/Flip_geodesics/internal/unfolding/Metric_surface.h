@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -79,27 +80,26 @@ private:
   Traits m_traits;
 };
 
-/* The type of the metric: the given one, or the metric of the given points, or of the mesh's own points. */
-template <class TriangleMesh, class NamedParameters, bool HAS_METRIC, bool HAS_POINTS>
-struct Metric_of
+/* Returns the metric given by name, or that of the given points or of the mesh's own points. */
+template <class TriangleMesh, class NamedParameters>
+auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
 {
-  using type = Given<NamedParameters, Metric_parameter>;
-};
+  if constexpr(is_given<NamedParameters, Metric_parameter>) {
+    return parameters::get_parameter(np, metric_parameter);
+  } else if constexpr(is_given<NamedParameters, internal_np::vertex_point_t>) {
+    using Points = Given<NamedParameters, internal_np::vertex_point_t>;
+    return Embedded_metric<TriangleMesh, Points>(parameters::get_parameter(np, internal_np::vertex_point));
+  } else {
+    static_assert(graph_has_property<TriangleMesh, boost::vertex_point_t>::value,
+                  "the mesh has no points of its own: give vertex_point_map() or metric()");
+    using Points = typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type;
+    return Embedded_metric<TriangleMesh, Points>(get_const_property_map(CGAL::vertex_point, mesh));
+  }
+}
 
 template <class TriangleMesh, class NamedParameters>
-struct Metric_of<TriangleMesh, NamedParameters, false, true>
-{
-  using type = Embedded_metric<TriangleMesh, Given<NamedParameters, internal_np::vertex_point_t>>;
-};
-
-template <class TriangleMesh, class NamedParameters>
-struct Metric_of<TriangleMesh, NamedParameters, false, false>
-{
-  static_assert(graph_has_property<TriangleMesh, boost::vertex_point_t>::value,
-                "the mesh has no points of its own: give vertex_point_map() or metric()");
-  using type =
-      Embedded_metric<TriangleMesh, typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type>;
-};
+using Metric_by_name =
+    decltype(make_metric(std::declval<const TriangleMesh&>(), std::declval<const NamedParameters&>()));
 
 struct No_graph
 {
@@ -124,25 +124,10 @@ using Vertex_in = typename Vertex_of<TriangleMesh>::type;
 template <class TriangleMesh, class T>
 constexpr bool is_mesh_vertex = std::is_convertible<T, Vertex_in<TriangleMesh>>::value;
 
-/* The metric of a mesh with these named parameters, and the value type of the output's points. */
-template <class TriangleMesh, class NamedParameters>
-using Metric_by_name = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
-                                          is_given<NamedParameters, internal_np::vertex_point_t>>::type;
+/* The value type of the output's points. */
 template <class TriangleMesh, class NamedParameters, class Output, template <class> class Container = Itself>
 using Form_by_name = typename Curve_form_of<Curve_forms_of<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>,
                                             Output, Container>::type;
-
-template <class TriangleMesh, class NamedParameters>
-auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
-{
-  using Metric = Metric_by_name<TriangleMesh, NamedParameters>;
-  if constexpr(is_given<NamedParameters, Metric_parameter>)
-    return parameters::get_parameter(np, metric_parameter);
-  else if constexpr(is_given<NamedParameters, internal_np::vertex_point_t>)
-    return Metric(parameters::get_parameter(np, internal_np::vertex_point));
-  else
-    return Metric(get_const_property_map(CGAL::vertex_point, mesh));
-}
 
 /* The surface specified by named parameters. */
 template <class TriangleMesh, class NamedParameters>

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_POINT_SIDE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_POINT_SIDE_H
 
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -23,26 +24,12 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-template <class Number>
-Number determinant_of_weights(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
-                              const std::array<Number, 3>& r, const Number& sign)
-{
-  return p[0] * (q[1] * r[2] + sign * q[2] * r[1]) + p[1] * (q[2] * r[0] + sign * q[0] * r[2]) +
-         p[2] * (q[0] * r[1] + sign * q[1] * r[0]);
-}
-
 /* Returns the exact orientation of three points of an input face, given by nonnegative weights: POSITIVE if they are in
  * counterclockwise order. */
 inline Sign orientation_of_weights(const std::array<double, 3>& p, const std::array<double, 3>& q,
                                    const std::array<double, 3>& r)
 {
-  // A sum of six products of three numbers, each with fewer than six rounding errors.
-  const double quick = determinant_of_weights(p, q, r, -1.0), bound = determinant_of_weights(p, q, r, 1.0);
-  if(std::abs(quick) > product_sum_error * bound)
-    return quick > 0 ? POSITIVE : NEGATIVE;
-  const Integer exact =
-      determinant_of_weights<Integer>(integer_weights(p), integer_weights(q), integer_weights(r), Integer(-1));
-  return exact > 0 ? POSITIVE : (exact < 0 ? NEGATIVE : ZERO);
+  return orientation({0, 0, 0}, p, q, r);
 }
 
 /*
@@ -84,9 +71,10 @@ public:
     if(sequence.crossed.empty())
       return 0; // decided exactly by the weights alone
     const Strip<Triangulation> strip(m_triangulation, sequence);
+    const auto corners = strip.face(gap);
     std::complex<double> position = 0;
     for(int i = 0; i < 3; ++i)
-      position += w[i] / (w[0] + w[1] + w[2]) * strip.face(gap)[i].position;
+      position += w[i] / (w[0] + w[1] + w[2]) * corners[i].position;
     return std::imag(std::conj(strip.end()) * position) / strip.length();
   }
 

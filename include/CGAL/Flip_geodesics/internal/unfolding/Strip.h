@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRIP_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
@@ -30,17 +31,16 @@ namespace internal {
 inline std::array<double, 3> barycentric_difference(const std::array<double, 3>& from, const std::array<double, 3>& to)
 {
   const auto sum_with_error = [](const std::array<double, 3>& w) {
-    const double a = w[0] + w[1], a_error = (w[0] - (a - (a - w[0]))) + (w[1] - (a - w[0]));
-    const double b = a + w[2], b_error = (a - (b - (b - a))) + (w[2] - (b - a)); // [Knuth, TwoSum]
-    return std::array<double, 2>{b, a_error + b_error};
+    const Double_double a = exact_sum(w[0], w[1]), b = exact_sum(a.high, w[2]);
+    return Double_double{b.high, a.low + b.low};
   };
-  const auto from_sum = sum_with_error(from), to_sum = sum_with_error(to);
+  const Double_double from_sum = sum_with_error(from), to_sum = sum_with_error(to);
   std::array<double, 3> result;
   for(int i = 0; i < 3; ++i) {
-    const double product = unfused(from[i] * to_sum[0]), rounding = std::fma(from[i], to_sum[0], -product);
-    const double difference = std::fma(to[i], from_sum[0], -product) - rounding; // [Kahan]
+    const Double_double product = exact_product(from[i], to_sum.high);
+    const double difference = std::fma(to[i], from_sum.high, -product.high) - product.low; // [Kahan]
     result[i] =
-        (difference + (unfused(to[i] * from_sum[1]) - unfused(from[i] * to_sum[1]))) / (from_sum[0] * to_sum[0]);
+        (difference + (unfused(to[i] * from_sum.low) - unfused(from[i] * to_sum.low))) / (from_sum.high * to_sum.high);
   }
   return result;
 }

@@ -11,6 +11,9 @@
 #include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
 #include <array>
 #include <cstddef>
 #include <unordered_map>
@@ -283,7 +286,6 @@ class Chain_arithmetic
   using Kind = Unfolding_step::Kind;
 
 public:
-  using Number = typename Ring::Number;
   using Complex = typename Ring::Complex;
 
   /*
@@ -300,8 +302,8 @@ public:
   {
   }
 
-  /* Returns the imaginary part of a product. */
-  Number sine(const std::vector<Unfolding_chain>& chains) const
+  /* Returns the sign of the imaginary part of a product. */
+  Uncertain<Sign> sign_of_sine(const std::vector<Unfolding_chain>& chains) const
   {
     Complex product = m_ring.one();
     bool is_one = true;
@@ -312,7 +314,7 @@ public:
       product = is_one ? z : m_ring.multiply(product, z);
       is_one = false;
     }
-    return m_ring.imaginary_part(product);
+    return m_ring.sign_of_sine(product);
   }
 
   /* Returns the portal before the first step. */
