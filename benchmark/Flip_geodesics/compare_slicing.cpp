@@ -15,7 +15,7 @@
 
 #include <CGAL/Flip_geodesics.h>
 #include <CGAL/Flip_geodesics/Operators.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

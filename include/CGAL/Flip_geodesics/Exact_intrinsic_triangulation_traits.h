@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_EXACT_INTRINSIC_TRIANGULATION_TRAITS_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Number_operations.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/exact_geometries.h>
 #include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>

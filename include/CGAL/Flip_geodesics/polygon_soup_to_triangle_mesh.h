@@ -14,7 +14,6 @@
 #include <CGAL/Flip_geodesics/Repair_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Soup_repair.h>
-#include <CGAL/Flip_geodesics/internal/surface/Triangle_soup.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -13,7 +13,6 @@
 #include <CGAL/Flip_geodesics/internal/tangents/Ray.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/surface_points.h>

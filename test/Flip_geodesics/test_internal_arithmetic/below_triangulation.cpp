@@ -9,15 +9,14 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Edge_sequences_of_places.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Input_faces.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

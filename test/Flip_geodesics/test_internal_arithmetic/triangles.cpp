@@ -4,7 +4,7 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
-#include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
 

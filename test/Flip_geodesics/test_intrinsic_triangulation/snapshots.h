@@ -20,7 +20,6 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 

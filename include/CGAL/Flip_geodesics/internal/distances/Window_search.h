@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Precise_number.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>

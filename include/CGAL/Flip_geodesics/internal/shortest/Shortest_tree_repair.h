@@ -13,7 +13,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <algorithm>
 #include <cmath>

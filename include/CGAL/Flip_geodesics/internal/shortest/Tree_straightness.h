@@ -13,8 +13,8 @@
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_MISTAKES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Rational_number.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -14,8 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/surface_points.h>

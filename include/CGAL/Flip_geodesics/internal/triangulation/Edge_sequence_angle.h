@@ -8,9 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/assertions.h>

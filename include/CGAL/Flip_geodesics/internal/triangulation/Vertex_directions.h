@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <complex>
 

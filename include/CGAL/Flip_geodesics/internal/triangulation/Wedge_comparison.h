@@ -9,7 +9,6 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>

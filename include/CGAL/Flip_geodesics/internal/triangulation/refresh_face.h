@@ -10,7 +10,6 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <CGAL/enum.h>
 

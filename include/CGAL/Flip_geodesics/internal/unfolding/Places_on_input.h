@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 
 #include <cstddef>
 #include <vector>
