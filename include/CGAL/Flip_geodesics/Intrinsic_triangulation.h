@@ -11,10 +11,9 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/Zero_edge_contractor.h>
-#include <CGAL/Flip_geodesics/internal/surface/concept_checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
-#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
@@ -23,7 +22,7 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Compared_wedges.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Kernel_traits.h>

@@ -14,7 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_angle.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
@@ -231,7 +231,7 @@ private:
   void look_at_segment(const Segment_of_places& segment)
   {
     Strip_obstacle obstacle;
-    if(Straight_strip<Places>(m_curve.places(), m_result.statistics)(segment.sequence, obstacle))
+    if(Straight_strip<Places>(m_curve.places(), m_result.statistics)(segment.sequence, &obstacle))
       return;
     const auto& crossed = segment.sequence.crossed;
     Portal_turn turn;

@@ -381,7 +381,7 @@ private:
   }
   bool is_straight(const Edge_sequence& sequence, Line_contacts& contacts) const
   {
-    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(sequence, contacts);
+    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(sequence, nullptr, &contacts);
   }
 
   const Triangulation& m_triangulation;

@@ -198,6 +198,22 @@ private:
 
 using Place_in_space = std::array<double, 3>;
 
+/* The bounding box of places; at first that of none. */
+struct Bounding_box
+{
+  void add(const Place_in_space& p)
+  {
+    for(std::size_t k = 0; k < 3; ++k) {
+      low[k] = (std::min)(low[k], p[k]);
+      high[k] = (std::max)(high[k], p[k]);
+    }
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  Place_in_space low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+};
+
 /* A point with rational coordinates, which have a common denominator. It is positive. */
 struct Rational_place
 {

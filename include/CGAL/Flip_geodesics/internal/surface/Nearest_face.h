@@ -157,18 +157,8 @@ private:
     Nearest_weights nearest;
   };
 
-  struct Box
+  struct Box : Bounding_box
   {
-    Place_in_space low, high;
-
-    void add(const Place_in_space& p)
-    {
-      for(std::size_t k = 0; k < 3; ++k) {
-        low[k] = (std::min)(low[k], p[k]);
-        high[k] = (std::max)(high[k], p[k]);
-      }
-    }
-
     // At most the distance that is computed for a triangle inside, by the error bound of `nearest_face_error`.
     double distance_from(const Place_in_space& p) const
     {
@@ -199,17 +189,9 @@ private:
       found = {i, here};
   }
 
-  static Box empty_box()
-  {
-    Box result;
-    result.low.fill(std::numeric_limits<double>::infinity());
-    result.high.fill(-std::numeric_limits<double>::infinity());
-    return result;
-  }
-
   void build()
   {
-    std::vector<Box> boxes(m_faces.size(), empty_box());
+    std::vector<Box> boxes(m_faces.size());
     for(std::size_t i = 0; i < m_faces.size(); ++i) {
       m_order.push_back(i);
       for(const Place_in_space& corner : m_corners(m_faces[i]))
@@ -222,7 +204,7 @@ private:
   void add_node(std::size_t first, std::size_t last, const std::vector<Box>& boxes)
   {
     const std::size_t node = m_nodes.size();
-    m_nodes.push_back({empty_box(), first, last, none});
+    m_nodes.push_back({{}, first, last, none});
     Box& box = m_nodes.back().box;
     for(std::size_t k = first; k < last; ++k) {
       box.add(boxes[m_order[k]].low);

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -155,37 +156,29 @@ private:
   }
 };
 
-using Soup_coordinates = std::array<double, 3>;
-
 template <class Point_3>
-Soup_coordinates soup_coordinates(const Point_3& p)
+Place_in_space soup_coordinates(const Point_3& p)
 {
-  return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
 /* Returns the largest difference of two coordinates. */
-inline double maximum_distance(const Soup_coordinates& p, const Soup_coordinates& q)
+inline double maximum_distance(const Place_in_space& p, const Place_in_space& q)
 {
   return (std::max)({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])});
 }
 
-/* The least corner of the bounding box of the finite points, and the length of its longest side. */
-struct Soup_box
+/* The bounding box of the finite points, and the length of its longest side. */
+struct Soup_box : Bounding_box
 {
-  explicit Soup_box(const std::vector<Soup_coordinates>& points)
+  explicit Soup_box(const std::vector<Place_in_space>& points)
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Soup_coordinates high = {{-infinity, -infinity, -infinity}};
-    low = {{infinity, infinity, infinity}};
-    for(const Soup_coordinates& p : points)
-      for(int k = 0; k < 3 && are_finite(p); ++k) {
-        low[k] = (std::min)(low[k], p[k]);
-        high[k] = (std::max)(high[k], p[k]);
-      }
+    for(const Place_in_space& p : points)
+      if(are_finite(p))
+        add(p);
     longest_side = low[0] <= high[0] ? maximum_distance(low, high) : 0;
   }
 
-  Soup_coordinates low;
   double longest_side;
 };
 
@@ -198,7 +191,7 @@ struct Soup_box
 class Near_points
 {
 public:
-  Near_points(const std::vector<Soup_coordinates>& points, double distance)
+  Near_points(const std::vector<Place_in_space>& points, double distance)
     : m_points(points)
     , m_box(points)
     , m_distance(distance)
@@ -211,12 +204,12 @@ public:
 
   /* Calls `use(i, distance)` for each point near the given one. */
   template <class Function>
-  void for_each(const Soup_coordinates& place, const Function& use) const
+  void for_each(const Place_in_space& place, const Function& use) const
   {
-    const Soup_coordinates c = cell(place);
+    const Place_in_space c = cell(place);
     for(double x : {c[0] - 1, c[0], c[0] + 1})
       for(double y : {c[1] - 1, c[1], c[1] + 1}) {
-        const std::pair<Soup_coordinates, std::size_t> first = {{{x, y, c[2] - 1}}, 0};
+        const std::pair<Place_in_space, std::size_t> first = {{{x, y, c[2] - 1}}, 0};
         for(auto it = std::lower_bound(m_cells.begin(), m_cells.end(), first);
             it != m_cells.end() && it->first[0] == x && it->first[1] == y && it->first[2] <= c[2] + 1; ++it)
           if(const double distance = maximum_distance(place, m_points[it->second]); distance <= m_distance)
@@ -227,16 +220,16 @@ public:
 private:
   static constexpr double cell_size = 2; // the error of a rounded quotient is less than half of this
 
-  Soup_coordinates cell(const Soup_coordinates& p) const
+  Place_in_space cell(const Place_in_space& p) const
   {
     const auto number = [&](int k) { return m_size > 0 ? std::floor((p[k] - m_box.low[k]) / m_size) : 0; };
     return {{number(0), number(1), number(2)}};
   }
 
-  const std::vector<Soup_coordinates>& m_points;
+  const std::vector<Place_in_space>& m_points;
   Soup_box m_box;
   double m_distance, m_size;
-  std::vector<std::pair<Soup_coordinates, std::size_t>> m_cells;
+  std::vector<std::pair<Place_in_space, std::size_t>> m_cells;
 };
 
 /*
@@ -247,10 +240,10 @@ private:
 template <class Point_3>
 std::size_t weld_points(std::vector<Point_3>& points, double tolerance)
 {
-  std::vector<Soup_coordinates> places;
+  std::vector<Place_in_space> places;
   std::vector<std::size_t> numbers; // of finite points
   for(std::size_t i = 0; i < points.size(); ++i)
-    if(const Soup_coordinates p = soup_coordinates(points[i]); are_finite(p)) {
+    if(const Place_in_space p = soup_coordinates(points[i]); are_finite(p)) {
       places.push_back(p);
       numbers.push_back(i);
     }
@@ -331,8 +324,7 @@ private:
   double distance_to_nearest(std::size_t i, const Near_points& tails, double distance) const
   {
     double result = std::numeric_limits<double>::infinity();
-    const auto measure = [&](std::size_t j, double at_one_end, const Soup_coordinates& end,
-                             const Soup_coordinates& other) {
+    const auto measure = [&](std::size_t j, double at_one_end, const Place_in_space& end, const Place_in_space& other) {
       if(is_long(i, distance) && is_long(j, distance) && !is_in_same_place(i, j))
         result = (std::min)(result, (std::max)(at_one_end, maximum_distance(end, other)));
     };
@@ -355,7 +347,7 @@ private:
 
   const Soup& m_soup;
   std::vector<Edge> m_edges;
-  std::vector<Soup_coordinates> m_tails, m_heads;
+  std::vector<Place_in_space> m_tails, m_heads;
 };
 
 /*
@@ -410,32 +402,18 @@ private:
     return result;
   }
 
-  std::array<double, 3> coordinates(std::size_t v) const
-  {
-    const auto& p = m_soup.point(v);
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  }
-
   // Twice the vector area of a triangle.
-  std::array<double, 3> area(std::size_t u, std::size_t v, std::size_t w) const
+  Place_in_space area(std::size_t u, std::size_t v, std::size_t w) const
   {
-    const auto p = coordinates(u), q = coordinates(v), r = coordinates(w);
-    std::array<double, 3> result;
-    for(int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      result[k] = (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
-    }
-    return result;
+    const Place_in_space p = soup_coordinates(m_soup.point(u));
+    return cross(difference(soup_coordinates(m_soup.point(v)), p), difference(soup_coordinates(m_soup.point(w)), p));
   }
 
   // The diagonal for which both halves have a large area and the same orientation, as CGAL chooses it.
   std::vector<Triangle> halves(const Corners& c) const
   {
-    const auto product = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
-      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    };
-    const double first = product(area(c[0], c[1], c[2]), area(c[0], c[2], c[3]));
-    const double second = product(area(c[0], c[1], c[3]), area(c[1], c[2], c[3]));
+    const double first = dot(area(c[0], c[1], c[2]), area(c[0], c[2], c[3]));
+    const double second = dot(area(c[0], c[1], c[3]), area(c[1], c[2], c[3]));
     if(second > first)
       return {{c[0], c[1], c[3]}, {c[1], c[2], c[3]}};
     return {{c[0], c[1], c[2]}, {c[0], c[2], c[3]}};

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 
 #include <algorithm>
 #include <cmath>

@@ -288,6 +288,20 @@ inline Integer without_squares(Integer n)
   return n;
 }
 
+/* A corner of a face as a complex number. */
+template <class NT>
+struct Exact_corner
+{
+  NT x, y;
+};
+
+/* The halfedges that are new or in another face after the flip of the edge of h and t. */
+template <class Halfedge_geometry>
+struct Flipped_faces
+{
+  Halfedge_geometry h, t, tn, tp;
+};
+
 /*
  * Squared lengths L, and S = 4 area of each face in units of the area unit. Flips stay in the field of the input's
  * numbers, and the numbers of an edge are independent of the flips that led to it. For exact numbers only: rounded
@@ -309,16 +323,8 @@ public:
     int generation;
   };
 
-  struct Flipped_geometry
-  {
-    Halfedge_geometry h, t, tn, tp;
-  };
-
-  struct Corner
-  {
-    NT x, y;
-  };
-
+  using Corner = Exact_corner<NT>;
+  using Flipped_geometry = Flipped_faces<Halfedge_geometry>;
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
   static Face_geometry face(const Vector_3& u, const Vector_3& v, const Vector_3& w, const NT& quadrupled_area)
@@ -413,16 +419,8 @@ public:
     NT x, y, scale;
   };
 
-  struct Flipped_geometry
-  {
-    Halfedge_geometry h, t, tn, tp;
-  };
-
-  struct Corner
-  {
-    NT x, y;
-  };
-
+  using Corner = Exact_corner<NT>;
+  using Flipped_geometry = Flipped_faces<Halfedge_geometry>;
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
   static Face_geometry face(const Vector_3& u, const Vector_3& v, const Vector_3& w, const NT& quadrupled_area)

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_COMPARISON_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_COMPARISON_H
 
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
-#include <CGAL/Flip_geodesics/internal/surface/metric_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/planar_sine.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>

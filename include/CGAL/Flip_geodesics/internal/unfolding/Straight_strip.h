@@ -259,30 +259,17 @@ public:
   /* Examines the line of an edge sequence whose strip is available in doubles. */
   bool operator()(const Edge_sequence& sequence, const Strip_in_double& strip) const
   {
-    Strip_obstacle obstacle;
-    return is_inside_face(sequence) || is_straight(sequence, strip, obstacle);
+    return is_inside_face(sequence) || is_straight(sequence, strip, nullptr, nullptr);
   }
 
-  /* Examines the line of an edge sequence, which need not be that of an edge of the triangulation. */
-  bool operator()(const Edge_sequence& sequence) const
+  /* Examines the line of an edge sequence, which need not be that of an edge of the triangulation. Determines the
+   * obstacle if it is not locally shortest, and the ends of crossed edges on the line, if these are requested. */
+  bool operator()(const Edge_sequence& sequence, Strip_obstacle* obstacle = nullptr,
+                  Line_contacts* contacts = nullptr) const
   {
-    Strip_obstacle obstacle;
-    return (*this)(sequence, obstacle);
-  }
-
-  /* Examines the line of an edge sequence and, if it is not locally shortest, determines the obstacle. */
-  bool operator()(const Edge_sequence& sequence, Strip_obstacle& obstacle) const
-  {
-    if(!is_strip(sequence))
-      return false;
-    return is_inside_face(sequence) || is_straight(sequence, Strip_in_double(m_triangulation, sequence), obstacle);
-  }
-
-  /* Examines the line of an edge sequence that crosses edges, and determines the ends of crossed edges on the line. */
-  bool operator()(const Edge_sequence& sequence, Line_contacts& contacts) const
-  {
-    Strip_obstacle obstacle;
-    return is_strip(sequence) && is_straight(sequence, Strip_in_double(m_triangulation, sequence), obstacle, &contacts);
+    return is_strip(sequence) &&
+           (is_inside_face(sequence) ||
+            is_straight(sequence, Strip_in_double(m_triangulation, sequence), obstacle, contacts));
   }
 
 private:
@@ -291,15 +278,20 @@ private:
     return sequence.along == null_index && sequence.crossed.empty();
   }
 
-  bool is_straight(const Edge_sequence& sequence, const Strip_in_double& strip, Strip_obstacle& obstacle,
-                   Line_contacts* contacts = nullptr) const
+  bool is_straight(const Edge_sequence& sequence, const Strip_in_double& strip, Strip_obstacle* obstacle,
+                   Line_contacts* contacts) const
   {
     Touched touched(m_triangulation, sequence.tail, sequence.head, strip.length(), m_statistics);
+    Strip_obstacle found;
+    bool is_inside_strip = true;
     if(sequence.along != null_index)
       add_edge_along(sequence, touched);
-    else if(!is_inside(sequence, strip, touched, obstacle, contacts))
-      return false;
-    return touched.are_passed_straight(obstacle);
+    else
+      is_inside_strip = is_inside(sequence, strip, touched, found, contacts);
+    const bool result = is_inside_strip && touched.are_passed_straight(found);
+    if(obstacle != nullptr)
+      *obstacle = found;
+    return result;
   }
 
   /* The sides of the line on which the ends of a portal lie. POSITIVE is the right side. */
