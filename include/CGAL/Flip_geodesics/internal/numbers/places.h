@@ -42,160 +42,6 @@ std::array<Number, 3> difference(const std::array<Number, 3>& u, const std::arra
   return {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
 }
 
-/*
- * Computes the exact sign of the determinant of the vectors from one place to N others. The predicates of CGAL's kernels
- * do the same, but include the number types for which CGAL was configured.
- *
- * The determinant is evaluated in double with an error bound, then in double-double arithmetic. Undecided determinants
- * are mostly zero, which a sum of doubles proves if the vectors are doubles, and integers otherwise.
- */
-template <std::size_t N>
-class Orientation_of_places
-{
-  static_assert(N == 2 || N == 3, "in the plane or in space");
-
-  template <class Number>
-  using Matrix = std::array<std::array<Number, N>, N>;
-
-public:
-  using Place = std::array<double, N>;
-
-  /* Takes the first place and the N others. */
-  Sign operator()(const std::array<Place, N + 1>& places) const
-  {
-    const Matrix<double> vectors = differences<double>(places, [](double a, double b) { return a - b; });
-    const double size = error_scale(vectors), value = determinant(vectors);
-    if(std::abs(value) > determinant_error * size + underflow_of_products)
-      return value > 0 ? POSITIVE : NEGATIVE;
-    if(has_zero_column(vectors))
-      return ZERO;
-    if(are_short(places))
-      return sign_of(value);
-    const auto precise_vectors =
-        differences<Double_double>(places, [](double a, double b) { return exact_sum(a, -b); });
-    const double precise_value = determinant(precise_vectors).high;
-    if(std::abs(precise_value) > 8 * double_double_error * size + underflow_of_products)
-      return precise_value > 0 ? POSITIVE : NEGATIVE;
-    return are_doubles(precise_vectors) ? sign_of_sum(vectors) : sign_of_integer(places);
-  }
-
-  /* Computes the sign for places with integer coordinates. */
-  static Sign of_integers(const std::array<std::array<Integer, N>, N + 1>& places)
-  {
-    const auto vectors =
-        differences<Integer>(places, [](const Integer& a, const Integer& b) { return Integer(a - b); });
-    return sign_of(determinant(vectors).sign());
-  }
-
-private:
-  static Sign sign_of(double x) { return x > 0 ? POSITIVE : (x < 0 ? NEGATIVE : ZERO); }
-
-  template <class Number, class Places, class Difference>
-  static Matrix<Number> differences(const Places& places, Difference difference)
-  {
-    Matrix<Number> result;
-    for(std::size_t i = 0; i < N; ++i)
-      for(std::size_t k = 0; k < N; ++k)
-        result[i][k] = difference(places[i + 1][k], places[0][k]);
-    return result;
-  }
-
-  // Returns whether a product of three such numbers neither overflows nor loses its last bit.
-  static bool has_exact_products(double x)
-  {
-    return x == 0 || (std::abs(x) > least_of_three_factors && std::abs(x) < greatest_of_three_factors);
-  }
-
-  static bool are_doubles(const Matrix<Double_double>& vectors)
-  {
-    for(const auto& row : vectors)
-      for(const Double_double& x : row)
-        if(x.low != 0 || !has_exact_products(x.high))
-          return false;
-    return true;
-  }
-
-  // Returns whether all coordinates are multiples of one unit, by factors of at most 2^15. No operation is then rounded:
-  // neither differences nor, with six products below 2^48, the determinant. Adding a large number rounds to such a unit.
-  static bool are_short(const std::array<Place, N + 1>& places)
-  {
-    double largest = 0;
-    for(const Place& place : places)
-      for(double x : place)
-        largest = (std::max)(largest, std::abs(x));
-    if(!(largest > least_unscaled && largest < greatest_unscaled))
-      return false;
-    const double shift = largest * short_coordinate_shift;
-    for(const Place& place : places)
-      for(double x : place)
-        if((x + shift) - shift != x)
-          return false;
-    return true;
-  }
-
-  // For example, if all faces lie in a plane along two axes.
-  static bool has_zero_column(const Matrix<double>& v)
-  {
-    for(std::size_t k = 0; k < N; ++k)
-      if(std::all_of(v.begin(), v.end(), [k](const Place& row) { return row[k] == 0; }))
-        return true;
-    return false;
-  }
-
-  // Leibniz' formula, with pairs of products subtracted, as in the determinant, or added.
-  template <class Number, class Operation>
-  static Number sum_of_products(const Matrix<Number>& v, Operation of)
-  {
-    if constexpr(N == 2)
-      return of(v[0][0] * v[1][1], v[0][1] * v[1][0]);
-    else
-      return v[0][0] * of(v[1][1] * v[2][2], v[1][2] * v[2][1]) + v[0][1] * of(v[1][2] * v[2][0], v[1][0] * v[2][2]) +
-             v[0][2] * of(v[1][0] * v[2][1], v[1][1] * v[2][0]);
-  }
-
-  template <class Number>
-  static Number determinant(const Matrix<Number>& v)
-  {
-    return sum_of_products(v, [](const Number& a, const Number& b) { return Number(a - b); });
-  }
-
-  // The size to which errors of the determinant are relative; infinite if a tiny product that lost its digits may be
-  // multiplied by a huge number.
-  static double error_scale(const Matrix<double>& v)
-  {
-    Matrix<double> sizes;
-    for(std::size_t i = 0; i < N; ++i)
-      for(std::size_t k = 0; k < N; ++k)
-        sizes[i][k] = std::abs(v[i][k]);
-    for(double x : sizes[0])
-      if(!(x < greatest_of_three_factors))
-        return std::numeric_limits<double>::infinity();
-    return sum_of_products(sizes, [](double a, double b) { return a + b; });
-  }
-
-  static Sign sign_of_sum(const Matrix<double>& v)
-  {
-    Exact_sum<4 * 6> sum;
-    for(std::size_t i = 0; i < N; ++i) {
-      const std::size_t j = (i + 1) % N, k = (i + 2) % N;
-      if constexpr(N == 2) {
-        sum.add_product(i == 0 ? v[0][i] : -v[0][i], v[1][j]);
-      } else {
-        sum.add_product(v[1][j], v[2][k], v[0][i]);
-        sum.add_product(-v[1][k], v[2][j], v[0][i]);
-      }
-    }
-    return sum.sign();
-  }
-
-  static Sign sign_of_integer(const std::array<Place, N + 1>& places)
-  {
-    std::array<std::array<Integer, N>, N + 1> points;
-    to_integers(places.front().data(), N * (N + 1), points.front().data());
-    return of_integers(points);
-  }
-};
-
 using Place_in_space = std::array<double, 3>;
 
 /* The bounding box of places; at first that of none. */
@@ -336,33 +182,141 @@ inline std::array<Double_double, 3> precise_difference(const Rational_place& p, 
   return result;
 }
 
+/*
+ * Computes the exact sign of the determinant of the vectors from one place to three others. The predicates of CGAL's
+ * kernels do the same, but include the number types for which CGAL was configured.
+ *
+ * The determinant is evaluated in double with an error bound, then in double-double arithmetic. Undecided determinants
+ * are mostly zero, which a sum of doubles proves if the vectors are doubles, and integers otherwise.
+ */
+class Orientation_of_places
+{
+  template <class Number>
+  using Matrix = std::array<std::array<Number, 3>, 3>;
+  using Places = std::array<Place_in_space, 4>;
+
+public:
+  Sign operator()(const Places& p) const
+  {
+    const Matrix<double> vectors = {difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0])};
+    const double size = error_scale(vectors), value = determinant(vectors);
+    if(std::abs(value) > determinant_error * size + underflow_of_products)
+      return value > 0 ? POSITIVE : NEGATIVE;
+    if(has_zero_column(vectors))
+      return ZERO;
+    if(are_short(p))
+      return sign_of(value);
+    const Matrix<Double_double> precise_vectors = {precise_difference(p[0], p[1]), precise_difference(p[0], p[2]),
+                                                   precise_difference(p[0], p[3])};
+    const double precise_value = determinant(precise_vectors).high;
+    if(std::abs(precise_value) > 8 * double_double_error * size + underflow_of_products)
+      return precise_value > 0 ? POSITIVE : NEGATIVE;
+    return are_doubles(precise_vectors) ? sign_of_sum(vectors) : of_integers(to_integers(p));
+  }
+
+  /* Computes the sign for places with integer coordinates. */
+  static Sign of_integers(const std::array<std::array<Integer, 3>, 4>& p)
+  {
+    const Matrix<Integer> vectors = {difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0])};
+    return static_cast<Sign>(determinant(vectors).sign());
+  }
+
+private:
+  static Sign sign_of(double x) { return x > 0 ? POSITIVE : (x < 0 ? NEGATIVE : ZERO); }
+
+  // Returns whether a product of three such numbers neither overflows nor loses its last bit.
+  static bool has_exact_products(double x)
+  {
+    return x == 0 || (std::abs(x) > least_of_three_factors && std::abs(x) < greatest_of_three_factors);
+  }
+
+  static bool are_doubles(const Matrix<Double_double>& vectors)
+  {
+    for(const auto& row : vectors)
+      for(const Double_double& x : row)
+        if(x.low != 0 || !has_exact_products(x.high))
+          return false;
+    return true;
+  }
+
+  // Returns whether all coordinates are multiples of one unit, by factors of at most 2^15. No operation is then rounded:
+  // neither differences nor, with six products below 2^48, the determinant. Adding a large number rounds to such a unit.
+  static bool are_short(const Places& places)
+  {
+    double largest = 0;
+    for(const Place_in_space& place : places)
+      for(double x : place)
+        largest = (std::max)(largest, std::abs(x));
+    if(!(largest > least_unscaled && largest < greatest_unscaled))
+      return false;
+    const double shift = largest * short_coordinate_shift;
+    for(const Place_in_space& place : places)
+      for(double x : place)
+        if((x + shift) - shift != x)
+          return false;
+    return true;
+  }
+
+  // For example, if all faces lie in a plane along two axes.
+  static bool has_zero_column(const Matrix<double>& v)
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+      if(std::all_of(v.begin(), v.end(), [k](const Place_in_space& row) { return row[k] == 0; }))
+        return true;
+    return false;
+  }
+
+  // Leibniz' formula, with pairs of products subtracted, as in the determinant, or added.
+  template <class Number, class Operation>
+  static Number sum_of_products(const Matrix<Number>& v, Operation of)
+  {
+    return v[0][0] * of(v[1][1] * v[2][2], v[1][2] * v[2][1]) + v[0][1] * of(v[1][2] * v[2][0], v[1][0] * v[2][2]) +
+           v[0][2] * of(v[1][0] * v[2][1], v[1][1] * v[2][0]);
+  }
+
+  template <class Number>
+  static Number determinant(const Matrix<Number>& v)
+  {
+    return sum_of_products(v, [](const Number& a, const Number& b) { return Number(a - b); });
+  }
+
+  // The size to which errors of the determinant are relative; infinite if a tiny product that lost its digits may be
+  // multiplied by a huge number.
+  static double error_scale(const Matrix<double>& v)
+  {
+    Matrix<double> sizes;
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t k = 0; k < 3; ++k)
+        sizes[i][k] = std::abs(v[i][k]);
+    for(double x : sizes[0])
+      if(!(x < greatest_of_three_factors))
+        return std::numeric_limits<double>::infinity();
+    return sum_of_products(sizes, [](double a, double b) { return a + b; });
+  }
+
+  static Sign sign_of_sum(const Matrix<double>& v)
+  {
+    Exact_sum<4 * 6> sum;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      sum.add_product(v[1][j], v[2][k], v[0][i]);
+      sum.add_product(-v[1][k], v[2][j], v[0][i]);
+    }
+    return sum.sign();
+  }
+};
+
 /* Returns the orientation of four places in space. */
 inline Sign orientation(const Place_in_space& p, const Place_in_space& q, const Place_in_space& r,
                         const Place_in_space& s)
 {
-  return Orientation_of_places<3>()({p, q, r, s});
+  return Orientation_of_places()({p, q, r, s});
 }
 
 inline Sign orientation(const Rational_place& p, const Rational_place& q, const Rational_place& r,
                         const Rational_place& s)
 {
-  return Orientation_of_places<3>::of_integers(to_integers(std::array<Rational_place, 4>{p, q, r, s}));
-}
-
-/* Returns the orientation of three places as seen along an axis. */
-inline Sign orientation_along(std::size_t axis, const Place_in_space& p, const Place_in_space& q,
-                              const Place_in_space& r)
-{
-  const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
-  return Orientation_of_places<2>()({{{p[x], p[y]}, {q[x], q[y]}, {r[x], r[y]}}});
-}
-
-inline Sign orientation_along(std::size_t axis, const Rational_place& p, const Rational_place& q,
-                              const Rational_place& r)
-{
-  const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
-  const auto c = to_integers(std::array<Rational_place, 3>{p, q, r});
-  return Orientation_of_places<2>::of_integers({{{c[0][x], c[0][y]}, {c[1][x], c[1][y]}, {c[2][x], c[2][y]}}});
+  return Orientation_of_places::of_integers(to_integers(std::array<Rational_place, 4>{p, q, r, s}));
 }
 
 /* Returns the vector from p to q up to a positive factor, exactly: each coordinate is a double and its rounding error, or
@@ -378,39 +332,16 @@ inline std::array<Integer, 3> exact_difference(const Rational_place& p, const Ra
   return difference(ends[1], ends[0]);
 }
 
-/* Returns whether products of two such coordinates neither overflow nor lose their last bit. */
+inline double rounded_coordinate(const Double_double& a) { return a.high; }
+inline double rounded_coordinate(const Integer& a) { return static_cast<double>(a); }
+
+/* Returns whether products of two such numbers neither overflow nor lose their last bit. */
 inline bool has_exact_products(const Double_double& a)
 {
   const auto is_in_range = [](double x) {
     return x == 0 || (std::abs(x) > least_of_two_factors && std::abs(x) < greatest_of_two_factors);
   };
   return is_in_range(a.high) && is_in_range(a.low);
-}
-inline bool has_exact_products(const Integer&) { return true; }
-
-inline double rounded_coordinate(const Double_double& a) { return a.high; }
-inline double rounded_coordinate(const Integer& a) { return static_cast<double>(a); }
-
-/* Returns the exact sign of a sum of products of two. Both factors and each product are rounded, and then the sum. \pre
- * the factors are in the range of `has_exact_products()` */
-template <std::size_t N>
-Sign sign_of_products(const std::array<std::array<Double_double, 2>, N>& factors)
-{
-  double value = 0, size = 0;
-  for(const auto& [a, b] : factors) {
-    const double product = unfused(a.high * b.high);
-    value += product;
-    size += std::abs(product);
-  }
-  if(std::abs(value) > product_sum_error * size)
-    return value > 0 ? POSITIVE : NEGATIVE;
-  Exact_sum<8 * N> sum;
-  for(const auto& [a, b] : factors)
-    for(double x : {a.low, a.high})
-      for(double y : {b.low, b.high})
-        if(x != 0 && y != 0)
-          sum.add_product(x, y);
-  return sum.sign();
 }
 
 template <std::size_t N>
@@ -420,6 +351,45 @@ Sign sign_of_products(const std::array<std::array<Integer, 2>, N>& factors)
   for(const auto& [a, b] : factors)
     sum += a * b;
   return static_cast<Sign>(sum.sign());
+}
+
+template <std::size_t N>
+Sign sign_of_integer_products(const std::array<std::array<Double_double, 2>, N>& factors)
+{
+  std::array<std::array<double, 4>, N> parts;
+  for(std::size_t i = 0; i < N; ++i)
+    parts[i] = {factors[i][0].high, factors[i][0].low, factors[i][1].high, factors[i][1].low};
+  std::array<std::array<Integer, 4>, N> n;
+  to_integers(parts.front().data(), 4 * N, n.front().data());
+  Integer sum = 0;
+  for(const auto& [a, b, c, d] : n)
+    sum += (a + b) * (c + d);
+  return static_cast<Sign>(sum.sign());
+}
+
+/* Returns the exact sign of a sum of products of two. In double, both factors and each product are rounded, and then the
+ * sum; a product that underflows errs by less than the smallest normal number. */
+template <std::size_t N>
+Sign sign_of_products(const std::array<std::array<Double_double, 2>, N>& factors)
+{
+  double value = 0, size = 0;
+  for(const auto& [a, b] : factors) {
+    const double product = unfused(a.high * b.high);
+    value += product;
+    size += std::abs(product);
+  }
+  if(std::abs(value) > product_sum_error * size + (std::numeric_limits<double>::min)())
+    return value > 0 ? POSITIVE : NEGATIVE;
+  Exact_sum<8 * N> sum;
+  for(const auto& [a, b] : factors) {
+    if(!has_exact_products(a) || !has_exact_products(b))
+      return sign_of_integer_products(factors);
+    for(double x : {a.low, a.high})
+      for(double y : {b.low, b.high})
+        if(x != 0 && y != 0)
+          sum.add_product(x, y);
+  }
+  return sum.sign();
 }
 
 /*
@@ -433,13 +403,6 @@ public:
   Exact_vector(const Place& from, const Place& to)
     : m_coordinates(exact_difference(from, to))
   {
-  }
-
-  /* Returns whether the coordinates are in the range that the functions below require. */
-  bool has_exact_products() const
-  {
-    return std::all_of(m_coordinates.begin(), m_coordinates.end(),
-                       [](const auto& x) { return internal::has_exact_products(x); });
   }
 
   /* Returns a coordinate, rounded; infinite if it is too large. */
@@ -467,6 +430,13 @@ public:
 private:
   decltype(exact_difference(std::declval<Place>(), std::declval<Place>())) m_coordinates;
 };
+
+/* Returns the orientation of three places as seen along an axis. */
+template <class Place>
+Sign orientation_along(std::size_t axis, const Place& p, const Place& q, const Place& r)
+{
+  return sign_of_cross(Exact_vector<Place>(p, q), Exact_vector<Place>(p, r), axis);
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

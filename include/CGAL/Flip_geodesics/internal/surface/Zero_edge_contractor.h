@@ -49,16 +49,16 @@ namespace internal {
  * triangles; a hole whose border has length zero is closed. Otherwise several umbrellas meet only at the point, and
  * each gets a vertex of its own.
  */
-template <class Input_mesh>
+template <class Input_mesh, class Metric>
 class Zero_edge_contractor
 {
 public:
   /* `metric.length(h)` must return the length of an edge, NaN if it has none; `metric.are_equally_long(g, h)`, whether
    * two edges have exactly the same length; `metric.is_folded(h, t)`, whether the vertices opposite to h and t, two
    * directions of one segment, coincide on it. */
-  template <class Metric>
   Zero_edge_contractor(const Input_mesh& input, const Metric& metric)
     : m_input(input)
+    , m_metric(metric)
     , m_is_zero(static_cast<std::size_t>(input.number_of_halfedges()))
   {
     const auto length = [&](Input_halfedge_index h) { return metric.length(h); };
@@ -74,8 +74,8 @@ public:
       merge(input.tail(h), input.tail(twin_index(h)));
     }
     if(m_is_needed)
-      check_needles(metric);
-    unfold(metric);
+      check_needles();
+    unfold();
   }
 
   /* Returns whether there is anything to contract. */
@@ -142,8 +142,7 @@ private:
   }
 
   // The two long sides of a needle become one, so that their lengths must agree.
-  template <class Metric>
-  void check_needles(const Metric& metric) const
+  void check_needles() const
   {
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges())) {
       if(m_is_zero[h] == 0 || is_border(h))
@@ -152,7 +151,7 @@ private:
       if(g == h)
         continue;
       const Input_halfedge_index k = next_side(g);
-      if(k == g || (next_side(k) == g && !metric.are_equally_long(g, k)))
+      if(k == g || (next_side(k) == g && !m_metric.are_equally_long(g, k)))
         throw Degenerate_face_error(
             "a face has a zero-length edge between vertices " + std::to_string(m_input.tail(h).idx()) + " and " +
                 std::to_string(m_input.tail(twin_index(h)).idx()) + ", and two of different lengths",
@@ -162,43 +161,40 @@ private:
   }
 
   // Repeats until no faces lie folded: faces that vanish let others meet.
-  template <class Metric>
-  void unfold(const Metric& metric)
+  void unfold()
   {
-    const std::vector<Input_halfedge_index> sides = longest_sides_of_flat_faces(metric);
+    const std::vector<Input_halfedge_index> sides = longest_sides_of_flat_faces();
     for(bool has_changed = !sides.empty(); has_changed;) {
       has_changed = false;
       for(Input_halfedge_index h : sides)
-        has_changed = unfold(h, sides, metric) || has_changed;
+        has_changed = unfold(h, sides) || has_changed;
     }
   }
 
   // Of all faces with three nonzero lengths, one of which is the sum of the others up to rounding errors. Sorted.
-  template <class Metric>
-  std::vector<Input_halfedge_index> longest_sides_of_flat_faces(const Metric& metric) const
+  std::vector<Input_halfedge_index> longest_sides_of_flat_faces() const
   {
     std::vector<Input_halfedge_index> result;
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges())) {
       const Input_halfedge_index hn = next(h), hp = next(hn);
       if(!is_border(h) && next(hp) == h && m_is_zero[h] + m_is_zero[hn] + m_is_zero[hp] == 0 &&
-         std::isfinite(metric.length(h)) &&
-         metric.length(h) >= (metric.length(hn) + metric.length(hp)) * (1 - length_sum_rounding))
+         std::isfinite(m_metric.length(h)) &&
+         m_metric.length(h) >= (m_metric.length(hn) + m_metric.length(hp)) * (1 - length_sum_rounding))
         result.push_back(h);
     }
     return result;
   }
 
   // Examines the faces on both sides of h, between which all faces are removed, and removes them if they lie folded.
-  template <class Metric>
-  bool unfold(Input_halfedge_index h, const std::vector<Input_halfedge_index>& sides, const Metric& metric)
+  bool unfold(Input_halfedge_index h, const std::vector<Input_halfedge_index>& sides)
   {
     if(is_gone(h))
       return false;
     const Input_halfedge_index t = far_side(h);
-    if(!std::binary_search(sides.begin(), sides.end(), t) || !metric.is_folded(h, t))
+    if(!std::binary_search(sides.begin(), sides.end(), t) || !m_metric.is_folded(h, t))
       return false;
     const Input_halfedge_index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
-    const double share = metric.length(hp) / (metric.length(hp) + metric.length(hn));
+    const double share = m_metric.length(hp) / (m_metric.length(hp) + m_metric.length(hn));
     add_fold(h, {twin_index(hp), twin_index(hn), share}, t, {twin_index(tp), twin_index(tn), 1 - share});
     for(const auto& [from, to] : {std::make_pair(h, t), std::make_pair(hn, tp), std::make_pair(hp, tn)}) {
       m_across[from] = to;
@@ -372,6 +368,7 @@ private:
   }
 
   const Input_mesh& m_input;
+  const Metric& m_metric;
   Indexed_by<Input_halfedge_index, std::vector<char>> m_is_zero;
   bool m_is_needed = false;
   std::map<Input_halfedge_index, Input_halfedge_index> m_across; // of faces that lie folded
@@ -383,7 +380,7 @@ private:
 template <class Input_mesh, class Metric>
 Input_mesh contracted(const Input_mesh& input, const Metric& metric)
 {
-  Zero_edge_contractor<Input_mesh> contractor(input, metric);
+  Zero_edge_contractor<Input_mesh, Metric> contractor(input, metric);
   Input_mesh result(input);
   if(contractor.is_needed())
     result.replace_connectivity(contractor());

@@ -223,9 +223,9 @@ private:
  *
  * The slots of block 0 are those of elements that were never used.
  *
- * If the table `IsShared`, other threads may look up slots while one thread assigns some.
+ * Other threads may look up slots while one thread assigns some.
  */
-template <std::size_t BlockSize, bool IsShared = false>
+template <std::size_t BlockSize>
 class Slot_table
 {
 public:
@@ -275,13 +275,7 @@ private:
   static std::size_t number_of_blocks(std::size_t elements) { return (elements + block_size - 1) / block_size; }
 
   // Of the slots of an element's block.
-  Index start_of(Index i) const
-  {
-    if constexpr(IsShared)
-      return load_acquire(m_starts[block(i)]);
-    else
-      return m_starts[block(i)];
-  }
+  Index start_of(Index i) const { return load_acquire(m_starts[block(i)]); }
 
   static std::size_t block(Index i) { return static_cast<std::uint32_t>(i) / block_size; }
   static std::size_t position(Index i) { return static_cast<std::uint32_t>(i) % block_size; }

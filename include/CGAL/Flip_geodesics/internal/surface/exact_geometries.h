@@ -41,9 +41,18 @@ enum class Number_kind {
   FLOATING          // rounded, of fixed precision
 };
 
-/* What is needed of a number type. The first template serves the types for which CGAL has traits. */
+/* The operations on number types known to CGAL. */
+template <class NT>
+struct Number_operations_of_cgal
+{
+  static double to_double(const NT& x) { return CGAL::to_double(x); }
+  static auto sign(const NT& x) { return CGAL::sign(x); }
+  static NT sqrt(const NT& x) { return CGAL::sqrt(x); }
+};
+
+/* The operations required of a number type. The first template is for types for which CGAL has traits. */
 template <class NT, class Enable = void>
-struct Number_operations
+struct Number_operations : Number_operations_of_cgal<NT>
 {
   using Structure = Algebraic_structure_traits<NT>;
   static constexpr bool has_roots = !std::is_same<typename Structure::Sqrt, Null_functor>::value;
@@ -51,9 +60,6 @@ struct Number_operations
       !has_roots ? Number_kind::RATIONAL
                  : (Structure::Is_exact::value ? Number_kind::EXACT_WITH_ROOTS : Number_kind::FLOATING);
 
-  static double to_double(const NT& x) { return CGAL::to_double(x); }
-  static Sign sign(const NT& x) { return CGAL::sign(x); }
-  static NT sqrt(const NT& x) { return CGAL::sqrt(x); }
   static bool is_square(const NT& x, NT& root)
   {
     constexpr bool recognizes_squares = !std::is_same<typename Structure::Is_square, Null_functor>::value;
@@ -76,13 +82,11 @@ struct Number_operations<NT, std::enable_if_t<std::is_floating_point<NT>::value>
 };
 
 template <bool Protected>
-struct Number_operations<Interval_nt<Protected>>
+struct Number_operations<Interval_nt<Protected>> : Number_operations_of_cgal<Interval_nt<Protected>>
 {
   using NT = Interval_nt<Protected>;
   static constexpr Number_kind kind = Number_kind::INTERVAL;
 
-  static double to_double(const NT& x) { return CGAL::to_double(x); }
-  static Uncertain<Sign> sign(const NT& x) { return CGAL::sign(x); }
   static NT sqrt(const NT& x) { return CGAL::sqrt(non_negative(x)); }
   static NT non_negative(const NT& x) { return NT((std::max)(x.inf(), 0.0), (std::max)(x.sup(), 0.0)); }
   static double radius(const NT& x) { return (x.sup() - x.inf()) / 2; }
@@ -90,12 +94,9 @@ struct Number_operations<Interval_nt<Protected>>
 
 template <class Coefficient, class Root, class DifferencesTag, class FilterTag>
 struct Number_operations<Sqrt_extension<Coefficient, Root, DifferencesTag, FilterTag>>
+  : Number_operations_of_cgal<Sqrt_extension<Coefficient, Root, DifferencesTag, FilterTag>>
 {
-  using NT = Sqrt_extension<Coefficient, Root, DifferencesTag, FilterTag>;
   static constexpr Number_kind kind = Number_kind::EXTENSION;
-
-  static double to_double(const NT& x) { return CGAL::to_double(x); }
-  static Sign sign(const NT& x) { return CGAL::sign(x); }
 };
 
 /* The numbers of Boost: CGAL does not know those that are rounded, nor the squares among those that are not. */
@@ -124,15 +125,13 @@ struct Number_operations<boost::multiprecision::number<Backend, Expressions>>
 
 /* Lazy numbers do what the numbers can that evaluate them; their own conversion to double returns five digits. */
 template <class ET>
-struct Number_operations<Lazy_exact_nt<ET>>
+struct Number_operations<Lazy_exact_nt<ET>> : Number_operations_of_cgal<Lazy_exact_nt<ET>>
 {
   using NT = Lazy_exact_nt<ET>;
   using Exact = Number_operations<ET>;
   static constexpr Number_kind kind = Exact::kind;
 
   static double to_double(const NT& x) { return Exact::to_double(x.exact()); }
-  static Sign sign(const NT& x) { return CGAL::sign(x); }
-  static NT sqrt(const NT& x) { return CGAL::sqrt(x); }
   static bool is_square(const NT& x, NT& root)
   {
     ET exact_root;
@@ -142,7 +141,7 @@ struct Number_operations<Lazy_exact_nt<ET>>
   }
 };
 
-/* Has a number type division? */
+/* Returns whether a number type has division. */
 template <class NT>
 constexpr bool is_field()
 {
@@ -154,7 +153,7 @@ constexpr bool is_field()
     return std::is_convertible<typename Algebraic_structure_traits<NT>::Algebraic_category, Field_tag>::value;
 }
 
-/* Ends the compilation if a number type has no division. */
+/* Fails to compile if a number type has no division. */
 template <class NT>
 constexpr bool has_division()
 {
@@ -171,8 +170,8 @@ constexpr bool is_exact_number()
 }
 
 /*
- * By what fraction of a number its sign is taken for zero. Rounded numbers use up half of their digits for errors: 1e-9
- * for double, 1e-51 for 100 digits.
+ * Returns the fraction of a number below which its sign counts as zero. Half of the digits of rounded numbers are for
+ * errors: 1e-9 for double, 1e-51 for 100 digits.
  */
 template <class NT>
 double sign_tolerance()

@@ -157,7 +157,7 @@ private:
     return result.is_certain();
   }
 
-  // Returns false if the numbers are too small or too large, or the line turns back.
+  // Returns false if the line turns back.
   bool unroll(const Line& line, Input_halfedge_index bend, Unrolled_line<Place>& result) const
   {
     result.places.push_back(place_of_tail(reference(line.sequence)));
@@ -165,13 +165,9 @@ private:
       result.places.push_back(place_of_tail(h));
     result.places.push_back(m_place_of(head(line.sequence)));
     const Exact_vector up = vector(bend), way(result.places.front(), result.places.back());
-    if(!up.has_exact_products() || !way.has_exact_products())
-      return false;
     result.height = sign_of_dot(up, way);
     for(std::size_t i = 1; i < result.places.size(); ++i) {
       const Exact_vector part(result.places[i - 1], result.places[i]);
-      if(!part.has_exact_products())
-        return false;
       const Sign side = side_of_part(up, part, i == 1 ? line.first_face : twin_index(line.bends[i - 2]));
       if(side != ZERO && side == CGAL::opposite(result.side))
         return false;
@@ -228,11 +224,7 @@ private:
     return folded > 0 || !(std::abs(height) < flat_bend * size);
   }
 
-  bool is_parallel(Input_halfedge_index g, Input_halfedge_index h) const
-  {
-    const Exact_vector u = vector(g), v = vector(h);
-    return u.has_exact_products() && v.has_exact_products() && are_parallel(u, v);
-  }
+  bool is_parallel(Input_halfedge_index g, Input_halfedge_index h) const { return are_parallel(vector(g), vector(h)); }
 
   Exact_vector vector(Input_halfedge_index h) const { return {place_of_tail(h), place_of_tail(twin_index(h))}; }
 

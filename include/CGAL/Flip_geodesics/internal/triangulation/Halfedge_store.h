@@ -285,8 +285,8 @@ public:
   }
 
 private:
-  using Halfedge_slots = Slot_table<8, true>;
-  using Vertex_slots = Slot_table<16, true>;
+  using Halfedge_slots = Slot_table<8>;
+  using Vertex_slots = Slot_table<16>;
 
   // Leaves room for some additional elements.
   template <class Slots>
