@@ -103,9 +103,9 @@ private:
 
   void list_faces()
   {
-    for(std::size_t polygon : m_soup.polygons) {
-      m_record.faces_of_polygons.emplace_back(polygon, m_record.polygon_of_face.size());
-      m_record.polygon_of_face.push_back(polygon);
+    for(const Soup_triangle& triangle : m_soup.triangles) {
+      m_record.faces_of_polygons.emplace_back(triangle.polygon, m_record.polygon_of_face.size());
+      m_record.polygon_of_face.push_back(triangle.polygon);
     }
   }
 

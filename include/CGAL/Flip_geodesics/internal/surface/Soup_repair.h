@@ -34,6 +34,13 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* A triangle of a soup, with the number of its polygon, and whether its orientation is opposite to that one's. */
+struct Soup_triangle : std::array<std::size_t, 3>
+{
+  std::size_t polygon = 0;
+  bool is_reversed = false;
+};
+
 /*
  * The triangles on which a repair works. A vertex is a point of the input, with the same number, or a copy of one,
  * numbered after them. Coincident vertices have the same `place`, the least number of a coincident point.
@@ -60,17 +67,12 @@ struct Triangle_soup
   std::size_t place(std::size_t v) const { return places[origins[v]]; }
   const Point_3& point(std::size_t v) const { return points[origins[v]]; }
 
-  void add(const Triangle& triangle, std::size_t polygon)
-  {
-    triangles.push_back(triangle);
-    polygons.push_back(polygon);
-    is_reversed.push_back(0);
-  }
+  void add(const Triangle& triangle, std::size_t polygon) { triangles.push_back({triangle, polygon, false}); }
 
   void reverse(std::size_t t)
   {
     std::reverse(triangles[t].begin(), triangles[t].end());
-    is_reversed[t] ^= 1;
+    triangles[t].is_reversed = !triangles[t].is_reversed;
   }
 
   bool is_collinear(const Triangle& t) const
@@ -82,28 +84,17 @@ struct Triangle_soup
   void remove(const std::vector<char>& is_dropped)
   {
     std::size_t kept = 0;
-    for(std::size_t t = 0; t < triangles.size(); ++t) {
-      if(is_dropped[t] != 0)
-        continue;
-      triangles[kept] = triangles[t];
-      polygons[kept] = polygons[t];
-      is_reversed[kept++] = is_reversed[t];
-    }
+    for(std::size_t t = 0; t < triangles.size(); ++t)
+      if(is_dropped[t] == 0)
+        triangles[kept++] = triangles[t];
     triangles.resize(kept);
-    polygons.resize(kept);
-    is_reversed.resize(kept);
   }
 
   /* Stable. */
   void sort_by_polygon()
   {
-    std::vector<std::size_t> order(triangles.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [this](std::size_t s, std::size_t t) { return polygons[s] < polygons[t]; });
-    permute(triangles, order);
-    permute(polygons, order);
-    permute(is_reversed, order);
+    std::stable_sort(triangles.begin(), triangles.end(),
+                     [](const Soup_triangle& s, const Soup_triangle& t) { return s.polygon < t.polygon; });
   }
 
   /* Returns the vertex into which v was merged. */
@@ -118,21 +109,9 @@ struct Triangle_soup
   std::vector<std::size_t> places;   // for each point, none if it is not finite
   std::vector<std::size_t> origins;  // for each vertex its point
   std::vector<std::size_t> merged_into;
-  std::vector<Triangle> triangles;
-  std::vector<std::size_t> polygons; // for each triangle
-  std::vector<char> is_reversed;
+  std::vector<Soup_triangle> triangles;
 
 private:
-  template <class Value>
-  static void permute(std::vector<Value>& values, const std::vector<std::size_t>& order)
-  {
-    std::vector<Value> result;
-    result.reserve(order.size());
-    for(std::size_t i : order)
-      result.push_back(values[i]);
-    values = std::move(result);
-  }
-
   static bool is_finite_point(const Point_3& p)
   {
     return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z());
@@ -871,10 +850,9 @@ private:
       m_record.add(Repair::DEGENERATE_FACES_FLIPPED);
     Euler::flip_edge(h, m_mesh);
     --m_flips_left;
-    m_soup.polygons[f] = m_soup.polygons[g];
-    m_soup.is_reversed[f] = m_soup.is_reversed[g];
+    m_soup.triangles[f] = m_soup.triangles[g];
     for(const Face face : {f, g}) {
-      m_soup.triangles[face] = corners(m_mesh, face);
+      static_cast<typename Soup::Triangle&>(m_soup.triangles[face]) = corners(m_mesh, face);
       m_stack.push_back(face);
     }
   }
@@ -919,13 +897,13 @@ class Orientation_recorder : public Polygon_mesh_processing::Default_orientation
 public:
   using Edge = std::pair<std::size_t, std::size_t>;
 
-  Orientation_recorder(std::vector<char>& is_reversed, std::vector<Edge>& edges)
-    : m_is_reversed(&is_reversed)
+  Orientation_recorder(std::vector<Soup_triangle>& triangles, std::vector<Edge>& edges)
+    : m_triangles(&triangles)
     , m_edges(&edges)
   {
   }
 
-  void polygon_orientation_reversed(std::size_t t) { (*m_is_reversed)[t] ^= 1; }
+  void polygon_orientation_reversed(std::size_t t) { (*m_triangles)[t].is_reversed = !(*m_triangles)[t].is_reversed; }
 
   void non_manifold_edge(std::size_t u, std::size_t v, std::size_t)
   {
@@ -933,7 +911,7 @@ public:
   }
 
 private:
-  std::vector<char>* m_is_reversed;
+  std::vector<Soup_triangle>* m_triangles;
   std::vector<Edge>* m_edges;
 };
 
@@ -964,7 +942,7 @@ public:
 
   void operator()()
   {
-    std::vector<Triangle> before;
+    std::vector<Soup_triangle> before;
     do {
       before = m_soup.triangles;
       apply_round();
@@ -1087,33 +1065,31 @@ private:
   // with the least place first, since CGAL's choice between conflicting neighbors depends on the first corner.
   void align_parts()
   {
-    std::vector<Triangle> triangles = m_soup.triangles;
-    for(Triangle& triangle : triangles) {
+    std::vector<Soup_triangle> triangles = m_soup.triangles;
+    for(Soup_triangle& triangle : triangles) {
       for(std::size_t& v : triangle)
         v = m_soup.place(v);
       std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+      triangle.is_reversed = false;
     }
     std::vector<std::size_t> vertices(m_soup.points.size(), 0);
-    std::vector<char> is_reversed(triangles.size(), 0);
     std::vector<Edge> ignored;
     Polygon_mesh_processing::orient_polygon_soup(vertices, triangles,
-                                                 CGAL::parameters::visitor(Orientation_recorder(is_reversed, ignored)));
+                                                 CGAL::parameters::visitor(Orientation_recorder(triangles, ignored)));
     for(std::size_t t = 0; t < triangles.size(); ++t)
-      if(is_reversed[t] != 0)
+      if(triangles[t].is_reversed)
         m_soup.reverse(t);
   }
 
   // The alignment of parts serves only the stitching: if nothing is stitched, the original orientations are kept.
   void stitch()
   {
-    const std::vector<Triangle> triangles = m_soup.triangles;
-    const std::vector<char> is_reversed = m_soup.is_reversed;
+    const std::vector<Soup_triangle> triangles = m_soup.triangles;
     align_parts();
     orient();
     if(Soup_stitcher<Kernel>(m_soup)())
       return;
     m_soup.triangles = triangles;
-    m_soup.is_reversed = is_reversed;
   }
 
   // Orients and cuts apart. Vertices added by this are appended to the origins, as copies.
@@ -1121,7 +1097,7 @@ private:
   {
     std::vector<Edge> edges;
     Polygon_mesh_processing::orient_polygon_soup(
-        m_soup.origins, m_soup.triangles, CGAL::parameters::visitor(Orientation_recorder(m_soup.is_reversed, edges)));
+        m_soup.origins, m_soup.triangles, CGAL::parameters::visitor(Orientation_recorder(m_soup.triangles, edges)));
     for(const Edge& e : edges) {
       const auto ends = std::minmax(m_soup.origins[e.first], m_soup.origins[e.second]);
       m_edges.emplace_back(ends.first, ends.second);
@@ -1133,13 +1109,14 @@ private:
   // CGAL orients a component like its first triangle, which may reverse all others.
   void keep_most_orientations()
   {
-    if(std::count(m_soup.is_reversed.begin(), m_soup.is_reversed.end(), 1) == 0)
+    if(std::none_of(m_soup.triangles.begin(), m_soup.triangles.end(),
+                    [](const Soup_triangle& t) { return t.is_reversed; }))
       return;
     Soup_mesh<Kernel> mesh = make_soup_mesh(m_soup);
     const std::vector<std::size_t> components = face_components(mesh);
     std::vector<std::size_t> kept(components.size(), 0), reversed(components.size(), 0);
     for(std::size_t t = 0; t < components.size(); ++t)
-      ++(m_soup.is_reversed[t] != 0 ? reversed : kept)[components[t]];
+      ++(m_soup.triangles[t].is_reversed ? reversed : kept)[components[t]];
     for(std::size_t t = 0; t < components.size(); ++t)
       if(reversed[components[t]] > kept[components[t]])
         m_soup.reverse(t);
@@ -1151,9 +1128,9 @@ private:
     m_record.add(Repair::EDGES_CUT,
                  static_cast<std::size_t>(std::unique(m_edges.begin(), m_edges.end()) - m_edges.begin()));
     std::vector<std::size_t> reversed;
-    for(std::size_t t = 0; t < m_soup.triangles.size(); ++t)
-      if(m_soup.is_reversed[t] != 0)
-        reversed.push_back(m_soup.polygons[t]);
+    for(const Soup_triangle& triangle : m_soup.triangles)
+      if(triangle.is_reversed)
+        reversed.push_back(triangle.polygon);
     std::sort(reversed.begin(), reversed.end());
     m_record.add(Repair::POLYGONS_REVERSED,
                  static_cast<std::size_t>(std::unique(reversed.begin(), reversed.end()) - reversed.begin()));

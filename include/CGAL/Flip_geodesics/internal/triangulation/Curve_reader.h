@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -236,17 +235,10 @@ private:
   double diagonal()
   {
     if(m_diagonal < 0) {
-      Place_in_space low, high;
-      low.fill(std::numeric_limits<double>::infinity());
-      high.fill(-std::numeric_limits<double>::infinity());
-      for(const auto v : vertices(m_mesh)) {
-        const Place_in_space p = half_of(get(m_points, v));
-        for(std::size_t i = 0; i < 3; ++i) {
-          low[i] = (std::min)(low[i], p[i]);
-          high[i] = (std::max)(high[i], p[i]);
-        }
-      }
-      const Place_in_space d = difference(high, low);
+      Bounding_box box;
+      for(const auto v : vertices(m_mesh))
+        box.add(half_of(get(m_points, v)));
+      const Place_in_space d = difference(box.high, box.low);
       m_diagonal = std::hypot(d[0], d[1], d[2]);
     }
     return m_diagonal;
