@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_CURVE_POINT_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>

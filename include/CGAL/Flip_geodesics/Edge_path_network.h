@@ -10,7 +10,6 @@
 #include <CGAL/Flip_geodesics/internal/network/Bundle_order_search.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/network/network_parts.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>

@@ -9,10 +9,10 @@
 #include <CGAL/Flip_geodesics/internal/distances/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/surface_points.h>

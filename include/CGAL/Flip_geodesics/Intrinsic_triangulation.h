@@ -9,11 +9,10 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Zero_edge_contractor.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>

@@ -9,8 +9,8 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Edge_sequences_of_places.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_angle.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>

@@ -9,9 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 

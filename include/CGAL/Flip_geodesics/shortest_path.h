@@ -22,7 +22,6 @@
 #include <CGAL/Flip_geodesics/internal/shortest/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Split_triangulation.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>

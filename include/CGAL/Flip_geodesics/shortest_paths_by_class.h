@@ -14,7 +14,6 @@
 #include <CGAL/Flip_geodesics/internal/shortest/Split_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/topology/Class_paths.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Split_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>

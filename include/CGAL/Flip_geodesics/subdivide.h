@@ -7,9 +7,9 @@
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay_layout.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>

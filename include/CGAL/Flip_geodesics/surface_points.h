@@ -6,9 +6,9 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Nearest_face.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <CGAL/Iterator_range.h>

@@ -7,8 +7,8 @@
 #include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Logarithm_everywhere.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>

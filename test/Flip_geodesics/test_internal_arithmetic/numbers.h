@@ -14,7 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>

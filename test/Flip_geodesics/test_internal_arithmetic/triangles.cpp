@@ -5,7 +5,7 @@
 #include "test_internal_arithmetic/numbers.h"
 
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
 
 using namespace Flip_geodesics_test;

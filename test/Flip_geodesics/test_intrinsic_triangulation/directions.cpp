@@ -6,7 +6,6 @@
 
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>

@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 

@@ -9,7 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,6 @@
 #include <CGAL/Flip_geodesics/internal/io/Figure.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <CGAL/Named_function_parameters.h>

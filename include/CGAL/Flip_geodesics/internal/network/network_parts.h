@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <CGAL/enum.h>
 

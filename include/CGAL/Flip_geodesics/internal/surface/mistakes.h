@@ -26,6 +26,7 @@ namespace Flip_geodesics {
 
 enum class Stop_decision;
 struct Shortening_step;
+struct Surface_location;
 
 namespace internal {
 
@@ -422,6 +423,28 @@ constexpr bool is_intrinsic_triangulation()
 #undef CGAL_FLIP_GEODESICS_MAKES_FUNCTOR
 #undef CGAL_FLIP_GEODESICS_HAS_TYPE
 #undef CGAL_FLIP_GEODESICS_HAS
+
+struct Known_piece;
+
+/*
+ * The members of the library's own classes that it uses beyond their documentation. The header of such a class
+ * specializes this template. Other models of a concept provide only what the concept requires, and the library works
+ * without the rest.
+ */
+template <class Model>
+struct Internals
+{
+  static constexpr bool has_exact_faces = false;     // provides exact_face()
+  static constexpr bool has_precise_numbers = false; // provides precise_edge(), precise_halfedge() and flat_edges()
+  static constexpr bool has_usable_faces = false;    // provides is_usable_face()
+
+  /* Inserts a point as a vertex of a triangulation, without using the known piece close to it. */
+  template <class OnSplit>
+  static Vertex_index insert(Model& model, const Surface_location& location, const OnSplit& on_split, Known_piece&)
+  {
+    return model.insert(location, on_split);
+  }
+};
 
 } // namespace internal
 } // namespace Flip_geodesics

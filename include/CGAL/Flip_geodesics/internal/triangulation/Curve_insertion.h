@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Face_arrangement.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 

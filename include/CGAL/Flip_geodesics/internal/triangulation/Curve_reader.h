@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Nearest_face.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Curve_insertion.h>
 #include <CGAL/Flip_geodesics/surface_points.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 

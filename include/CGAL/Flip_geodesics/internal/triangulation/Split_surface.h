@@ -16,7 +16,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/enum.h>

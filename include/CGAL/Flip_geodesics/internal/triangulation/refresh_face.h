@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
