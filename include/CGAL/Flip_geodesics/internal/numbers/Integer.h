@@ -274,12 +274,12 @@ private:
   std::map<Integer, Integer> m_factors; // by squares
 };
 
-/* Is every number of a type a double? */
+/* Whether every number of a type is a double. */
 template <class NT>
 inline constexpr bool is_within_double = std::is_arithmetic<NT>::value&& std::numeric_limits<NT>::radix == 2 &&
                                          std::numeric_limits<NT>::digits <= std::numeric_limits<double>::digits;
 
-/* How the exact value of a number is read. */
+/* The ways of reading the exact value of a number. */
 enum class Rational_kind {
   NONE,     // it is a double, or has no value that is known to be rational
   LAZY,     // by the number type that evaluates it
@@ -335,7 +335,7 @@ constexpr Rational_kind rational_kind()
     return is_exact_integer<NT>() ? Rational_kind::INTEGER : Rational_kind::NONE;
 }
 
-/* Is every number of a type rational, and is its exact value read? It need not be a double. */
+/* Whether the exact value of every number of a type can be read as a rational number, which need not be a double. */
 template <class NT>
 inline constexpr bool is_rational_number = rational_kind<NT>() != Rational_kind::NONE;
 

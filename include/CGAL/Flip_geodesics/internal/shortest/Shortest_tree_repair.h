@@ -108,7 +108,7 @@ private:
     for(Vertex_index v : inserted_behind_taken_off())
       take_off(grafts, v);
     const std::vector<Vertex_index> failed = insert_last_legs(grafts);
-    if(!failed.empty() && !has_been_interrupted(m_interruption))
+    if(!failed.empty() && !(m_interruption != nullptr && m_interruption->has_occurred()))
     { // a segment that crosses one face several times; faces are compact now
       flip_to_delaunay_beside_tree();
       for(Vertex_index v : failed)

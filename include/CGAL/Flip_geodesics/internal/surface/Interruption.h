@@ -121,12 +121,6 @@ inline void throw_if_interrupted_before_part(Interruption* interruption)
     throw Interrupted();
 }
 
-/* Returns whether a computation has been interrupted, if that is possible. */
-inline bool has_been_interrupted(const Interruption* interruption)
-{
-  return interruption != nullptr && interruption->has_occurred();
-}
-
 template <class T>
 struct Visitor_holder
 {

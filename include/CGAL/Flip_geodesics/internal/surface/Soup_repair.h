@@ -381,7 +381,7 @@ private:
     return result;
   }
 
-  // Twice the vector area of a triangle.
+  // Returns twice the vector area of a triangle.
   Place_in_space area(std::size_t u, std::size_t v, std::size_t w) const
   {
     const Place_in_space p = soup_coordinates(m_soup.point(u));

@@ -32,10 +32,10 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Lengths whose squares and products of squares are normal doubles, by the range in tolerances.h. */
+/* Returns whether squares of a length and products of squares are normal doubles, by the range in tolerances.h. */
 inline bool is_usable_length(double length) { return length > least_length && length < greatest_length; }
 
-/* The same for searches along edges, which pass degenerate edges. */
+/* Returns whether a length is usable for searches along edges, which pass degenerate edges. */
 inline bool is_zero_or_usable_length(double length) { return length == 0 || is_usable_length(length); }
 
 /* Returns whether a > b + c, exactly. */
@@ -62,7 +62,7 @@ inline bool satisfy_triangle_inequality(double a, double b, double c)
   return !is_longer_than_sum(a, b, c) && !is_longer_than_sum(b, c, a) && !is_longer_than_sum(c, a, b);
 }
 
-/* Has a metric the places of vertices in space, from which it lays out faces? */
+/* Whether a metric lays out faces from the places of vertices in space. */
 template <class Metric>
 inline constexpr bool has_places_in_space = std::is_same<typename Metric::Place, std::array<double, 3>>::value ||
                                             std::is_same<typename Metric::Place, Approximate_place>::value;
@@ -136,11 +136,11 @@ constexpr bool
     has_squared_lengths<Metric, std::void_t<decltype(std::declval<const Metric&>().squared_length(
                                     std::declval<const typename Metric::Mesh&>(), Input_halfedge_index()))>> = true;
 
-/* Are the faces of a metric known in exact numbers? */
+/* Whether the faces of a metric are known in exact numbers. */
 template <class Metric>
 inline constexpr bool has_exact_faces = has_squared_lengths<Metric> || Internals<Metric>::has_exact_faces;
 
-/* The exact squared lengths of a face from h on. */
+/* Returns the exact squared lengths of the sides of a face from h on. */
 template <class Metric, class Mesh>
 Squared_lengths squared_lengths(const Metric& metric, const Mesh& mesh, Input_halfedge_index h)
 {
@@ -154,7 +154,7 @@ Squared_lengths squared_lengths(const Metric& metric, const Mesh& mesh, Input_ha
   return {squares.numerators, squares.denominator};
 }
 
-/* That of the face on the left of h; rounded lengths are for traits that are not those of the package. */
+/* Returns the geometry of the face on the left of h, from rounded lengths for traits other than those of the package. */
 template <class Metric, class Mesh, class Traits>
 typename Traits::Face_geometry face_geometry_from_squares(const Metric& metric, const Mesh& mesh,
                                                           Input_halfedge_index h, const Traits& traits)
@@ -171,7 +171,7 @@ typename Traits::Face_geometry face_geometry_from_squares(const Metric& metric, 
     return construct(a, b, c);
 }
 
-/* The geometry of the face on the left of h. \throws Degenerate_face_error, Invalid_coordinate_error */
+/* Returns the geometry of the face on the left of h. \throws Degenerate_face_error, Invalid_coordinate_error */
 template <class Metric, class Mesh, class Traits>
 typename Traits::Face_geometry face_geometry(const Metric& metric, const Mesh& mesh, Input_halfedge_index h,
                                              const Traits& traits)
@@ -182,7 +182,7 @@ typename Traits::Face_geometry face_geometry(const Metric& metric, const Mesh& m
     return metric.face_geometry(mesh, h, traits);
 }
 
-/* The same face in exact numbers. */
+/* Returns the face on the left of h in exact numbers. */
 template <class Metric, class Mesh>
 Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_index h)
 {
@@ -194,9 +194,9 @@ Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_ind
 }
 
 /*
- * The sign of the sine of the wedge from the direction of one edge sequence clockwise over `steps` input corners to
- * that of another, exactly, if the faces lie unfolded in one plane of space, or bend along parallel edges only.
- * `flat_edges` caches results for edges. Returns whether the faces lie so, which is false if the metric has no points.
+ * Computes the exact sign of the sine of the wedge from the direction of one edge sequence clockwise over `steps` input
+ * corners to that of another, if the faces lie unfolded in one plane of space, or bend along parallel edges only.
+ * `flat_edges` caches results for edges. Returns false, and no sign, for other faces, or if the metric has no points.
  */
 template <class Metric, class Mesh>
 bool sine_in_plane(const Metric& metric, const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,

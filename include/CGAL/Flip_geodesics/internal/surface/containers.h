@@ -65,9 +65,18 @@ struct Zero_allocator
   friend bool operator!=(const Zero_allocator&, const Zero_allocator&) { return false; }
 };
 
-/* An array whose elements are initially zero bytes. Elements that are removed must be zero bytes as well. */
+/* An array whose elements are initially zero bytes. Elements that are removed must be zero bytes as well. It is not
+ * copied, which would write all elements. */
 template <class T>
-using Lazy_array = std::vector<T, Zero_allocator<T>>;
+class Lazy_array : public std::vector<T, Zero_allocator<T>>
+{
+public:
+  using std::vector<T, Zero_allocator<T>>::vector;
+
+  Lazy_array() = default;
+  Lazy_array(Lazy_array&&) = default;
+  Lazy_array& operator=(Lazy_array&&) = default;
+};
 
 /*
  * A stack of records in blocks of one size. It takes the memory of its contents plus at most some spare blocks, whereas

@@ -106,7 +106,7 @@ constexpr bool is_container_with_keys = false;
 template <class T>
 constexpr bool is_container_with_keys<T, std::void_t<typename T::mapped_type>> = true;
 
-/* Ends the compilation if the type is not a property map for this reason. */
+/* Fails to compile if the type is not a property map for this reason. */
 template <class Map>
 constexpr bool is_property_map()
 {
@@ -235,7 +235,7 @@ constexpr bool makes_functor(const Make&)
                 "the functor of " #member "() has other parameters than those of IntrinsicTriangulationTraits, or "    \
                 "returns something else")
 
-/* Ends the compilation if the functors of traits are not those of IntrinsicTriangulationTraits. */
+/* Fails to compile if the functors of traits are not those of IntrinsicTriangulationTraits. */
 template <class T>
 constexpr bool makes_functors()
 {
@@ -271,7 +271,7 @@ constexpr bool has_types_of_traits<
     T, std::void_t<typename T::FT, typename T::Point_3, typename T::Halfedge_geometry, typename T::Face_geometry,
                    typename T::Turn, typename T::Flipped_geometry, typename T::Has_drift>> = true;
 
-/* Ends the compilation if a class is not a model of IntrinsicTriangulationTraits. */
+/* Fails to compile if a class is not a model of IntrinsicTriangulationTraits. */
 template <class T>
 constexpr bool are_triangulation_traits()
 {
@@ -291,7 +291,8 @@ constexpr bool are_triangulation_traits()
   return true;
 }
 
-/* The same for IntrinsicMetric, for traits that faces are made with unless the metric has exact squared lengths. */
+/* Fails to compile if a class is not a model of IntrinsicMetric, whose faces are made with given traits unless it has
+ * exact squared lengths. */
 template <class Metric, class Traits, bool HAS_SQUARED_LENGTHS>
 constexpr bool is_intrinsic_metric()
 {
@@ -314,7 +315,7 @@ constexpr bool is_intrinsic_metric()
   return true;
 }
 
-/* The same for CurveNetwork. */
+/* Fails to compile if a class is not a model of CurveNetwork. */
 template <class Network>
 constexpr bool is_curve_network()
 {
@@ -338,7 +339,7 @@ constexpr bool is_curve_network()
   return true;
 }
 
-/* The same for EdgePathGraph. */
+/* Fails to compile if a class is not a model of EdgePathGraph. */
 template <class Network>
 constexpr bool is_edge_path_graph()
 {
@@ -356,7 +357,7 @@ constexpr bool is_edge_path_graph()
   return is_curve_network<Network>();
 }
 
-/* The same for IntrinsicTriangulationWalker. */
+/* Fails to compile if a class is not a model of IntrinsicTriangulationWalker. */
 template <class Walker, class Turn>
 constexpr bool is_walker()
 {
@@ -378,7 +379,7 @@ constexpr bool is_walker()
   return true;
 }
 
-/* The same for IntrinsicTriangulation. */
+/* Fails to compile if a class is not a model of IntrinsicTriangulation. */
 template <class T>
 constexpr bool is_intrinsic_triangulation()
 {
