@@ -17,6 +17,8 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -457,86 +459,58 @@ private:
 struct Side_version
 {
   Halfedge_index halfedge;
-  Index version;
-
-  bool operator==(const Side_version& other) const { return halfedge == other.halfedge && version == other.version; }
+  Index version; // 0 for an edge of the input
 };
 
 /*
  * Results of expensive comparisons of wedges with pi. A straight angle prevents flips and is therefore compared again
  * whenever the flips around it are attempted: a hundred times at an extruded developable region. The angle between two
- * edges is constant as long as both exist.
- *
- * In this hash table each wedge has one possible entry, where it replaces any other one, so that the size is bounded
- * and no search is needed. Versions are reused after flips were rolled back; from then on all wedges count as new,
- * except those between edges of the input.
+ * edges is constant as long as both exist. Versions are reused after flips were rolled back; only wedges between edges
+ * of the input are known from then on.
  */
 class Compared_wedges
 {
+  using Wedge = std::array<Index, 4>;
+  using Results = std::unordered_map<Wedge, Comparison_result, boost::hash<Wedge>>;
+
 public:
   /* Returns the result for the wedge clockwise from one edge to another, or null if it is unknown. */
   const Comparison_result* find(const Side_version& from, const Side_version& to) const
   {
-    if(m_entries.empty())
-      return nullptr;
-    const Entry& entry = m_entries[place(from, to)];
-    return entry.epoch == epoch(from, to) && entry.from == from && entry.to == to ? &entry.result : nullptr;
+    const Results& results = is_of_input(from, to) ? m_of_input : m_of_flips;
+    const auto found = results.find(wedge(from, to));
+    return found == results.end() ? nullptr : &found->second;
   }
 
   void insert(const Side_version& from, const Side_version& to, Comparison_result result)
   {
-    if(4 * m_size >= m_entries.size() && m_entries.size() < most_entries)
-      grow();
-    put({from, to, epoch(from, to), result});
+    Results& results = is_of_input(from, to) ? m_of_input : m_of_flips;
+    if(results.size() == most_results)
+      results.clear();
+    results.insert_or_assign(wedge(from, to), result);
   }
 
   /* Must be called after flips were rolled back. */
-  void forget_flips() { ++m_epoch; }
+  void forget_flips()
+  {
+    if(!m_of_flips.empty()) // since clearing takes time even then
+      m_of_flips.clear();
+  }
 
 private:
-  // The epoch is 0 for a free entry, and 1 for a wedge between edges of the input.
-  struct Entry
-  {
-    Side_version from, to;
-    std::uint32_t epoch = 0;
-    Comparison_result result = EQUAL;
-  };
+  static constexpr std::size_t most_results = std::size_t(1) << 13; // some 500 kB
 
-  static constexpr std::size_t few_entries = 64, most_entries = std::size_t(1) << 14; // powers of two
-
-  std::uint32_t epoch(const Side_version& from, const Side_version& to) const
+  static bool is_of_input(const Side_version& from, const Side_version& to)
   {
-    return from.version == 0 && to.version == 0 ? 1 : m_epoch;
+    return from.version == 0 && to.version == 0;
   }
 
-  std::size_t place(const Side_version& from, const Side_version& to) const
+  static Wedge wedge(const Side_version& from, const Side_version& to)
   {
-    std::uint64_t hash = 0;
-    for(Index i : {from.halfedge.idx(), from.version, to.halfedge.idx(), to.version})
-      hash = (hash ^ static_cast<std::uint32_t>(i)) * 0x9e3779b97f4a7c15u; // [Fibonacci hashing]
-    return static_cast<std::size_t>(hash >> 40) & (m_entries.size() - 1);
+    return {from.halfedge.idx(), from.version, to.halfedge.idx(), to.version};
   }
 
-  void put(const Entry& entry)
-  {
-    Entry& place_of_entry = m_entries[place(entry.from, entry.to)];
-    m_size += place_of_entry.epoch == 0 ? 1 : 0;
-    place_of_entry = entry;
-  }
-
-  void grow()
-  {
-    std::vector<Entry> larger(m_entries.empty() ? few_entries : 4 * m_entries.size());
-    larger.swap(m_entries);
-    m_size = 0;
-    for(const Entry& entry : larger)
-      if(entry.epoch == 1 || entry.epoch == m_epoch)
-        put(entry);
-  }
-
-  std::vector<Entry> m_entries;
-  std::size_t m_size = 0; // the number of entries in use
-  std::uint32_t m_epoch = 2;
+  Results m_of_input, m_of_flips;
 };
 
 /*
