@@ -12,7 +12,7 @@
 #include <CGAL/Flip_geodesics/IO/network.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Face_chart.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/refine.h>

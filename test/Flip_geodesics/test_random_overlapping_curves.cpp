@@ -8,7 +8,6 @@
 #include "overlapping_world.h"
 
 #include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
-#include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 

@@ -7,9 +7,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
-#include <CGAL/Flip_geodesics/internal/network/Bundle_order_search.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
-#include <CGAL/Flip_geodesics/internal/network/network_parts.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>

@@ -15,10 +15,8 @@
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>

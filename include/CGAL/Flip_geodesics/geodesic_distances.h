@@ -11,7 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
@@ -19,7 +18,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>

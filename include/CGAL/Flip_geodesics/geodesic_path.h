@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_PATH_H
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/compiled.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>

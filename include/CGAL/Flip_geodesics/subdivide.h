@@ -11,7 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Overlay_layout.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <CGAL/boost/graph/properties.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
-#include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
+#include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>

@@ -9,7 +9,7 @@
 #include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
+#include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>

@@ -4,7 +4,7 @@
 
 #include "test_intrinsic_triangulation/inserted_vertices.h"
 
-#include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>

@@ -4,7 +4,7 @@
 
 #include "test_intrinsic_triangulation/snapshots.h"
 
-#include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 using namespace Flip_geodesics_test;

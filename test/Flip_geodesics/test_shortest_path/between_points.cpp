@@ -11,7 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/distances/Landmark_rows.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Split_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Split_surface.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>

@@ -18,7 +18,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Face_chart.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 

@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/io/Figure.h>
-#include <CGAL/Flip_geodesics/internal/io/figure_of_parts.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_IO_OBJ_H
 
 #include <CGAL/Flip_geodesics/internal/io/Figure.h>
-#include <CGAL/Flip_geodesics/internal/io/figure_of_parts.h>
 
 #include <array>
 #include <cstddef>

@@ -3,17 +3,64 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H
 
+/*
+ * Linking to CGAL::Flip_geodesics_compiled defines CGAL_FLIP_GEODESICS_COMPILED. Headers then declare the computations
+ * behind their free functions without defining them, which saves more than half of the compilation time. The library
+ * contains the most common instances; a source that needs others defines CGAL_FLIP_GEODESICS_HEADER_ONLY.
+ */
+#if defined(CGAL_FLIP_GEODESICS_COMPILED) && !defined(CGAL_FLIP_GEODESICS_HEADER_ONLY)
+#define CGAL_FLIP_GEODESICS_DECLARATIONS_ONLY
+#endif
+
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
+
+class Epick;
+
 namespace Flip_geodesics {
 namespace internal {
+namespace compiled {
+
+template <class TriangleMesh>
+constexpr bool is_known_mesh = false;
+template <class K>
+constexpr bool is_known_mesh<Surface_mesh<Point_3<K>>> =
+    std::is_same<K, Simple_cartesian<double>>::value || std::is_same<K, Epick>::value;
+
+/* Complete if any included header has the definitions. */
+template <class TriangleMesh>
+struct Definitions;
+
+template <class TriangleMesh, class = void>
+constexpr bool are_defined = false;
+template <class TriangleMesh>
+constexpr bool are_defined<TriangleMesh, std::void_t<decltype(sizeof(Definitions<TriangleMesh>))>> = true;
+
+/* Reports a missing definition or instance when compiling, not only when linking. */
+template <class TriangleMesh, class NamedParameters>
+constexpr void check_instance()
+{
+  constexpr bool is_in_library =
+      is_known_mesh<TriangleMesh> && std::is_same<NamedParameters, parameters::Default_named_parameters>::value;
+  static_assert(is_in_library || are_defined<TriangleMesh>,
+                "the compiled library has no instance for this mesh, or none with options: define "
+                "CGAL_FLIP_GEODESICS_HEADER_ONLY before the first header of the package is included");
+}
+
+} // namespace compiled
 
 /* The values that a computation produces for an output iterator, and its report. */
 template <class Value, class Report = Shortening_report>
@@ -50,8 +97,7 @@ Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRang
 
 /*
  * The computations behind the functions of `geodesic_path.h`, which write the output afterwards. They are not inline
- * and depend only on the value type of the output, so that the compiled library can contain instances; see
- * `internal/flip_out/compiled.h`.
+ * and depend only on the value type of the output, so that the compiled library can contain instances.
  */
 
 /* Computes the result of `geodesic_path()`. */

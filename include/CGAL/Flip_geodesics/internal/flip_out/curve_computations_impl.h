@@ -3,20 +3,28 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_IMPL_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_IMPL_H
 
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/compiled.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/path_computations.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/straightened_path.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +34,172 @@ namespace internal {
 template <class TriangleMesh>
 struct compiled::Definitions
 {
+};
+
+/* Forwards only the decision whether to continue, for steps that the caller's visitor does not observe. */
+struct Interrupting_visitor : Default_shortening_visitor
+{
+  explicit Interrupting_visitor(Interruption& interruption_)
+    : interruption(interruption_)
+  {
+  }
+
+  bool go_further() { return !interruption.begin_part(); }
+
+  Interruption& interruption;
+};
+
+/* Forwards all calls to a visitor in a computation that consists of several shortenings. Once the visitor has stopped
+ * one of them, no further step is taken and the visitor is not called again. */
+template <class Visitor>
+class Stop_remembering_visitor
+{
+public:
+  explicit Stop_remembering_visitor(Visitor& visitor)
+    : m_visitor(visitor)
+    , m_interruption(visitor)
+  {
+  }
+
+  template <class Triangulation>
+  void on_flip(const Triangulation& triangulation, Halfedge_index h)
+  {
+    m_visitor.on_flip(triangulation, h);
+  }
+
+  template <class Network>
+  void after_flip_out(const Network& network, Curve_index curve)
+  {
+    m_visitor.after_flip_out(network, curve);
+  }
+
+  bool go_further() { return !m_interruption.begin_part(); }
+  bool has_stopped() const { return m_interruption.has_occurred(); }
+
+private:
+  Visitor& m_visitor;
+  Interruption m_interruption;
+};
+
+/* Returns whether the visitor observes the steps of a shortening, which must then start from the given path. */
+template <class Visitor>
+constexpr bool observes_steps =
+    !std::is_same<Visitor, Default_shortening_visitor>::value && !std::is_same<Visitor, Interrupting_visitor>::value;
+
+/*
+ * Adds a path from which a geodesic between its ends is computed to an empty network. The path is first straightened by
+ * a funnel initialisation unless the steps that shorten it are observed. Returns the number of edges flipped.
+ */
+template <bool IsObserved, class Network>
+std::size_t add_start(Network& network, const std::vector<Halfedge_index>& path)
+{
+  if constexpr(!IsObserved)
+    return add_straightened_path(network, path);
+  network.add_curve(path, false);
+  return 0;
+}
+
+/* Adds the flips of the funnel initialisation to the report. */
+inline void count_start(Shortening_report& report, std::size_t flips)
+{
+  report.flips += flips;
+  report.curves.front().flips += flips;
+}
+
+/* Computes the edge path from which a geodesic starts; empty if the visitor stops the search. */
+template <class Search, class Visitor>
+std::vector<Halfedge_index> edge_path_between(Search& search, const std::vector<Vertex_index>& ends, Visitor& visitor)
+{
+  if constexpr(std::is_same<Visitor, Default_shortening_visitor>::value)
+    return shortest_halfedges_through(search, ends);
+  else
+    return shortest_halfedges_through(search, ends, false, visitor);
+}
+
+/* Returns the report of a search that a visitor stopped before there was a path. */
+inline Shortening_report report_of_stopped_search()
+{
+  Shortening_report report;
+  report.curves.emplace_back();
+  report.curves.back().status = Shortening_status::STOPPED_BY_VISITOR;
+  return report;
+}
+
+/* Returns the points of a curve of a network in the output's value type; none for a loop contracted to a point. */
+template <class Form, class Network, class TriangleMesh>
+std::vector<Form> curve_forms(const Network& network, const TriangleMesh& mesh, Curve_index curve)
+{
+  using Triangulation = typename Network::Triangulation;
+  std::vector<Form> result;
+  if(network.is_closed(curve) && network.length(curve) == 0)
+    return result;
+  Curve_extractor<Network> extractor(network);
+  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value) {
+    extractor.curve_points(curve, mesh, std::back_inserter(result));
+  } else {
+    const Form_converter<Triangulation, Form> convert(network.triangulation(), mesh);
+    for(const Surface_point& p : extractor.surface_points(curve))
+      result.push_back(convert(p));
+  }
+  return result;
+}
+
+/* Returns the path of length zero between coincident vertices: its two end points. */
+template <class Form, class Triangulation, class TriangleMesh>
+Computed_output<Form> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh, Vertex_index v)
+{
+  check_vertex(v, triangulation.input().number_of_vertices());
+  if(triangulation.input().outgoing(v) == null_index) {
+    if(triangulation.input().is_contracted())
+      throw_no_surface_left(v);
+    throw Vertex_out_of_range_error("vertex " + std::to_string(v.idx()) + " is in no face of the mesh",
+                                    {static_cast<std::size_t>(v.idx())});
+  }
+  Computed_output<Form> result;
+  result.report.curves.push_back(report_of_point(triangulation));
+  note_contraction(triangulation, result.report);
+  const Form_converter<Triangulation, Form> convert(triangulation, mesh);
+  result.values.assign(2, convert(surface_point_at_vertex(triangulation, v)));
+  return result;
+}
+
+/*
+ * Computes a geodesic between two vertices of a mesh in a triangulation of it. The object returned by
+ * `search_over(triangulation)` computes the initial edge path. With a visitor or a stop predicate, that edge path
+ * itself is shortened, so that they observe every step.
+ */
+template <class Form, class TriangleMesh, class NamedParameters, class StopPredicate, class SearchOver>
+struct Path_computation
+{
+  using Network = typename Curve_types<TriangleMesh, NamedParameters>::Network;
+
+  const TriangleMesh& mesh;
+  Vertex_in<TriangleMesh> source, target;
+  const NamedParameters& np;
+  StopPredicate stop;
+  const SearchOver& search_over;
+
+  Computed_output<Form> operator()(typename Network::Triangulation& triangulation) const
+  {
+    auto&& search = search_over(triangulation);
+    const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
+    if(ends[0] == ends[1])
+      return path_in_one_place<Form>(triangulation, mesh, ends[0]);
+    auto visitor = make_visitor(np);
+    const std::vector<Halfedge_index> path = edge_path_between(search, ends, visitor.get());
+    if(path.empty())
+      return {{}, report_of_stopped_search()};
+    constexpr bool is_observed = observes_steps<std::decay_t<decltype(visitor.get())>> ||
+                                 !std::is_same<std::decay_t<StopPredicate>, Never_stop_predicate>::value;
+    Network network(triangulation);
+    const std::size_t flips = add_start<is_observed>(network, path);
+    Shortener<Network> shortener(network);
+    shortener.run(stop, visitor.get());
+    Shortening_report report = shortener.report();
+    count_start(report, flips);
+    note_contraction(triangulation, report);
+    return {curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
+  }
 };
 
 /* Shortens with the stop predicate and the visitor of the named parameters, if given. */

@@ -3,21 +3,27 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_COMPARISON_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_COMPARISON_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/planar_sine.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>
 
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
-
 namespace internal {
 
 /*
@@ -171,7 +177,181 @@ private:
   bool m_is_filtered;
 };
 
+/* At the head of an edge sequence, for its reverse direction. */
+template <class Triangulation>
+Edge_sequence_angle head_angle(const Triangulation& triangulation, const Strip<Triangulation>& strip,
+                               const Edge_sequence& sequence)
+{
+  if(strip.arrival_reference() == null_index)
+    return tail_angle(Strip<Triangulation>(triangulation, sequence.reversed()));
+  return {strip.arrival_reference(), angle_from_reference(strip.arrival()), strip.arrival_error()};
+}
+
+/* A straight line as seen from one of its ends. */
+struct Seen_edge_sequence
+{
+  const Edge_sequence& sequence;
+  bool is_from_tail;
+  Edge_sequence_angle angle;
+
+  Edge_sequence seen() const { return is_from_tail ? sequence : sequence.reversed(); }
+};
+
+/* Returns the exact position of one straight line relative to another in one corner: CLOCKWISE, COUNTERCLOCKWISE, or
+ * COLLINEAR if they have the same direction. In a degenerate face that is a half plane, they can be opposite. */
+template <class Triangulation>
+Orientation order_in_one_corner(const Triangulation& triangulation, Decision_statistics& statistics,
+                                const Seen_edge_sequence& from, const Seen_edge_sequence& to)
+{
+  constexpr double half_pi = boost::math::constants::half_pi<double>();
+  const double turn = from.angle.angle - to.angle.angle, error = 1.6 * (from.angle.error + to.angle.error);
+  if(std::abs(turn) > error && std::abs(turn) < half_pi)
+    return turn > 0 ? CLOCKWISE : COUNTERCLOCKWISE;
+  const Unfolding_chains<Triangulation> unfolding(triangulation);
+  const Edge_sequence first = from.seen(), second = to.seen();
+  const Sign sine = Exact_sign(statistics, sign_work_limit(triangulation))(
+      {unfolding.head(first, false), unfolding.head(second, true)});
+  if(sine == ZERO && std::abs(turn) < half_pi)
+    return COLLINEAR;
+  return sine == POSITIVE || (sine == ZERO && turn > 0) ? CLOCKWISE : COUNTERCLOCKWISE;
+}
+
+/* The exact comparison of an angle with pi, and the angle, rounded. */
+struct Compared_angle
+{
+  Comparison_result with_straight;
+  double value;
+};
+
+/* Computes the angle clockwise from one straight line to another around a vertex of the input; LARGER if the border is
+ * in between, 0 if the lines have the same direction. */
+template <class Triangulation>
+Compared_angle compared_angle_clockwise(const Triangulation& triangulation, Decision_statistics& statistics,
+                                        const Seen_edge_sequence& from, const Seen_edge_sequence& to)
+{
+  const auto& input = triangulation.input();
+  const Input_halfedge_index first = from.angle.reference, last = to.angle.reference;
+  const Orientation order = first == last ? order_in_one_corner(triangulation, statistics, from, to) : COUNTERCLOCKWISE;
+  if(order == COLLINEAR)
+    return {SMALLER, 0};
+  const Index steps = order == CLOCKWISE ? 0 : number_of_corners_clockwise(input, first, last);
+  if(steps < 0)
+    return {LARGER, std::numeric_limits<double>::infinity()};
+  for_each_corner_clockwise(input, first, steps, [&](Input_halfedge_index t) { check_triangle(input, t); });
+  const Wedge_angle angle = wedge_angle(triangulation, from.angle, to.angle, steps);
+  const Comparison_result quick = angle.compare_with_straight();
+  if(quick == EQUAL)
+    return {
+        Wedge_comparison<Triangulation>(triangulation, statistics)(Wedge_edge_sequences{from.seen(), to.seen(), steps}),
+        angle.value};
+  ++statistics.by_strip;
+  return {quick, angle.value};
+}
+
+template <class Triangulation>
+Comparison_result compare_clockwise(const Triangulation& triangulation, Decision_statistics& statistics,
+                                    const Seen_edge_sequence& from, const Seen_edge_sequence& to)
+{
+  return compared_angle_clockwise(triangulation, statistics, from, to).with_straight;
+}
+
+/*
+ * Measures edges of a triangulation, and the wedges between them, from the input: of the results of flips, only
+ * integers are used. The straightness of curves, chains of halfedges and paths of a tree is that of their edges and
+ * joints.
+ */
+template <class Triangulation>
+class Edge_straightness
+{
+public:
+  using Measured_edge = internal::Measured_edge;
+
+  explicit Edge_straightness(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  Measured_edge operator()(Halfedge_index h) const
+  {
+    const Edge_sequence sequence = m_triangulation.edge_sequence(h);
+    return measured(h, sequence, Strip<Triangulation>(m_triangulation, sequence));
+  }
+
+  /* Measures the edge of h and, if requested, determines whether it is straight. An edge sequence that is not that of a
+   * strip between the ends of h is not measured. */
+  Measured_edge certified(Halfedge_index h, bool is_asked, Decision_statistics& statistics) const
+  {
+    const Edge_sequence sequence = m_triangulation.edge_sequence(h);
+    const Straight_strip<Triangulation> is_straight(m_triangulation, statistics);
+    Measured_edge result;
+    result.has_strip = is_strip(h, sequence);
+    if(!result.has_strip)
+      return result;
+    const Strip<Triangulation> strip(m_triangulation, sequence);
+    result = measured(h, sequence, strip);
+    result.is_straight = !is_asked || is_straight(sequence, strip);
+    return result;
+  }
+
+  /* Returns whether the given edge sequence of h is that of a strip from its tail to its head. */
+  bool is_strip(Halfedge_index h, const Edge_sequence& sequence) const
+  {
+    Decision_statistics none;
+    return sequence.tail == m_triangulation.tail(h) && sequence.head == m_triangulation.head(h) &&
+           Straight_strip<Triangulation>(m_triangulation, none).is_strip(sequence);
+  }
+
+  /* Returns the angle clockwise from one halfedge of a vertex to another. */
+  Wedge_angle clockwise(const Edge_end& from, const Edge_end& to) const
+  {
+    if(from.direction.reference == null_index || to.direction.reference == null_index)
+      return wedge_angle(m_triangulation, from.halfedge, to.halfedge);
+    const Index steps = m_triangulation.input_edges_in_wedge(from.halfedge, to.halfedge) + (from.is_along ? 1 : 0);
+    return wedge_angle(m_triangulation, from.direction, to.direction, steps);
+  }
+
+  /* Returns whether such an angle is below pi, exactly. */
+  bool is_below_straight(const Edge_end& from, const Edge_end& to, const Wedge_angle& angle,
+                         Decision_statistics& statistics) const
+  {
+    const Comparison_result quick = angle.compare_with_straight();
+    if(quick == EQUAL)
+      return Wedge_comparison<Triangulation>(m_triangulation, statistics)(from.halfedge, to.halfedge) == SMALLER;
+    ++statistics.by_strip;
+    return quick == SMALLER;
+  }
+
+  /* See the free function of the same name. */
+  static bool refresh_wedge(Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
+  {
+    return internal::refresh_wedge(triangulation, from, to);
+  }
+
+private:
+  static Measured_edge measured(Halfedge_index h, const Edge_sequence& sequence, const Strip<Triangulation>& strip)
+  {
+    const bool is_along = sequence.along != null_index;
+    Measured_edge result = {{h, {}, is_along}, {Triangulation::twin(h), {}, is_along}, strip.bend()};
+    if(strip.arrival_reference() != null_index) {
+      result.tail.direction = tail_angle(strip);
+      result.head.direction = {strip.arrival_reference(), angle_from_reference(strip.arrival()), strip.arrival_error()};
+    }
+    return result;
+  }
+
+  const Triangulation& m_triangulation;
+};
+
 } // namespace internal
+
+/* Returns the object that measures the edges of a triangulation. Functions that shorten curves find this overload by
+ * argument-dependent lookup and do not depend on exact arithmetic. */
+template <class Triangulation>
+internal::Edge_straightness<Triangulation> edge_straightness(const Triangulation& triangulation)
+{
+  return internal::Edge_straightness<Triangulation>(triangulation);
+}
+
 } // namespace Flip_geodesics
 } // namespace CGAL
 
