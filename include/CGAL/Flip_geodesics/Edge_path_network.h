@@ -190,15 +190,12 @@ public:
    * \throws Degenerate_face_error as `Intrinsic_triangulation::insert()` does
    * \throws Invalid_coordinate_error as `Intrinsic_triangulation::insert()` does
    */
-  Vertex_index insert(const Surface_location& location)
-  {
-    return Division(*m_triangulation, m_segments).insert(location);
-  }
+  Vertex_index insert(const Surface_location& location) { return m_triangulation->insert(location, divide_bundles()); }
 
   /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()` does.
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
-    return Division(*m_triangulation, m_segments).split_edge(h, location, gap);
+    return m_triangulation->split_edge(h, location, gap, divide_bundles());
   }
 
   /// Removes all curves. Linear in the number of segments.
@@ -392,9 +389,14 @@ public:
 private:
   friend struct internal::Internals<Edge_path_network>;
   using Walker = typename Triangulation::Walker;
-  using Division = internal::Segment_division<Triangulation>;
 
   static constexpr Segment_index no_segment{0};
+
+  // Returns the function to be called for the halves of a split edge.
+  auto divide_bundles()
+  {
+    return [this](const auto& halves) { m_segments.divide_bundle(halves); };
+  }
 
   // Returns the outermost segment on the first edge for which `is_end(h)` holds, or no end if only other networks hold
   // that edge.
@@ -452,11 +454,8 @@ struct Internals<Edge_path_network<Triangulation>>
 {
   using Network = Edge_path_network<Triangulation>;
 
-  /* Returns an object that inserts points with hints for their positions, and splits edges with all their segments. */
-  static auto splitter(Network& network)
-  {
-    return typename Network::Division(*network.m_triangulation, network.m_segments);
-  }
+  /* Returns the function that divides the segments on an edge, for points that are inserted into its triangulation. */
+  static auto divide_bundles(Network& network) { return network.divide_bundles(); }
 
   /*
    * Sets the state that read_network() has read. Returns false and leaves the network empty if its curves are not

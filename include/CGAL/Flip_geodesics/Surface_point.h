@@ -80,6 +80,21 @@ bool is_side_of(const Input& input, Input_halfedge_index h, Input_halfedge_index
   return f == h || input.next(f) == h || input.next(input.next(f)) == h;
 }
 
+/* Returns the smallest halfedge of the face on the left of `h`, which identifies the face. */
+template <class Mesh, class Halfedge>
+Halfedge least_in_face(const Mesh& mesh, Halfedge h)
+{
+  const Halfedge hn = mesh.next(h);
+  return (std::min)({h, hn, mesh.next(hn)});
+}
+
+/* Returns weights that sum to one. */
+inline std::array<double, 3> divided_by_sum(const std::array<double, 3>& weights)
+{
+  const double sum = weights[0] + weights[1] + weights[2];
+  return {{weights[0] / sum, weights[1] / sum, weights[2] / sum}};
+}
+
 /* Returns whether a weight is zero or so large that the sums and products of weights are normal numbers. */
 inline bool is_usable_weight(double weight)
 {
@@ -142,12 +157,10 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
       location = {t, {{location.weights[1], location.weights[0], 0}}};
     return location;
   }
-  case Location_kind::FACE: {
-    const Input_halfedge_index h = location.halfedge, hn = input.next(h), hp = input.next(hn);
-    while(location.halfedge != (std::min)({h, hn, hp}))
+  case Location_kind::FACE:
+    for(const Input_halfedge_index least = least_in_face(input, location.halfedge); location.halfedge != least;)
       location = rotated(input, location);
     return location;
-  }
   }
   return location;
 }
@@ -321,7 +334,7 @@ std::vector<Input_halfedge_index> faces_of_location(const Input_mesh& input, con
     if(input.is_border(h))
       return;
     check_triangle(input, h);
-    result.push_back((std::min)({h, input.next(h), input.next(input.next(h))}));
+    result.push_back(least_in_face(input, h));
   };
   if(kind(location) != Location_kind::VERTEX) {
     add(location.halfedge);

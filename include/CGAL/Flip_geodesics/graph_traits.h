@@ -352,7 +352,7 @@ Face_index face(Halfedge_index h, const Intrinsic_triangulation<M, T, E>& t)
 {
   if(t.is_border(h))
     return {};
-  return Face_index((std::min)({h, t.next(h), t.previous(h)}).idx());
+  return Face_index(internal::least_in_face(t, h).idx());
 }
 
 template <class M, class T, class E>

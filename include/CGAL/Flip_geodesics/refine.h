@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_REFINE_H
 #define CGAL_FLIP_GEODESICS_REFINE_H
 
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
@@ -67,30 +68,13 @@ struct Refinement_report
 
 namespace internal {
 
-/* Inserts points into a triangulation without curves. */
-template <class Triangulation>
-struct Triangulation_splitter
-{
-  Vertex_index insert(const Surface_location& location, Known_piece& close_by)
-  {
-    return Internals<Triangulation>::insert(
-        triangulation, location, [](const auto&) {}, close_by);
-  }
-  Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
-  {
-    return triangulation.split_edge(h, location, gap, [](const auto&) {});
-  }
-
-  Triangulation& triangulation;
-};
-
 template <class Triangulation, class Refiner>
 void measure_faces(const Triangulation& triangulation, Refiner& refiner, double angle_bound, Refinement_report& report)
 {
   constexpr double degree = boost::math::constants::degree<double>();
   report.smallest_angle = report.smallest_free_angle = 180;
   for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges())) {
-    if(triangulation.is_border(h) || Face_shape<Triangulation>::first_halfedge(triangulation, h) != h)
+    if(triangulation.is_border(h) || least_in_face(triangulation, h) != h)
       continue;
     const double angle = Face_shape<Triangulation>(triangulation, h).smallest_angle();
     report.smallest_angle = (std::min)(report.smallest_angle, angle / degree);
@@ -128,8 +112,9 @@ inline void check_options(const Refinement_options& options)
   }
 }
 
-template <class Triangulation, class Splitter, class Visitor>
-Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const Refinement_options& options,
+/* \param on_split as for `Intrinsic_triangulation::insert()` */
+template <class Triangulation, class OnSplit, class Visitor>
+Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, const Refinement_options& options,
                          Visitor& visitor)
 {
   constexpr double degree = boost::math::constants::degree<double>();
@@ -140,8 +125,8 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
       flip_to_delaunay(triangulation, descriptors<Edge_index>(triangulation.number_of_edges()),
                        default_maximum_of_flips(triangulation.number_of_edges()), visitor);
   report.flips = flipped.flips;
-  using Refiner = Delaunay_refiner<Triangulation, Splitter, Visitor>;
-  Refiner refiner(triangulation, splitter, {angle, options.longest_edge, options.maximum_insertions}, visitor);
+  using Refiner = Delaunay_refiner<Triangulation, OnSplit, Visitor>;
+  Refiner refiner(triangulation, on_split, {angle, options.longest_edge, options.maximum_insertions}, visitor);
   const typename Refiner::End end = flipped.is_stopped ? Refiner::End::VISITOR : refiner.run();
   report.splits = refiner.counts().splits;
   report.insertions = refiner.number_of_new_vertices() - report.splits;
@@ -209,16 +194,15 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * number of crossings of the refined faces. The number of points already inserted into an input face does not slow down
  * further insertions.
  */
-template <class Network, class... NamedParameters,
-          std::enable_if_t<internal::Is_curve_network<Network>::value, int> = 0>
+template <class Network, class... NamedParameters, std::enable_if_t<internal::has_curves<Network>, int> = 0>
 Refinement_report refine(Network& network, const Refinement_options& options = Refinement_options(),
                          const NamedParameters&... np)
 {
   if(network.triangulation().number_of_holds() != internal::edges_under_curves(network).size())
     throw Occupied_triangulation_error("a triangulation in which several networks have curves cannot be refined");
-  auto splitter = internal::Internals<Network>::splitter(network);
   auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
-  return internal::refine(network.triangulation(), splitter, options, visitor.get());
+  return internal::refine(network.triangulation(), internal::Internals<Network>::divide_bundles(network), options,
+                          visitor.get());
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
@@ -226,15 +210,15 @@ Refinement_report refine(Network& network, const Refinement_options& options = R
 /// parameters and exceptions are those of the overload for networks. \throws Occupied_triangulation_error if a network
 /// in the triangulation has curves
 template <class Triangulation, class... NamedParameters,
-          std::enable_if_t<!internal::Is_curve_network<Triangulation>::value, int> = 0>
+          std::enable_if_t<!internal::has_curves<Triangulation>, int> = 0>
 Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),
                          const NamedParameters&... np)
 {
   if(triangulation.number_of_holds() > 0)
     throw Occupied_triangulation_error("a triangulation that has curves is refined by way of their network");
-  internal::Triangulation_splitter<Triangulation> splitter = {triangulation};
   auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
-  return internal::refine(triangulation, splitter, options, visitor.get());
+  return internal::refine(
+      triangulation, [](const auto&) {}, options, visitor.get());
 }
 
 } // namespace Flip_geodesics

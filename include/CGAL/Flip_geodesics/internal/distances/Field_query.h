@@ -21,13 +21,6 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Returns the least halfedge of the face of h. */
-template <class Input>
-Input_halfedge_index least_in_face(const Input& input, Input_halfedge_index h)
-{
-  return (std::min)({h, input.next(h), input.next(input.next(h))});
-}
-
 /* Returns the roots of parts of sources sorted by the least halfedges of their faces. */
 template <class Input>
 std::vector<std::pair<Input_halfedge_index, Index>> parts_by_face(const Input& input,

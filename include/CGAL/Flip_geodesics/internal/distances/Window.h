@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
@@ -468,7 +469,7 @@ public:
       return m_sides[h].length == 0 && compute(h);
     if(state(h).load(std::memory_order_acquire) == State::KNOWN)
       return false;
-    std::atomic<State>& first = state(first_halfedge(h));
+    std::atomic<State>& first = state(least_in_face(m_triangulation.input(), h));
     for(State expected = State::UNKNOWN;
         !first.compare_exchange_weak(expected, State::BEING_COMPUTED, std::memory_order_acquire);
         expected = State::UNKNOWN)
@@ -481,7 +482,7 @@ public:
   bool compute(Input_halfedge_index h)
   {
     bool is_flat = false;
-    h = first_halfedge(h);
+    h = least_in_face(m_triangulation.input(), h);
     for(const Face_side& side : computed(h)) {
       m_sides[h] = side;
       is_flat = is_flat || !(side.y > flat_face * (side.length + std::abs(side.x)));
@@ -498,18 +499,11 @@ public:
   {
     if(m_sides[h].length != 0)
       return m_sides[h];
-    const Input_halfedge_index first = first_halfedge(h);
+    const Input_halfedge_index first = least_in_face(m_triangulation.input(), h);
     return computed(first)[h == first ? 0 : (h == m_triangulation.input().next(first) ? 1 : 2)];
   }
 
 private:
-  // The result is the same for each halfedge of a face.
-  Input_halfedge_index first_halfedge(Input_halfedge_index h) const
-  {
-    const Input_halfedge_index hn = m_triangulation.input().next(h);
-    return (std::min)({h, hn, m_triangulation.input().next(hn)});
-  }
-
   enum class State : unsigned char { UNKNOWN, BEING_COMPUTED, KNOWN };
 
   std::atomic<State>& state(Input_halfedge_index h) { return m_states[static_cast<std::size_t>(h.idx())]; }
@@ -517,7 +511,7 @@ private:
   bool compute_claimed(Input_halfedge_index h)
   {
     const auto& input = m_triangulation.input();
-    h = first_halfedge(h);
+    h = least_in_face(m_triangulation.input(), h);
     try {
       const bool result = compute(h);
       state(input.next(input.next(h))).store(State::KNOWN, std::memory_order_release);

@@ -71,16 +71,13 @@ std::vector<Surface_location> canonical_polyline(const Input_mesh& input, const 
 template <class Input_mesh>
 std::array<double, 3> normalized_weights(const Input_mesh& input, const Surface_location& p, Input_halfedge_index h)
 {
-  std::array<double, 3> w;
   if(kind(p) == Location_kind::VERTEX) {
     const Vertex_index v = input.tail(p.halfedge);
     const Input_halfedge_index hn = input.next(h);
     return {
         {input.tail(h) == v ? 1.0 : 0.0, input.tail(hn) == v ? 1.0 : 0.0, input.tail(input.next(hn)) == v ? 1.0 : 0.0}};
   }
-  w = weights_in_face(input, p, h);
-  const double sum = w[0] + w[1] + w[2];
-  return {{w[0] / sum, w[1] / sum, w[2] / sum}};
+  return divided_by_sum(weights_in_face(input, p, h));
 }
 
 /* Measures and divides polylines in the metric of a triangulation. */

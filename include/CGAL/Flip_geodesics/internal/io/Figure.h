@@ -456,56 +456,31 @@ private:
 };
 
 template <class T>
-struct Is_texture : std::false_type
-{
-};
-
+constexpr bool is_texture = false;
 template <class CornerMap>
-struct Is_texture<IO::Texture<CornerMap>> : std::true_type
-{
-};
+constexpr bool is_texture<IO::Texture<CornerMap>> = true;
 
 template <class T>
-struct Is_vertex_values : std::false_type
-{
-};
-
+constexpr bool is_vertex_values = false;
 template <class VertexMap>
-struct Is_vertex_values<IO::Vertex_values<VertexMap>> : std::true_type
-{
-};
+constexpr bool is_vertex_values<IO::Vertex_values<VertexMap>> = true;
 
 template <class T, class = void>
-struct Has_coordinates : std::false_type
-{
-};
-
+constexpr bool has_coordinates = false;
 template <class T>
-struct Has_coordinates<T, std::void_t<decltype(CGAL::to_double(std::declval<const T&>().x())),
-                                      decltype(CGAL::to_double(std::declval<const T&>().z()))>> : std::true_type
-{
-};
+constexpr bool has_coordinates<T, std::void_t<decltype(CGAL::to_double(std::declval<const T&>().x())),
+                                              decltype(CGAL::to_double(std::declval<const T&>().z()))>> = true;
 
 template <class T, class = void>
-struct Is_range_of_points : std::false_type
-{
-};
-
+constexpr bool is_range_of_points = false;
 template <class T>
-struct Is_range_of_points<T, std::void_t<Range_value<T>>> : Has_coordinates<Range_value<T>>
-{
-};
+constexpr bool is_range_of_points<T, std::void_t<Range_value<T>>> = has_coordinates<Range_value<T>>;
 
 template <class T, class = void>
-struct Is_range_of_polylines : std::false_type
-{
-};
-
+constexpr bool is_range_of_polylines = false;
 template <class T>
-struct Is_range_of_polylines<T, std::void_t<Range_value<T>>>
-  : std::conjunction<std::negation<Has_coordinates<Range_value<T>>>, Is_range_of_points<Range_value<T>>>
-{
-};
+constexpr bool is_range_of_polylines<T, std::void_t<Range_value<T>>> =
+    !has_coordinates<Range_value<T>> && is_range_of_points<Range_value<T>>;
 
 template <class Point>
 Figure_point figure_point(const Point& p)
@@ -610,7 +585,7 @@ struct Numbers_of_value<std::array<Number, N>>
 };
 
 template <class Value>
-struct Numbers_of_value<Value, std::enable_if_t<Has_coordinates<Value>::value>> : Numbers_of_value<Figure_point>
+struct Numbers_of_value<Value, std::enable_if_t<has_coordinates<Value>>> : Numbers_of_value<Figure_point>
 {
   static void write(const Value& value, const Sink<double>& sink)
   {
@@ -671,21 +646,21 @@ public:
   template <class Part, class NamedParameters, class Texture, class... Parts>
   void add(const Part& part, const NamedParameters& np, const Texture& texture, const Parts&... parts)
   {
-    if constexpr(Is_range_of_points<Part>::value)
+    if constexpr(is_range_of_points<Part>)
       m_figure.add(shape_of_points(Shape::Kind::POINTS, [&part]() -> decltype(auto) { return (part); }));
-    else if constexpr(Is_range_of_polylines<Part>::value)
+    else if constexpr(is_range_of_polylines<Part>)
       add_curves(part);
     else if constexpr(has_faces<Part>) {
       Shape shape = surface_shape(part, np);
-      if constexpr(Is_texture<Texture>::value) {
+      if constexpr(is_texture<Texture>) {
         add_texture(shape, part, texture);
         m_figure.set_picture(texture.picture);
       }
       (add_values(shape, part, parts), ...);
       m_figure.add(std::move(shape));
     } else
-      static_assert(std::is_same<Part, IO::Tubes>::value || std::is_same<Part, IO::Colors>::value ||
-                        Is_texture<Part>::value || Is_vertex_values<Part>::value || is_named_parameters<Part>,
+      static_assert(std::is_same<Part, IO::Tubes>::value || std::is_same<Part, IO::Colors>::value || is_texture<Part> ||
+                        is_vertex_values<Part> || is_named_parameters<Part>,
                     "what is written is a face graph, a range of points or a range of polylines");
   }
 
@@ -697,7 +672,7 @@ public:
       m_tubes = &part;
     if constexpr(std::is_same<Part, IO::Colors>::value)
       m_figure.set_colors(part);
-    if constexpr(Is_vertex_values<Part>::value)
+    if constexpr(is_vertex_values<Part>)
       m_figure.add_value_kind({part.name, Numbers_of_map<decltype(part.map)>::size});
   }
 
@@ -746,7 +721,7 @@ inline No_texture texture_of() { return {}; }
 template <class Part, class... Parts>
 decltype(auto) texture_of(const Part& part, const Parts&... parts)
 {
-  if constexpr(Is_texture<Part>::value)
+  if constexpr(is_texture<Part>)
     return (part);
   else
     return texture_of(parts...);

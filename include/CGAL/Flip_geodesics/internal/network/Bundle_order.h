@@ -8,10 +8,12 @@
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
+#include <boost/dynamic_bitset.hpp>
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -85,15 +87,7 @@ private:
 class Buckets
 {
 public:
-  struct Range
-  {
-    const Index* first;
-    const Index* last;
-
-    const Index* begin() const { return first; }
-    const Index* end() const { return last; }
-    Index size() const { return static_cast<Index>(last - first); }
-  };
+  using Range = boost::iterator_range<const Index*>;
 
   Buckets() = default;
 
@@ -115,7 +109,7 @@ public:
 
   Range operator[](Index bucket) const
   {
-    return {m_items.data() + m_begin[bucket], m_items.data() + m_begin[bucket + 1]};
+    return Range(m_items.data() + m_begin[bucket], m_items.data() + m_begin[bucket + 1]);
   }
 
 private:
@@ -631,7 +625,7 @@ public:
         return m_conflict;
       find_problems();
       for(Index i = 0; i < m_choices_of.size(); ++i)
-        if(m_choices_of[i].size() > 0 && !has_fitting_defaults(i) && !search(i))
+        if(!m_choices_of[i].empty() && !has_fitting_defaults(i) && !search(i))
           return m_conflict;
     }
     for(Index i = 0; i < m_pairs.number_of_bundles(); ++i)
@@ -644,7 +638,7 @@ public:
   std::vector<Segment_index> order(Index bundle) const
   {
     const auto segments = m_pairs.segments(bundle);
-    std::vector<Segment_index> result(static_cast<std::size_t>(segments.size()));
+    std::vector<Segment_index> result(segments.size());
     for(Index i : segments)
       result[static_cast<std::size_t>(number_on_left(bundle, Segment_index(i)))] = Segment_index(i);
     return result;
@@ -730,41 +724,25 @@ private:
     return propagate(true);
   }
 
-  // Orders s and t if some u is known to lie between them; examines 64 such u at a time.
+  // Orders s and t if some u is known to lie between them; bit sets examine many such u at a time.
   bool imply_in_bundle(Index bundle)
   {
     const auto segments = m_pairs.segments(bundle);
-    const Bit_matrix right = bits_of([&](Segment_index s, Segment_index t) { return is_left(s, t); }, segments);
-    const Bit_matrix left = bits_of([&](Segment_index s, Segment_index t) { return is_left(t, s); }, segments);
-    for(Index i = 0; i < segments.size(); ++i)
-      for(Index j = 0; j < segments.size(); ++j) {
-        const Segment_index s(segments.first[i]), t(segments.first[j]);
-        if(s != t && !is_left(s, t) && have_common_bit(right[i], left[j]) && !assign(m_pairs.is_left(s, t)))
-          return fail_at_bundle(s);
-      }
-    return true;
-  }
-
-  using Bit_matrix = std::vector<std::vector<std::uint64_t>>;
-
-  template <class Relation>
-  static Bit_matrix bits_of(const Relation& relation, const Buckets::Range& segments)
-  {
-    const auto size = static_cast<std::size_t>(segments.size());
-    Bit_matrix result(size, std::vector<std::uint64_t>((size + 63) / 64, 0));
+    const auto segment = [&](std::size_t i) { return Segment_index(segments.begin()[i]); };
+    const std::size_t size = segments.size();
+    std::vector<boost::dynamic_bitset<>> on_right(size, boost::dynamic_bitset<>(size)), on_left = on_right;
     for(std::size_t i = 0; i < size; ++i)
       for(std::size_t j = 0; j < size; ++j)
-        if(i != j && relation(Segment_index(segments.first[i]), Segment_index(segments.first[j])))
-          result[i][j / 64] |= std::uint64_t(1) << (j % 64);
-    return result;
-  }
-
-  static bool have_common_bit(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b)
-  {
-    for(std::size_t i = 0; i < a.size(); ++i)
-      if((a[i] & b[i]) != 0)
-        return true;
-    return false;
+        if(i != j && is_left(segment(i), segment(j))) {
+          on_right[i].set(j);
+          on_left[j].set(i);
+        }
+    for(std::size_t i = 0; i < size; ++i)
+      for(std::size_t j = 0; j < size; ++j)
+        if(i != j && !is_left(segment(i), segment(j)) && on_right[i].intersects(on_left[j]) &&
+           !assign(m_pairs.is_left(segment(i), segment(j))))
+          return fail_at_bundle(segment(i));
+    return true;
   }
 
   // Returns false if the values contradict each other. The orders of the bundles can be ignored.
@@ -800,7 +778,7 @@ private:
   {
     auto [s, t] = m_pairs.segments_of_pair(pair);
     const auto segments = m_pairs.segments(m_pairs.bundle_of(s));
-    m_work += static_cast<std::size_t>(segments.size());
+    m_work += segments.size();
     if(!is_left(s, t))
       std::swap(s, t);
     for(Index i : segments) {
@@ -831,7 +809,7 @@ private:
   bool is_ordered(Index bundle) const
   {
     const auto segments = m_pairs.segments(bundle);
-    std::vector<char> is_taken(static_cast<std::size_t>(segments.size()), 0);
+    std::vector<char> is_taken(segments.size(), 0);
     for(Index s : segments) {
       char& place = is_taken[static_cast<std::size_t>(number_on_left(bundle, Segment_index(s)))];
       if(place != 0)
@@ -920,7 +898,7 @@ private:
   {
     bool do_all_fit = true;
     for(Index i = 0; i < m_choices_of.size(); ++i)
-      if(m_choices_of[i].size() > 0)
+      if(!m_choices_of[i].empty())
         do_all_fit = has_fitting_defaults(i) && do_all_fit;
     return do_all_fit;
   }

@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_SEGMENT_STORE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
@@ -79,39 +78,40 @@ struct Bundle_place
 };
 
 /*
- * Segments on halfedges of a triangulation and, for each edge, its bundle: the overlapping segments on the edge from
- * left to right as seen along its first halfedge. The leftmost segment of each bundle is stored by the place of the
- * edge. The triangulation only records that the edge is held.
+ * The segments of a network on halfedges of a triangulation, its curves as chains of segments and, for each edge, its
+ * bundle: the overlapping segments on the edge from left to right as seen along its first halfedge. The leftmost segment
+ * of each bundle is stored by the place of the edge. The triangulation only records that the edge is held.
  *
- * Invariant: a bundle consists of segments on its edge only, each once, and an edge is held once if and only if its
- * bundle has segments. Every live segment belongs to a bundle, except between `create()` and its linking. Each segment
- * has a payload, which this class does not interpret.
+ * Invariant, preserved by each public function: a bundle consists of exactly the segments on its edge, each once, and an
+ * edge is held once if and only if its bundle has segments; the segments of a curve form a chain from the first to the
+ * last one, which is cyclic if the curve is closed; and an angle known to be straight is that of the joint between a
+ * segment and its current successor. The network ensures that chains are connected in the triangulation and do not
+ * cross.
  *
  * Ids are never reused. The direction of a halfedge relative to its edge is practically random, so that choices that
  * depend on it are made without branches.
  */
-template <class Triangulation, class Payload>
-class Edge_bundles
+template <class Triangulation>
+class Segment_store
 {
 public:
   using Walker = typename Triangulation::Walker;
 
-  explicit Edge_bundles(Triangulation& triangulation)
+  explicit Segment_store(Triangulation& triangulation)
     : m_triangulation(&triangulation)
     , m_segments(1) // id 0 is not a segment
   {
   }
 
-  Edge_bundles(Edge_bundles&&) noexcept = default;
-  Edge_bundles& operator=(Edge_bundles&&) noexcept = default;
+  Segment_store(Segment_store&&) noexcept = default;
+  Segment_store& operator=(Segment_store&&) noexcept = default;
 
   Triangulation& triangulation() const { return *m_triangulation; }
 
   /* Must be called when the triangulation has been moved. */
   void set_triangulation(Triangulation& triangulation) { m_triangulation = &triangulation; }
 
-  Payload& operator[](Segment_index s) { return m_segments[s].payload; }
-  const Payload& operator[](Segment_index s) const { return m_segments[s].payload; }
+  // ---------------------------------------------------------------- bundles
 
   Index end_of_ids() const { return static_cast<Index>(m_segments.size()); }
   bool is_alive(Segment_index s) const { return m_segments[s].halfedge != null_index; }
@@ -179,187 +179,13 @@ public:
     return {halfedge(s), neighbor(s, first, Side::LEFT), neighbor(s, first, Side::RIGHT)};
   }
 
-  /* Reserves memory for `number` segments and one more, on edges that were touched. One segment can then always be
-   * created without an allocation, which rolling back a failed operation requires. */
-  void make_room(std::size_t number)
-  {
-    make_room_for_edges(m_triangulation->number_of_edge_places());
-    if(m_segments.capacity() - m_segments.size() <= number)
-      m_segments.reserve((std::max)(2 * m_segments.capacity(), m_segments.size() + number + 1));
-  }
-
-  /* Creates a segment on a halfedge, in no bundle. */
-  Segment_index create(Halfedge_index h)
-  {
-    m_segments.emplace_back();
-    const Segment_index s(end_of_ids() - 1);
-    revive(s, h);
-    return s;
-  }
-
-  /* Recreates a segment with a previously used id, in no bundle. \pre it is not alive */
-  void revive(Segment_index s, Halfedge_index h)
-  {
-    const Walker place = m_triangulation->walker(h);
-    make_room_for_edges(place.edge_place() + 1);
-    m_segments[s].halfedge = h;
-    m_segments[s].place = place.place();
-  }
-
-  /* Marks all smaller ids as used, though not by live segments. \pre there are no segments */
-  void set_end_of_ids(Index end) { m_segments.resize(static_cast<std::size_t>(end)); }
-
-  /* Removes all segments and releases all edges. Only `clear()` may be called afterwards. */
+  /* Releases all edges. Only `clear()` may be called afterwards. */
   void release_edges()
   {
     for(Segment_index s(1); s.idx() < end_of_ids(); ++s)
       if(is_alive(s))
         release_edge(placed(s, halfedge(s)));
   }
-
-  /* Removes all segments and ids. */
-  void clear()
-  {
-    release_edges();
-    m_segments.resize(1);
-  }
-
-  /* Makes s the outermost segment on the right of its edge as seen along h. \pre it is on that edge, but in no
-   * bundle */
-  void link_outermost(Segment_index s, Halfedge_index h)
-  {
-    const Walker place = placed(s, h);
-    Segment_index& first = m_leftmost[place.edge_place()];
-    if(first == no_segment) {
-      m_segments[s].beside = {{s, s}};
-      first = s;
-      place.hold();
-      return;
-    }
-    link_right_of(s, m_segments[first].beside[0]);
-    if(!is_first_side(h))
-      first = s;
-  }
-
-  /* Puts s immediately right of another segment on its edge as seen along the first halfedge. \pre s is in no bundle */
-  void link_right_of(Segment_index s, Segment_index left)
-  {
-    const Segment_index right = m_segments[left].beside[1];
-    m_segments[s].beside = {{left, right}};
-    m_segments[left].beside[1] = s;
-    m_segments[right].beside[0] = s;
-  }
-
-  /* Removes s from its bundle. */
-  void unlink(Segment_index s)
-  {
-    const Walker place = placed(s, halfedge(s));
-    const auto [left, right] = m_segments[s].beside;
-    m_segments[left].beside[1] = right;
-    m_segments[right].beside[0] = left;
-    if(right == s)
-      release_edge(place);
-    else if(Segment_index& first = m_leftmost[place.edge_place()]; first == s)
-      first = right;
-  }
-
-  /* \pre s is in no bundle */
-  void kill(Segment_index s) { m_segments[s].halfedge = null_index; }
-
-private:
-  static constexpr Segment_index no_segment{0};
-
-  struct Segment
-  {
-    Halfedge_index halfedge;             // null_index if it is dead
-    std::array<Segment_index, 2> beside; // by side, in the circular bundle, along the first halfedge
-    typename Walker::Place place = typename Walker::Place(); // of a side of its edge
-    Payload payload;
-  };
-
-  // Also valid for an edge that was never touched.
-  Segment_index leftmost_on(Halfedge_index h) const
-  {
-    return m_triangulation->holds(Triangulation::edge(h)) > 0 ? leftmost(m_triangulation->walker(h)) : no_segment;
-  }
-
-  void make_room_for_edges(std::size_t number)
-  {
-    if(m_leftmost.size() < number)
-      m_leftmost.resize(number, no_segment);
-  }
-
-  // Releases the edge of all its segments.
-  void release_edge(const Walker& place)
-  {
-    Segment_index& first = m_leftmost[place.edge_place()];
-    if(first == no_segment)
-      return;
-    first = no_segment;
-    place.release();
-  }
-
-  // Converts a side as seen along h to one as seen along the first halfedge of its edge: 0 left, 1 right.
-  static std::size_t side_along_first_halfedge(Halfedge_index h, Side side)
-  {
-    return static_cast<std::size_t>((h.idx() & 1) ^ (side == Side::RIGHT ? 1 : 0));
-  }
-
-  static Segment_index chosen(std::size_t i, Segment_index first, Segment_index second)
-  {
-    return Segment_index(first.idx() ^ ((first.idx() ^ second.idx()) & -static_cast<Index>(i)));
-  }
-
-  Triangulation* m_triangulation;
-  Indexed_by<Segment_index, std::vector<Segment>> m_segments;
-  std::vector<Segment_index> m_leftmost; // by the place of the edge; grows as edges are touched
-};
-
-/* A segment as a link of its curve. */
-struct Segment_links
-{
-  Segment_index next, previous;
-  Curve_index curve;
-  bool is_head_fixed = false;
-  mutable std::array<bool, 2> is_head_straight = {{false, false}}; // by side; true only if known
-};
-
-/*
- * The curves of a network as chains of segments, and the bundles of segments on the edges.
- *
- * Invariant, preserved by each public function: the segments of a curve form a chain from the first to the last one,
- * which is cyclic if the curve is closed; a bundle consists of exactly the segments on its edge; and an angle known to
- * be straight is that of the joint between a segment and its current successor. The network ensures that chains are
- * connected in the triangulation and do not cross.
- */
-template <class Triangulation>
-class Segment_store : private Edge_bundles<Triangulation, Segment_links>
-{
-  using Bundles = Edge_bundles<Triangulation, Segment_links>;
-
-public:
-  explicit Segment_store(Triangulation& triangulation)
-    : Bundles(triangulation)
-  {
-  }
-
-  Segment_store(Segment_store&&) noexcept = default;
-  Segment_store& operator=(Segment_store&&) noexcept = default;
-
-  using Bundles::bundle;
-  using Bundles::bundle_place;
-  using Bundles::end_of_ids;
-  using Bundles::halfedge;
-  using Bundles::is_alive;
-  using Bundles::is_occupied;
-  using Bundles::leftmost;
-  using Bundles::neighbor;
-  using Bundles::outermost;
-  using Bundles::placed;
-  using Bundles::release_edges;
-  using Bundles::set_bundle;
-  using Bundles::set_triangulation;
-  using Bundles::triangulation;
 
   // ---------------------------------------------------------------- curves
 
@@ -377,7 +203,7 @@ public:
     const Segment_index first = m_curves[curve].first;
     for(Segment_index s = first; s != null_index;) {
       function(s);
-      s = links(s).next;
+      s = m_segments[s].next;
       if(s == first)
         return;
     }
@@ -385,18 +211,18 @@ public:
 
   // ---------------------------------------------------------------- segments
 
-  Curve_index curve(Segment_index s) const { return links(s).curve; }
-  Segment_index next(Segment_index s) const { return links(s).next; }
-  Segment_index previous(Segment_index s) const { return links(s).previous; }
-  bool is_head_fixed(Segment_index s) const { return next(s) == null_index || links(s).is_head_fixed; }
-  void set_head_fixed(Segment_index s, bool is_fixed) { links(s).is_head_fixed = is_fixed; }
+  Curve_index curve(Segment_index s) const { return m_segments[s].curve; }
+  Segment_index next(Segment_index s) const { return m_segments[s].next; }
+  Segment_index previous(Segment_index s) const { return m_segments[s].previous; }
+  bool is_head_fixed(Segment_index s) const { return next(s) == null_index || m_segments[s].is_head_fixed; }
+  void set_head_fixed(Segment_index s, bool is_fixed) { m_segments[s].is_head_fixed = is_fixed; }
 
   /* Returns whether the joint at the head of s is known to have an angle of at least pi on a side, or the border there.
    * This remains true while the joint exists. */
-  bool is_known_straight(Segment_index s, Side side) const { return links(s).is_head_straight[number(side)]; }
+  bool is_known_straight(Segment_index s, Side side) const { return m_segments[s].is_head_straight[number(side)]; }
   void note_straight(Segment_index s, Side side, bool is_straight) const
   {
-    links(s).is_head_straight[number(side)] = is_straight;
+    m_segments[s].is_head_straight[number(side)] = is_straight;
   }
 
   // ---------------------------------------------------------------- modifications
@@ -418,7 +244,8 @@ public:
 
   void clear()
   {
-    Bundles::clear();
+    release_edges();
+    m_segments.resize(1);
     m_curves.clear();
   }
 
@@ -436,7 +263,7 @@ public:
     const Segment_index x = joint.incoming, y = next(x);
     CGAL_precondition(x != y);
     const Side other = opposite_side(joint.side);
-    const bool was_whole_loop = next(y) == x, is_end_fixed = links(y).is_head_fixed,
+    const bool was_whole_loop = next(y) == x, is_end_fixed = m_segments[y].is_head_fixed,
                is_end_straight = is_known_straight(y, other);
     const Gap gap = {curve(x), was_whole_loop ? null_index : previous(x), was_whole_loop ? null_index : next(y),
                      was_whole_loop};
@@ -448,7 +275,7 @@ public:
       note_straight(last, other, is_end_straight);
     }
     if(gap.before != null_index && last == null_index)
-      links(gap.before).is_head_fixed = links(gap.before).is_head_fixed || is_end_fixed;
+      m_segments[gap.before].is_head_fixed = m_segments[gap.before].is_head_fixed || is_end_fixed;
     if(gap.before != null_index) {
       note_straight(gap.before, joint.side, false);
       if(last == null_index)
@@ -458,10 +285,15 @@ public:
     return first;
   }
 
-  /* Moves the segments on the edge of h in their order to a chain of two halfedges from its tail to its head, with no
-   * vertex between chain and edge. Changes nothing if it throws. */
-  void divide_bundle(Halfedge_index h, const std::array<Halfedge_index, 2>& chain)
+  /* Moves the segments on an edge that is split, in their order, to its halves. Changes nothing if it throws.
+   * \throws Occupied_triangulation_error if another network holds the edge */
+  template <class Edge_halves>
+  void divide_bundle(const Edge_halves& halves)
   {
+    const Halfedge_index h = halves.first;
+    const std::array<Halfedge_index, 2> chain = {h, halves.second};
+    if(m_triangulation->holds(Triangulation::edge(h)) > (is_occupied(h) ? 1 : 0))
+      throw Occupied_triangulation_error("a curve of another network lies on the edge that would be split");
     std::vector<Segment_index> segments = bundle(Triangulation::edge(h));
     if(!is_first_side(h))
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
@@ -525,7 +357,7 @@ public:
    * case. */
   bool restore(const Network_state& state)
   {
-    Bundles::set_end_of_ids(state.end_of_segment_ids);
+    m_segments.resize(static_cast<std::size_t>(state.end_of_segment_ids));
     for(const Network_state::Curve& curve : state.curves)
       if(!restore_curve(curve))
         return false;
@@ -536,10 +368,18 @@ public:
   }
 
 private:
-  using Bundles::link_outermost;
-  using Bundles::link_right_of;
-  using Bundles::make_room;
-  using Bundles::unlink;
+  static constexpr Segment_index no_segment{0};
+
+  struct Segment
+  {
+    Halfedge_index halfedge;             // null_index if it is dead
+    std::array<Segment_index, 2> beside; // by side, in the circular bundle, along the first halfedge
+    typename Walker::Place place = typename Walker::Place(); // of a side of its edge
+    Segment_index next, previous;                            // in the chain of its curve
+    Curve_index curve;
+    bool is_head_fixed = false;
+    mutable std::array<bool, 2> is_head_straight = {{false, false}}; // by side; true only if known
+  };
 
   struct Curve
   {
@@ -557,18 +397,108 @@ private:
     bool is_whole_loop;
   };
 
-  Segment_links& links(Segment_index s) { return static_cast<Bundles&>(*this)[s]; }
-  const Segment_links& links(Segment_index s) const { return static_cast<const Bundles&>(*this)[s]; }
-
   static std::size_t number(Side side) { return static_cast<std::size_t>(side); }
+
+  // ---------------------------------------------------------------- bundles
+
+  // Also valid for an edge that was never touched.
+  Segment_index leftmost_on(Halfedge_index h) const
+  {
+    return m_triangulation->holds(Triangulation::edge(h)) > 0 ? leftmost(m_triangulation->walker(h)) : no_segment;
+  }
+
+  void make_room_for_edges(std::size_t number)
+  {
+    if(m_leftmost.size() < number)
+      m_leftmost.resize(number, no_segment);
+  }
+
+  // Releases the edge of all its segments.
+  void release_edge(const Walker& place)
+  {
+    Segment_index& first = m_leftmost[place.edge_place()];
+    if(first == no_segment)
+      return;
+    first = no_segment;
+    place.release();
+  }
+
+  // Converts a side as seen along h to one as seen along the first halfedge of its edge: 0 left, 1 right.
+  static std::size_t side_along_first_halfedge(Halfedge_index h, Side side)
+  {
+    return static_cast<std::size_t>((h.idx() & 1) ^ (side == Side::RIGHT ? 1 : 0));
+  }
+
+  static Segment_index chosen(std::size_t i, Segment_index first, Segment_index second)
+  {
+    return Segment_index(first.idx() ^ ((first.idx() ^ second.idx()) & -static_cast<Index>(i)));
+  }
+
+  // Reserves memory for `number` segments and one more, on edges that were touched. One segment can then always be
+  // created without an allocation, which rolling back a failed operation requires.
+  void make_room(std::size_t number)
+  {
+    make_room_for_edges(m_triangulation->number_of_edge_places());
+    if(m_segments.capacity() - m_segments.size() <= number)
+      m_segments.reserve((std::max)(2 * m_segments.capacity(), m_segments.size() + number + 1));
+  }
+
+  // Recreates a segment with a previously used id, in no bundle. \pre it is not alive
+  void revive(Segment_index s, Halfedge_index h)
+  {
+    const Walker place = m_triangulation->walker(h);
+    make_room_for_edges(place.edge_place() + 1);
+    m_segments[s].halfedge = h;
+    m_segments[s].place = place.place();
+  }
+
+  // Makes s the outermost segment on the right of its edge as seen along h. \pre it is on that edge, but in no bundle
+  void link_outermost(Segment_index s, Halfedge_index h)
+  {
+    const Walker place = placed(s, h);
+    Segment_index& first = m_leftmost[place.edge_place()];
+    if(first == no_segment) {
+      m_segments[s].beside = {{s, s}};
+      first = s;
+      place.hold();
+      return;
+    }
+    link_right_of(s, m_segments[first].beside[0]);
+    if(!is_first_side(h))
+      first = s;
+  }
+
+  // Puts s immediately right of another segment on its edge as seen along the first halfedge. \pre s is in no bundle
+  void link_right_of(Segment_index s, Segment_index left)
+  {
+    const Segment_index right = m_segments[left].beside[1];
+    m_segments[s].beside = {{left, right}};
+    m_segments[left].beside[1] = s;
+    m_segments[right].beside[0] = s;
+  }
+
+  // Removes s from its bundle.
+  void unlink(Segment_index s)
+  {
+    const Walker place = placed(s, halfedge(s));
+    const auto [left, right] = m_segments[s].beside;
+    m_segments[left].beside[1] = right;
+    m_segments[right].beside[0] = left;
+    if(right == s)
+      release_edge(place);
+    else if(Segment_index& first = m_leftmost[place.edge_place()]; first == s)
+      first = right;
+  }
 
   // ---------------------------------------------------------------- chains
 
   // Creates a segment of a curve on a halfedge, in no chain and no bundle.
   Segment_index create(Curve_index curve, Halfedge_index h)
   {
-    const Segment_index s = Bundles::create(h);
-    links(s).curve = curve;
+    m_segments.emplace_back();
+    const Segment_index s(end_of_ids() - 1);
+    revive(s, h);
+    m_segments[s].curve = curve;
     return s;
   }
 
@@ -576,9 +506,9 @@ private:
   void link(Segment_index s, Segment_index t)
   {
     if(s != null_index)
-      links(s).next = t;
+      m_segments[s].next = t;
     if(t != null_index)
-      links(t).previous = s;
+      m_segments[t].previous = s;
   }
 
   // Appends a new segment to its curve; it is rightmost on its edge.
@@ -628,7 +558,7 @@ private:
     const Segment_index head = first == null_index ? gap.after : first, tail = last == null_index ? gap.before : last;
     if(c.is_closed) { // any segment may be the first
       c.first = head;
-      c.last = links(head).previous;
+      c.last = m_segments[head].previous;
       return;
     }
     if(gap.before == null_index)
@@ -640,16 +570,16 @@ private:
   // Replaces s, which is no longer in a bundle, by a and b.
   void replace_in_curve(Segment_index s, Segment_index a, Segment_index b)
   {
-    const Segment_links old = links(s);
+    const Segment old = m_segments[s];
     Curve& c = m_curves[old.curve];
     const bool was_whole_loop = old.next == s;
     link(a, b);
     link(was_whole_loop ? b : old.previous, a);
     if(!was_whole_loop && old.previous != null_index)
-      links(old.previous).is_head_straight = {};
+      m_segments[old.previous].is_head_straight = {};
     link(b, was_whole_loop ? a : old.next);
-    links(b).is_head_fixed = old.is_head_fixed;
-    Bundles::kill(s);
+    m_segments[b].is_head_fixed = old.is_head_fixed;
+    m_segments[s].halfedge = null_index;
     c.first = c.first == s ? a : c.first;
     c.last = c.last == s ? b : c.last;
   }
@@ -657,7 +587,7 @@ private:
   void remove(Segment_index s)
   {
     unlink(s);
-    Bundles::kill(s);
+    m_segments[s].halfedge = null_index;
   }
 
   // ---------------------------------------------------------------- reading
@@ -672,8 +602,8 @@ private:
         return false;
       if(last(c) != null_index && triangulation().head(halfedge(last(c))) != triangulation().tail(s.halfedge))
         return false;
-      Bundles::revive(s.id, s.halfedge);
-      links(s.id).curve = c;
+      revive(s.id, s.halfedge);
+      m_segments[s.id].curve = c;
       set_head_fixed(s.id, s.is_head_fixed);
       append(s.id);
     }
@@ -701,6 +631,9 @@ private:
     return true;
   }
 
+  Triangulation* m_triangulation;
+  Indexed_by<Segment_index, std::vector<Segment>> m_segments;
+  std::vector<Segment_index> m_leftmost; // by the place of the edge; grows as edges are touched
   Indexed_by<Curve_index, std::vector<Curve>> m_curves;
 };
 
@@ -809,48 +742,6 @@ private:
 
   const Network& m_network;
   Segments& m_segments;
-};
-
-/* Inserts points into the triangulation of a network and divides the segments on the edges that are split. */
-template <class Triangulation>
-class Segment_division
-{
-public:
-  Segment_division(Triangulation& triangulation, Segment_store<Triangulation>& segments)
-    : m_triangulation(triangulation)
-    , m_segments(segments)
-  {
-  }
-
-  Vertex_index insert(const Surface_location& location)
-  {
-    return m_triangulation.insert(location, [this](const auto& halves) { this->divide_bundle(halves); });
-  }
-
-  Vertex_index insert(const Surface_location& location, Known_piece& close_by)
-  {
-    return Internals<Triangulation>::insert(
-        m_triangulation, location, [this](const auto& halves) { this->divide_bundle(halves); }, close_by);
-  }
-
-  Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
-  {
-    return m_triangulation.split_edge(h, location, gap, [this](const auto& halves) { this->divide_bundle(halves); });
-  }
-
-private:
-  // See Segment_store::divide_bundle(). \throws Occupied_triangulation_error if another network holds the edge
-  template <class Edge_halves>
-  void divide_bundle(const Edge_halves& halves)
-  {
-    const Index own_holds = m_segments.leftmost(m_triangulation.walker(halves.first)).idx() != 0 ? 1 : 0;
-    if(m_triangulation.holds(Triangulation::edge(halves.first)) > own_holds)
-      throw Occupied_triangulation_error("a curve of another network lies on the edge that would be split");
-    m_segments.divide_bundle(halves.first, {{halves.first, halves.second}});
-  }
-
-  Triangulation& m_triangulation;
-  Segment_store<Triangulation>& m_segments;
 };
 
 /* Checks the invariant of Edge_path_network through its public members alone. */

@@ -283,9 +283,9 @@ private:
     Surface_location result = {first.face, {{0, 0, 0}}};
     const Split_side* side = &first;
     for(std::size_t i = 0; i < 3; ++i, side = find(side->next)) {
-      const std::array<double, 3>& corner = side->tail_weights;
+      const std::array<double, 3> corner = divided_by_sum(side->tail_weights);
       for(std::size_t k = 0; k < 3; ++k)
-        result.weights[k] += weights[i] * (corner[k] / (corner[0] + corner[1] + corner[2]));
+        result.weights[k] += weights[i] * corner[k];
     }
     for(double& weight : result.weights)
       weight = weight == 0 ? 0 : (std::max)(weight, least_weight);
@@ -304,8 +304,7 @@ private:
 template <class TriangleMesh>
 Split_face face(Input_halfedge_index h, const Split_surface<TriangleMesh>& surface)
 {
-  const Input_halfedge_index hn = surface.next(h);
-  return {(std::min)({h, hn, surface.next(hn)})};
+  return {least_in_face(surface, h)};
 }
 
 template <class TriangleMesh>
@@ -429,7 +428,7 @@ public:
       return internal::face_geometry(m_metric, below(mesh), h, traits);
     if constexpr(std::is_same<Traits, Precise_face_traits>::value) {
       return part(mesh, *side).precise_face(place_in_part(mesh, *side));
-    } else if constexpr(Has_exact_subfaces<Traits>::value) {
+    } else if constexpr(has_exact_subfaces<Traits>) {
       const Split_side *const next = mesh.surface().find(side->next), *const last = mesh.surface().find(side->previous);
       return traits.construct_subface_object()(internal::face_geometry(m_metric, below(mesh), side->face, traits),
                                                {{side->tail_weights, next->tail_weights, last->tail_weights}});
@@ -513,9 +512,8 @@ private:
     while(at.weights[0] < (std::max)(at.weights[1], at.weights[2]))
       at = rotated(below(mesh), at);
     const Input_halfedge_index h = at.halfedge, hn = below(mesh).next(h);
-    const double sum = at.weights[0] + at.weights[1] + at.weights[2];
     return {{{below(mesh).tail(h), below(mesh).tail(hn), below(mesh).tail(below(mesh).next(hn))}},
-            {{at.weights[0] / sum, at.weights[1] / sum, at.weights[2] / sum}}};
+            divided_by_sum(at.weights)};
   }
 
   static double value(double x) { return x; }

@@ -204,6 +204,21 @@ std::array<double, 3> vertex_weights(const Triangulation& triangulation, Vertex_
   return {{corner == h ? 1.0 : 0.0, corner == input.next(h) ? 1.0 : 0.0, input.next(corner) == h ? 1.0 : 0.0}};
 }
 
+/* Returns the weights of the point at `t` on a side of the face of h, from 0 at its tail to 1 at its head, relative to
+ * h. */
+template <class Input_mesh>
+std::array<double, 3> weights_on_side(const Input_mesh& input, Input_halfedge_index h, Input_halfedge_index side,
+                                      double t)
+{
+  std::array<double, 3> weights = {{0, 0, 0}};
+  for(int i = 0; i < 3; ++i, h = input.next(h))
+    if(h == side) {
+      weights[i] = 1 - t;
+      weights[(i + 1) % 3] = t;
+    }
+  return weights;
+}
+
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL

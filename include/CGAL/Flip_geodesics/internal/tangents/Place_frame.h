@@ -23,13 +23,6 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Returns the smallest halfedge of the face of h. */
-template <class Input_mesh>
-Input_halfedge_index face_name(const Input_mesh& input, Input_halfedge_index h)
-{
-  return (std::min)({h, input.next(h), input.next(input.next(h))});
-}
-
 /* Returns the direction, of length 1, of a side of the face of h in the frame in which h is the positive real axis. */
 template <class Triangulation>
 std::complex<double> direction_of_side(const Triangulation& triangulation, Input_halfedge_index h,
@@ -147,7 +140,7 @@ public:
       const Input_halfedge_index c = corner(h);
       return m_fan.angle_of(c, vertex()) + std::arg(direction / direction_of_side(m_triangulation, h, c));
     }
-    if(face_name(input(), h) == face_name(input(), m_place.halfedge))
+    if(least_in_face(input(), h) == least_in_face(input(), m_place.halfedge))
       return std::arg(direction / direction_of_side(m_triangulation, h, m_place.halfedge));
     return std::arg(-direction / direction_of_side(m_triangulation, h, twin_index(m_place.halfedge)));
   }
@@ -177,9 +170,9 @@ public:
       return position_at_vertex(h);
     const bool is_in_face = !input().is_border(h);
     const Input_halfedge_index t = twin_index(m_place.halfedge);
-    if(is_in_face && (face_name(input(), h) == face_name(input(), m_place.halfedge) ||
+    if(is_in_face && (least_in_face(input(), h) == least_in_face(input(), m_place.halfedge) ||
                       (kind(m_place) == Location_kind::EDGE && !input().is_border(t) &&
-                       face_name(input(), h) == face_name(input(), t))))
+                       least_in_face(input(), h) == least_in_face(input(), t))))
       return position(h, 1);
     throw_no_side(h);
   }

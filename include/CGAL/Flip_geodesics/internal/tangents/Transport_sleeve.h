@@ -274,7 +274,7 @@ private:
   bool has_place(const Surface_location& place, Input_halfedge_index h) const
   {
     const std::vector<Input_halfedge_index> faces = faces_of_location(input(), place);
-    return !input().is_border(h) && std::find(faces.begin(), faces.end(), face_name(input(), h)) != faces.end();
+    return !input().is_border(h) && std::find(faces.begin(), faces.end(), least_in_face(input(), h)) != faces.end();
   }
 
   // The face between two points: that of the second one's halfedge if curves name the face that they leave, or else any
@@ -317,7 +317,7 @@ private:
 
   bool is_same_face(Input_halfedge_index g, Input_halfedge_index h) const
   {
-    return face_name(input(), g) == face_name(input(), h);
+    return least_in_face(input(), g) == least_in_face(input(), h);
   }
 
   // Joins parts at points on edges and in faces, where the curve passes no vertex.

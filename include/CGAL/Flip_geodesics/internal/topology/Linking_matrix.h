@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_LINKING_MATRIX_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
@@ -209,10 +210,7 @@ public:
   }
 
   /* Returns the smallest halfedge of the face on the left. */
-  Input_halfedge_index face(Input_halfedge_index h) const
-  {
-    return (std::min)({h, m_input.next(h), m_input.previous(h)});
-  }
+  Input_halfedge_index face(Input_halfedge_index h) const { return least_in_face(m_input, h); }
 
   /* Calls `pass(side, is_left)` along the path from the face on the left of h to the one on its right: for each side of
    * a face that leads up, to the left or to the right of where the two paths to the root meet. */

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
@@ -204,25 +205,15 @@ private:
       else if(k > sequence.crossed.size())
         weights = vertex_weights(m_triangulation, sequence.head, face);
       else // left through the crossed edge at the end of the piece, entered at its start
-        weights = k > gap ? on_edge(face, sequence.crossed[k - 1], m_sides[i].on_input[k - 1])
-                          : on_edge(face, twin_index(sequence.crossed[k - 1]), 1 - m_sides[i].on_input[k - 1]);
-      const double sum = weights[0] + weights[1] + weights[2];
-      for(double& weight : weights)
-        weight /= sum;
-      part.vertices.push_back({position(i, k), weights, face});
+        weights = k > gap ? on_side(face, sequence.crossed[k - 1], m_sides[i].on_input[k - 1])
+                          : on_side(face, twin_index(sequence.crossed[k - 1]), 1 - m_sides[i].on_input[k - 1]);
+      part.vertices.push_back({position(i, k), divided_by_sum(weights), face});
     }
   }
 
-  Weights on_edge(Input_halfedge_index face, Input_halfedge_index h, double t) const
+  Weights on_side(Input_halfedge_index face, Input_halfedge_index side, double t) const
   {
-    const auto& input = m_triangulation.input();
-    Weights weights = {{0, 0, 0}};
-    for(int i = 0; i < 3; ++i, face = input.next(face))
-      if(face == h) {
-        weights[i] = 1 - t;
-        weights[(i + 1) % 3] = t;
-      }
-    return weights;
+    return weights_on_side(m_triangulation.input(), face, side, t);
   }
 
   std::optional<Surface_location> moved(const Vertex& from, const Vertex& to, const Complex& z) const
@@ -294,9 +285,6 @@ std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, H
   const auto corners = strip.face(result.gap);
   const std::complex<double> p = best_t * strip.end(), b = corners[1].position - corners[0].position,
                              c = corners[2].position - corners[0].position, d = p - corners[0].position;
-  const auto cross = [](const std::complex<double>& u, const std::complex<double>& v) {
-    return std::imag(std::conj(u) * v);
-  };
   const double area = cross(b, c);
   result.location.halfedge = face_of_gap(sequence, result.gap);
   result.location.weights = {{0, cross(d, c) / area, cross(b, d) / area}};
@@ -449,16 +437,10 @@ private:
 
 /* Detects models of CurveNetwork, as opposed to triangulations, by their curves. */
 template <class T, class = void>
-struct Is_curve_network : std::false_type
-{
-};
-
+constexpr bool has_curves = false;
 template <class T>
-struct Is_curve_network<T,
-                        std::void_t<typename T::Triangulation, decltype(std::declval<const T&>().number_of_curves())>>
-  : std::true_type
-{
-};
+constexpr bool
+    has_curves<T, std::void_t<typename T::Triangulation, decltype(std::declval<const T&>().number_of_curves())>> = true;
 
 /* Returns the edges that a network holds, each once, in increasing order. */
 template <class Network>
@@ -492,12 +474,6 @@ public:
       m_sides[i] = h;
       m_lengths[i] = triangulation.length(h);
     }
-  }
-
-  static Halfedge_index first_halfedge(const Triangulation& triangulation, Halfedge_index h)
-  {
-    const Halfedge_index hn = triangulation.next(h);
-    return (std::min)({h, hn, triangulation.next(hn)});
   }
 
   const std::array<double, 3>& lengths() const { return m_lengths; }
@@ -687,10 +663,10 @@ private:
  * If the allowed vertices are far too few, the faces with the greatest need are abandoned, and the others are refined
  * until their need does not decrease any more either.
  *
- * \tparam Splitter inserts points and splits edges: of a triangulation, or of a network with its curves
+ * \tparam OnSplit is called for the halves of each edge that is split, to divide the curves on it
  * \tparam Visitor is called before each face, for each flip and for each vertex
  */
-template <class Triangulation, class Splitter, class Visitor>
+template <class Triangulation, class OnSplit, class Visitor>
 class Delaunay_refiner
 {
   using Complex = std::complex<double>;
@@ -710,9 +686,9 @@ public:
 
   enum class End { NO_FACE_LEFT, LIMIT, VISITOR };
 
-  Delaunay_refiner(Triangulation& triangulation, Splitter& splitter, const Limits& limits, Visitor& visitor)
+  Delaunay_refiner(Triangulation& triangulation, const OnSplit& on_split, const Limits& limits, Visitor& visitor)
     : m_triangulation(triangulation)
-    , m_splitter(splitter)
+    , m_on_split(on_split)
     , m_visitor(visitor)
     , m_limits(limits)
     , m_star(triangulation)
@@ -726,7 +702,7 @@ public:
   End run()
   {
     for(Halfedge_index h : descriptors<Halfedge_index>(m_triangulation.number_of_halfedges()))
-      if(!m_triangulation.is_border(h) && Shape::first_halfedge(m_triangulation, h) == h)
+      if(!m_triangulation.is_border(h) && least_in_face(m_triangulation, h) == h)
         look_at(h);
     while(!m_queue.empty()) {
       if(is_full())
@@ -802,7 +778,7 @@ private:
   {
     if(m_triangulation.is_border(h))
       return;
-    const Halfedge_index first = Shape::first_halfedge(m_triangulation, h);
+    const Halfedge_index first = least_in_face(m_triangulation, h);
     const double how_bad = badness(first);
     if(how_bad <= 0)
       return;
@@ -848,7 +824,7 @@ private:
   {
     const double many = m_outlook.mean_need() / 2;
     for(Halfedge_index h : descriptors<Halfedge_index>(m_triangulation.number_of_halfedges())) {
-      if(m_triangulation.is_border(h) || Shape::first_halfedge(m_triangulation, h) != h || !(badness(h) > 0))
+      if(m_triangulation.is_border(h) || least_in_face(m_triangulation, h) != h || !(badness(h) > 0))
         continue;
       const Shape shape(m_triangulation, h);
       if(need(shape) >= many)
@@ -861,7 +837,7 @@ private:
   {
     if(bad.halfedge.idx() >= m_triangulation.number_of_halfedges() || m_triangulation.is_border(bad.halfedge))
       return false;
-    if(Shape::first_halfedge(m_triangulation, bad.halfedge) != bad.halfedge)
+    if(least_in_face(m_triangulation, bad.halfedge) != bad.halfedge)
       return false;
     const std::array<double, 3> lengths = Shape(m_triangulation, bad.halfedge).lengths();
     for(int i = 0; i < 3; ++i) // the face may have been recomputed from the input
@@ -922,7 +898,7 @@ private:
       if(!place || !has_room(place->location, std::abs(center.point)))
         return null_index;
       Known_piece close_by = {place->halfedge, place->gap, m_letters + letters_per_point};
-      const Vertex_index x = m_splitter.insert(place->location, close_by);
+      const Vertex_index x = Internals<Triangulation>::insert(m_triangulation, place->location, m_on_split, close_by);
       m_letters = close_by.letters;
       return x == wanted ? x : null_index;
     } catch(const Insertion_error&) {
@@ -1023,7 +999,7 @@ private:
       const std::optional<Point_on_edge> point = point_on_edge(m_triangulation, h, t);
       if(!point || !has_room(point->location, (std::min)(t, 1 - t) * m_triangulation.length(h)))
         return false;
-      x = m_splitter.split_edge(h, point->location, point->gap);
+      x = m_triangulation.split_edge(h, point->location, point->gap, m_on_split);
     } catch(const Insertion_error&) {
       return false;
     }
@@ -1080,7 +1056,7 @@ private:
     for(Halfedge_index h : m_star.flipped())
       around.insert(around.end(), {h, Triangulation::twin(h)});
     for(Halfedge_index& h : around)
-      h = m_triangulation.is_border(h) ? null_index : Shape::first_halfedge(m_triangulation, h);
+      h = m_triangulation.is_border(h) ? null_index : least_in_face(m_triangulation, h);
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
     for(Halfedge_index h : around)
@@ -1089,7 +1065,7 @@ private:
   }
 
   Triangulation& m_triangulation;
-  Splitter& m_splitter;
+  const OnSplit& m_on_split;
   Visitor& m_visitor;
   Limits m_limits;
   Star_flips<Triangulation> m_star;

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_HALFEDGE_STORE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
@@ -355,11 +356,10 @@ private:
       return;
     }
     check_triangle(m_input, h);
-    const Input_halfedge_index hn = m_input.next(h), hp = m_input.next(hn);
-    if(hn == h)
+    if(m_input.next(h) == h)
       throw_no_triangle(m_input, h);
     // Starts with the smallest side, so that results are bitwise independent of the side that is touched first.
-    const Input_halfedge_index first = (std::min)({h, hn, hp});
+    const Input_halfedge_index first = least_in_face(m_input, h);
     const Input_halfedge_index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
     const auto geometry = face_geometry(m_metric, m_input, first, m_traits);
     std::array<Slot, 3> slots;

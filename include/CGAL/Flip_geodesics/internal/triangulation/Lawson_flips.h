@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <deque>
 #include <unordered_map>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -55,11 +56,7 @@ public:
   }
 
   /* Admits an edge to the set and queues it. */
-  void allow(Edge_index e)
-  {
-    if(m_edges.emplace(e, Edge{true, 0}).second)
-      m_queue.push_back(e);
-  }
+  void allow(Edge_index e) { enqueue(e, m_edges.emplace(e, Edge{false, 0}).first->second); }
 
   /* Clears the list of flipped edges and the queue. */
   void clear()
@@ -72,12 +69,9 @@ public:
   void look_at(Edge_index e)
   {
     if(m_allows_all)
-      return allow_or_requeue(e);
-    const auto found = m_edges.find(e);
-    if(found == m_edges.end() || found->second.is_queued)
-      return;
-    found->second.is_queued = true;
-    m_queue.push_back(e);
+      return allow(e);
+    if(const auto found = m_edges.find(e); found != m_edges.end())
+      enqueue(e, found->second);
   }
 
   /* Flips until no edge remains, `maximum` flips are done, or the visitor stops the process. Returns the number of
@@ -121,13 +115,10 @@ private:
     unsigned flips;
   };
 
-  void allow_or_requeue(Edge_index e)
+  void enqueue(Edge_index e, Edge& edge)
   {
-    Edge& edge = m_edges.emplace(e, Edge{false, 0}).first->second;
-    if(edge.is_queued)
-      return;
-    edge.is_queued = true;
-    m_queue.push_back(e);
+    if(!std::exchange(edge.is_queued, true))
+      m_queue.push_back(e);
   }
 
   // An edge that was flipped 32, 64, ... times is examined from the input, before rounding errors can lead to a cycle.

@@ -193,7 +193,7 @@ public:
     };
     for(Overlay_halfedge h : halfedges())
       if(is_alive(h) && !is_border(h) && face[h] == null_index && input_halfedge(h) != null_index)
-        assign(h, first_of_input_face(input_halfedge(h)));
+        assign(h, least_in_face(m_triangulation->input(), input_halfedge(h)));
     while(!pending.empty()) {
       const Overlay_halfedge h = pending.back();
       pending.pop_back();
@@ -352,13 +352,6 @@ private:
     return along == null_index || is_first_side(h) ? along : twin_index(along);
   }
 
-  Input_halfedge_index first_of_input_face(Input_halfedge_index h) const
-  {
-    const auto& input = m_triangulation->input();
-    const Input_halfedge_index hn = input.next(h);
-    return (std::min)({h, hn, input.next(hn)});
-  }
-
   void link(Overlay_halfedge h, Overlay_halfedge g)
   {
     m_next[h] = g;
@@ -408,9 +401,8 @@ private:
     for(Halfedge_index h : descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
       if(m_triangulation->is_border(h))
         continue;
-      const Halfedge_index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
-      if(h < hn && h < hp)
-        link_triangle({h, hn, hp});
+      if(least_in_face(*m_triangulation, h) == h)
+        link_triangle({h, m_triangulation->next(h), m_triangulation->previous(h)});
     }
   }
 
@@ -691,8 +683,7 @@ private:
       Overlay_halfedge piece = h;
       while(m_overlay->intrinsic_halfedge(piece) == null_index)
         piece = m_overlay->next(piece);
-      const Halfedge_index side = m_overlay->intrinsic_halfedge(piece), after = triangulation().next(side);
-      const Halfedge_index face = (std::min)({side, after, triangulation().next(after)});
+      const Halfedge_index face = least_in_face(triangulation(), m_overlay->intrinsic_halfedge(piece));
       m_overlay->for_each_side(h, [&](Overlay_halfedge s) { m_intrinsic_faces[s] = face; });
     });
   }
@@ -750,7 +741,7 @@ private:
     if(!m_overlay->is_crossing(v)) {
       const bool is_told_by_crossing = along != null_index || m_overlay->is_crossing(m_overlay->target(h));
       if(triangulation().is_inserted(Vertex_index(v.idx())) || !is_told_by_crossing)
-        return normalized(vertex_weights(triangulation(), Vertex_index(v.idx()), m_faces[h]));
+        return divided_by_sum(vertex_weights(triangulation(), Vertex_index(v.idx()), m_faces[h]));
       const Input_halfedge_index corner = along != null_index ? along : input.next(input.next(leaving_through(h)));
       return on_side(m_faces[h], corner, 0);
     }
@@ -769,22 +760,9 @@ private:
     return is_first_side(m_overlay->intrinsic_halfedge(h)) ? crossed : twin_index(crossed);
   }
 
-  static Weights normalized(const Weights& w)
-  {
-    const double sum = w[0] + w[1] + w[2];
-    return {{w[0] / sum, w[1] / sum, w[2] / sum}};
-  }
-
   Weights on_side(Input_halfedge_index f, Input_halfedge_index side, double t) const
   {
-    const auto& input = triangulation().input();
-    Weights weights = {0, 0, 0};
-    for(int i = 0; i < 3; ++i, f = input.next(f))
-      if(f == side) {
-        weights[i] = 1 - t;
-        weights[(i + 1) % 3] = t;
-      }
-    return weights;
+    return weights_on_side(triangulation().input(), f, side, t);
   }
 
   const Overlay* m_overlay;

@@ -422,15 +422,10 @@ private:
 
 /* Detects traits that can represent a part of an input face in their own numbers. */
 template <class Traits, class = void>
-struct Has_exact_subfaces : std::false_type
-{
-};
-
+constexpr bool has_exact_subfaces = false;
 template <class Traits>
-struct Has_exact_subfaces<Traits, std::void_t<typename Traits::Construct_subface>>
-  : std::negation<std::is_void<typename Traits::Construct_subface>>
-{
-};
+constexpr bool has_exact_subfaces<Traits, std::void_t<typename Traits::Construct_subface>> =
+    !std::is_void<typename Traits::Construct_subface>::value;
 
 /* The two halves of a split edge: its old halfedge, which is shorter now, and the one that continues it. */
 struct Edge_halves
@@ -635,7 +630,7 @@ private:
 
   typename Traits::Face_geometry geometry_of_new_face(const std::array<Halfedge_index, 3>& sides)
   {
-    if constexpr(Has_exact_subfaces<Traits>::value) {
+    if constexpr(has_exact_subfaces<Traits>) {
       return part_of_input_face(sides);
     } else {
       const auto geometry = fresh_face(m_triangulation, sides[0], Traits::Has_drift::value ? largest_angle_drift : 0);
