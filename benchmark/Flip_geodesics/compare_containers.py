@@ -23,7 +23,6 @@ TASKS = {  # of each container: what stands in its place, and tasks with how man
     "Heap_of_four": ("std::push_heap", [("edge_path", 60), ("shortest_path", 8), ("tree", 6)]),
     "Block_array": ("boost::container::deque", [("path", 400), ("shortest_path", 8), ("tree", 6), ("history", 2)]),
     "Scratch": ("std::pmr::monotonic_buffer_resource", [("field", 4)]),
-    "Version_cache": ("std::list and std::unordered_map", [("path", 400), ("history", 2)]),
     "Team": ("tbb::parallel_for", [("parallel_field", 4)]),
 }
 

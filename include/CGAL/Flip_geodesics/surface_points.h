@@ -32,6 +32,28 @@ namespace Flip_geodesics {
 template <class TriangleMesh>
 struct Curve_place;
 
+namespace internal {
+
+/* Returns the barycentric coordinates of a point, of which those up to `snap` become 0. If they are not between 0 and 1
+ * or do not sum to one, calls `refuse(before, after)` with the parts of a message around a name of the point; the
+ * function must throw. */
+template <class Refuse>
+std::array<double, 3> snapped_weights(std::array<double, 3> weights, double snap, const Refuse& refuse)
+{
+  double sum = 0;
+  for(double& weight : weights) {
+    if(!(weight >= -snap && weight <= 1 + weight_sum_tolerance))
+      refuse("a barycentric coordinate of ", " is " + std::to_string(weight) + ", not between 0 and 1");
+    sum += weight;
+    weight = weight <= snap ? 0 : weight;
+  }
+  if(!(std::abs(sum - 1) <= weight_sum_tolerance))
+    refuse("the barycentric coordinates of ", " sum to " + std::to_string(sum) + ", not to one");
+  return weights;
+}
+
+} // namespace internal
+
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Returns the location of vertex `v` of a mesh. \throws Vertex_out_of_range_error if `v` does not belong to the mesh
 /// or is isolated
@@ -74,20 +96,12 @@ Surface_location surface_location(
 {
   if(!internal::is_face(location.first, mesh))
     throw Invalid_location_error("a location is in no face of the mesh");
-  Surface_location result;
-  result.halfedge = triangulation.input().index(internal::graph_halfedge(location.first, mesh));
-  double sum = 0;
-  for(std::size_t i = 0; i < 3; ++i) {
-    const double weight = internal::imported_number(location.second[i]);
-    if(!(weight >= -snap && weight <= 1 + internal::weight_sum_tolerance))
-      throw Invalid_location_error("a barycentric coordinate of a location is " + std::to_string(weight) +
-                                   ", not between 0 and 1");
-    sum += weight;
-    result.weights[i] = weight <= snap ? 0 : weight;
-  }
-  if(!(std::abs(sum - 1) <= internal::weight_sum_tolerance))
-    throw Invalid_location_error("the barycentric coordinates of a location sum to " + std::to_string(sum) +
-                                 ", not to one");
+  const auto refuse = [](const std::string& before, const std::string& after) {
+    throw Invalid_location_error(before + "a location" + after);
+  };
+  const auto weight = [&](std::size_t i) { return internal::imported_number(location.second[i]); };
+  const Surface_location result = {triangulation.input().index(internal::graph_halfedge(location.first, mesh)),
+                                   internal::snapped_weights({{weight(0), weight(1), weight(2)}}, snap, refuse)};
   internal::check_location(triangulation.input(), result);
   return result;
 }

@@ -6,7 +6,7 @@
 #include "descriptors.h"
 #include "generated_meshes.h"
 
-#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/shortest/geodesic_tree_parts.h>
 
 #include <boost/test/unit_test.hpp>
 

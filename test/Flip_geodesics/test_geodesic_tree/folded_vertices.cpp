@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/shortest/geodesic_tree_parts.h>
 
 #include <boost/test/unit_test.hpp>
 

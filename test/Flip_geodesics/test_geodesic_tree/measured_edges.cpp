@@ -9,8 +9,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/shortest/geodesic_tree_parts.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -15,9 +15,9 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/shortest/geodesic_tree_parts.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_path.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>

@@ -13,7 +13,6 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>

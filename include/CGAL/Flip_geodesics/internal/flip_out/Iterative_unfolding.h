@@ -32,12 +32,6 @@ Input_halfedge_index first_anchor(const Triangulation& triangulation, const Edge
                                   : anchor(triangulation, tail.vertex, face_along(triangulation.input(), tail.along));
 }
 
-template <class Triangulation>
-Input_halfedge_index first_anchor(const Triangulation& triangulation, const Edge_sequence& sequence)
-{
-  return first_anchor(triangulation, tail_end(sequence));
-}
-
 /* The halfedge of the last face of an edge sequence relative to which its head is given there, see `anchor()`. */
 template <class Triangulation>
 Input_halfedge_index last_anchor(const Triangulation& triangulation, const Edge_sequence_end& head)
@@ -45,12 +39,6 @@ Input_halfedge_index last_anchor(const Triangulation& triangulation, const Edge_
   return head.along == null_index
              ? tail_anchor(triangulation, head)
              : anchor(triangulation, head.vertex, face_along(triangulation.input(), twin_index(head.along)));
-}
-
-template <class Triangulation>
-Input_halfedge_index last_anchor(const Triangulation& triangulation, const Edge_sequence& sequence)
-{
-  return last_anchor(triangulation, head_end(sequence));
 }
 
 /*

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <algorithm>

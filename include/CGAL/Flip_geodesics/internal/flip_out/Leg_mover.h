@@ -546,7 +546,7 @@ private:
     Input_halfedge_index face = way.front().face;
     Edge_sequence_path<Triangulation> path(m_triangulation, piece.tail,
                                            is_way_alone ? anchor(m_triangulation, piece.tail, face)
-                                                        : first_anchor(m_triangulation, piece));
+                                                        : first_anchor(m_triangulation, tail_end(piece)));
     if(!is_way_alone) {
       path.cross(piece, false);
       face = piece.along == null_index ? piece.last_face() : face_along(m_triangulation.input(), piece.along);

@@ -152,10 +152,7 @@ bool is_edge_in_face(const Triangulation& triangulation, Halfedge_index h, Input
 {
   if(triangulation.crossings(Triangulation::edge(h)) > 0)
     return false;
-  const auto& input = triangulation.input();
-  const auto is_side = [&](Input_halfedge_index g) {
-    return g == face || g == input.next(face) || input.next(g) == face;
-  };
+  const auto is_side = [&](Input_halfedge_index g) { return is_side_of(triangulation.input(), g, face); };
   const Edge_sequence sequence = triangulation.edge_sequence(h);
   return sequence.along == null_index ? is_side(sequence.face)
                                       : is_side(sequence.along) || is_side(twin_index(sequence.along));

@@ -57,25 +57,18 @@ using All = Curve_point<Mesh, typename Mesh::Point>;
   INSTANCES(compiled::Filtered_mesh, compiled::Location<compiled::Filtered_mesh>)                                      \
   INSTANCES(compiled::Filtered_mesh, compiled::All<compiled::Filtered_mesh>)
 
-/* A source file of the library defines the instances of one header; all others are declared. */
-#ifdef CGAL_FLIP_GEODESICS_DEFINE_CURVES
-#define CGAL_FLIP_GEODESICS_CURVES_INSTANCE template
-#else
+/* A source file of the library defines one of these macros as `template`; the instances of the other headers are
+ * declared. */
+#ifndef CGAL_FLIP_GEODESICS_CURVES_INSTANCE
 #define CGAL_FLIP_GEODESICS_CURVES_INSTANCE extern template
 #endif
-#ifdef CGAL_FLIP_GEODESICS_DEFINE_CURVES_THROUGH_POINTS
-#define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE template
-#else
+#ifndef CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE
 #define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE extern template
 #endif
-#ifdef CGAL_FLIP_GEODESICS_DEFINE_SHORTEST_PATH
-#define CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE template
-#else
+#ifndef CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE
 #define CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE extern template
 #endif
-#ifdef CGAL_FLIP_GEODESICS_DEFINE_DISTANCES
-#define CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE template
-#else
+#ifndef CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE
 #define CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE extern template
 #endif
 

@@ -43,17 +43,22 @@ struct Curve_types
   using Network = Edge_path_network<Triangulation>;
 };
 
+/* Returns the traits given as a named parameter, or default ones, also if a kernel is given. */
+template <class Traits, class NamedParameters>
+Traits make_traits(const NamedParameters& np)
+{
+  const auto given = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), Traits());
+  if constexpr(std::is_same<std::remove_const_t<decltype(given)>, Traits>::value)
+    return given;
+  else
+    return Traits();
+}
+
 template <class TriangleMesh, class NamedParameters>
-auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
-                        Zero_length_edges zero_length_edges = Zero_length_edges::REFUSE)
+auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
-  const auto given =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
-  if constexpr(std::is_same<std::remove_const_t<decltype(given)>, typename Types::Traits>::value)
-    return typename Types::Triangulation(mesh, make_metric(mesh, np), given, zero_length_edges);
-  else // a kernel
-    return typename Types::Triangulation(mesh, make_metric(mesh, np), typename Types::Traits(), zero_length_edges);
+  return typename Types::Triangulation(mesh, make_metric(mesh, np), make_traits<typename Types::Traits>(np));
 }
 
 /* Triangulations of a mesh as given and of the surface in which its degenerate edges are contracted. Each is
@@ -74,27 +79,17 @@ public:
   Triangulation& contracted() { return get(m_contracted, Zero_length_edges::CONTRACT); }
 
 private:
-  // Constructs a triangulation in place.
-  struct Surface
-  {
-    Surface(const TriangleMesh& mesh, const NamedParameters& np, Zero_length_edges zero_length_edges)
-      : triangulation(make_triangulation(mesh, np, zero_length_edges))
-    {
-    }
-
-    Triangulation triangulation;
-  };
-
-  Triangulation& get(std::optional<Surface>& surface, Zero_length_edges zero_length_edges) const
+  Triangulation& get(std::optional<Triangulation>& surface, Zero_length_edges zero_length_edges) const
   {
     if(!surface)
-      surface.emplace(m_mesh, m_np, zero_length_edges);
-    return surface->triangulation;
+      surface.emplace(m_mesh, make_metric(m_mesh, m_np), make_traits<typename Triangulation::Traits>(m_np),
+                      zero_length_edges);
+    return *surface;
   }
 
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
-  std::optional<Surface> m_as_is, m_contracted;
+  std::optional<Triangulation> m_as_is, m_contracted;
 };
 
 /* Returns the error for a pair of end points that become disconnected when degenerate edges are contracted, made from

@@ -202,49 +202,53 @@ struct Path_computation
   }
 };
 
-/* Shortens with the stop predicate and the visitor of the named parameters, if given. */
-template <class Network, class NamedParameters>
-Shortening_report shorten_by_parameters(Network& network, const NamedParameters& np)
-{
-  auto visitor = make_visitor(np);
-  return shorten(network, stop_predicate_of(np), visitor.get());
-}
-
-/* Returns the indices of vertices of the mesh, before edges are contracted. */
-template <class Triangulation, class Vertex>
-std::vector<Vertex_index> mesh_indices(const Triangulation& triangulation, const std::vector<Vertex>& vertices)
-{
-  std::vector<Vertex_index> result;
-  for(const Vertex& v : vertices)
-    result.push_back(triangulation.input().uncontracted().index(v));
-  return result;
-}
-
-/* Adds a curve through vertices of the mesh. Returns false if all vertices coincide, so that no curve results. */
-template <class Network>
-bool add_vertex_curve(Network& network, const std::vector<Vertex_index>& vertices, bool is_closed)
-{
-  const std::vector<Halfedge_index> halfedges = halfedges_on_surface(network.triangulation(), vertices, is_closed);
-  if(halfedges.empty())
-    return false;
-  network.add_curve(halfedges, is_closed);
-  return true;
-}
-
-/* Adds a curve for each range of vertices, closed if its last vertex is its first. Returns whether each curve
- * exists. */
+/* Adds a curve for each range of vertices of the mesh, closed if its last vertex is its first or if all curves are
+ * loops. Returns whether each curve exists: none results from vertices that all coincide. */
 template <class Network, class Vertex>
-std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vector<Vertex>>& curves)
+std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vector<Vertex>>& curves, bool are_loops)
 {
   std::vector<bool> result;
   for(const std::vector<Vertex>& curve : curves) {
-    std::vector<Vertex_index> vertices = mesh_indices(network.triangulation(), curve);
-    const bool is_closed = vertices.size() > 2 && vertices.front() == vertices.back();
-    if(is_closed)
+    std::vector<Vertex_index> vertices;
+    for(const Vertex& v : curve)
+      vertices.push_back(network.triangulation().input().uncontracted().index(v));
+    const bool repeats_first = vertices.size() > (are_loops ? 1 : 2) && vertices.front() == vertices.back();
+    if(repeats_first)
       vertices.pop_back();
-    result.push_back(add_vertex_curve(network, vertices, is_closed));
+    const bool is_closed = are_loops || repeats_first;
+    const std::vector<Halfedge_index> halfedges = halfedges_on_surface(network.triangulation(), vertices, is_closed);
+    if(!halfedges.empty())
+      network.add_curve(halfedges, is_closed);
+    result.push_back(!halfedges.empty());
   }
   return result;
+}
+
+/* Shortens curves that are given by their vertices. */
+template <class Form, class TriangleMesh, class NamedParameters>
+Computed_output<std::vector<Form>> compute_curves(const TriangleMesh& mesh,
+                                                  const std::vector<Vertices_of<TriangleMesh>>& curves, bool are_loops,
+                                                  const NamedParameters& np)
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
+    typename Types::Network network(triangulation);
+    const std::vector<bool> has_length = add_vertex_curves(network, curves, are_loops);
+    order_overlapping_curves(network);
+    auto visitor = make_visitor(np);
+    Computed_output<std::vector<Form>> result;
+    result.report = shorten(network, stop_predicate_of(np), visitor.get());
+    auto& reports = result.report.curves;
+    for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
+      result.values.emplace_back();
+      if(has_length[i])
+        result.values.back() = curve_forms<Form>(network, mesh, Curve_index(static_cast<Index>(c++)));
+      else
+        reports.insert(reports.begin() + static_cast<std::ptrdiff_t>(i), report_of_point(triangulation));
+    }
+    note_contraction(triangulation, result.report);
+    return result;
+  });
 }
 
 /* Computes the result of `geodesic_path()`. */
@@ -265,23 +269,8 @@ template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<TriangleMesh>& vertices,
                                    const NamedParameters& np)
 {
-  using Types = Curve_types<TriangleMesh, NamedParameters>;
-  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
-    typename Types::Network network(triangulation);
-    std::vector<Vertex_index> loop = mesh_indices(triangulation, vertices);
-    if(loop.size() > 1 && loop.front() == loop.back())
-      loop.pop_back();
-    Computed_output<Form> result;
-    if(add_vertex_curve(network, loop, true)) {
-      order_overlapping_curves(network);
-      result.report = shorten_by_parameters(network, np);
-      result.values = curve_forms<Form>(network, mesh, Curve_index(0));
-    } else {
-      result.report.curves.push_back(report_of_point(triangulation));
-    }
-    note_contraction(triangulation, result.report);
-    return result;
-  });
+  auto computed = compute_curves<Form>(mesh, {vertices}, true, np);
+  return {std::move(computed.values.front()), std::move(computed.report)};
 }
 
 /* Computes the result of `geodesic_network()`. */
@@ -290,24 +279,7 @@ Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
                                                    const std::vector<Vertices_of<TriangleMesh>>& curves,
                                                    const NamedParameters& np)
 {
-  using Types = Curve_types<TriangleMesh, NamedParameters>;
-  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
-    typename Types::Network network(triangulation);
-    const std::vector<bool> has_length = add_vertex_curves(network, curves);
-    order_overlapping_curves(network);
-    Computed_output<std::vector<Form>> result;
-    result.report = shorten_by_parameters(network, np);
-    auto& reports = result.report.curves;
-    for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
-      result.values.emplace_back();
-      if(has_length[i])
-        result.values.back() = curve_forms<Form>(network, mesh, Curve_index(static_cast<Index>(c++)));
-      else
-        reports.insert(reports.begin() + static_cast<std::ptrdiff_t>(i), report_of_point(triangulation));
-    }
-    note_contraction(triangulation, result.report);
-    return result;
-  });
+  return compute_curves<Form>(mesh, curves, false, np);
 }
 
 } // namespace internal

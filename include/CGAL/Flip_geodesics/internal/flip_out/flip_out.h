@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -220,16 +221,22 @@ public:
   /* Runs until no wedge is left or the shortening is stopped. */
   void run()
   {
-    while(m_wedges.has_next() && !has_ended()) {
-      const Queued_wedge candidate = m_wedges.pop();
-      if(!is_current(candidate) || !m_wedges.is_still_free(candidate.joint()) || is_stopped_by_visitor(candidate))
-        continue;
-      const Curve_index curve = m_network.curve(candidate.joint().incoming);
+    while(const std::optional<Queued_wedge> candidate = next_candidate()) {
+      const Joint joint = candidate->joint();
+      const Curve_index curve = m_network.curve(joint.incoming);
       const std::size_t flips_before = m_state.flips;
-      if(candidate.joint().incoming == candidate.outgoing())
-        shorten_single_segment_loop(candidate);
-      else
-        shorten_joint(candidate);
+      if(joint.incoming == candidate->outgoing()) {
+        shorten_single_segment_loop(*candidate);
+      } else {
+        const auto start = m_triangulation.log_position();
+        const double change = flip_out(joint);
+        if(is_step_permitted(*candidate, curve, change)) {
+          apply(joint, change);
+          finish_step(curve);
+        } else {
+          m_triangulation.rollback(start);
+        }
+      }
       m_curves[curve].flips += m_state.flips - flips_before;
     }
   }
@@ -241,6 +248,17 @@ public:
   Shortening_status end_status() const { return m_end; }
 
 private:
+  // Removes wedges from the queue up to the next one to flip out; returns nothing if the run ends.
+  std::optional<Queued_wedge> next_candidate()
+  {
+    while(m_wedges.has_next() && !has_ended()) {
+      const Queued_wedge candidate = m_wedges.pop();
+      if(is_current(candidate) && m_wedges.is_still_free(candidate.joint()) && !is_stopped_by_visitor(candidate))
+        return candidate;
+    }
+    return {};
+  }
+
   bool is_current(const Queued_wedge& candidate)
   {
     const Segment_index x = candidate.joint().incoming;
@@ -261,19 +279,12 @@ private:
     return true;
   }
 
-  void shorten_joint(const Queued_wedge& candidate)
+  // Returns whether a joint that has been flipped out, which changes the length of its curve, is replaced.
+  bool is_step_permitted(const Queued_wedge& candidate, Curve_index curve, double change)
   {
-    const Curve_index curve = m_network.curve(candidate.joint().incoming);
-    const auto start = m_triangulation.log_position();
-    const double change = flip_out(candidate.joint());
-    const bool is_longer = can_err && is_visible(change, curve) && change > 0;
-    const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key(), curve, change);
-    if(is_longer || decision != Stop_decision::CONTINUE) {
-      m_triangulation.rollback(start); // an increase must be an error: rounding alone made the angle smaller than pi
-      return obey(decision, candidate, curve);
-    }
-    apply(candidate.joint(), change);
-    finish_step(curve);
+    if(can_err && is_visible(change, curve) && change > 0)
+      return false; // an increase must be an error: rounding alone made the angle smaller than pi
+    return obey(ask(candidate.key(), curve, change), candidate, curve);
   }
 
   // Flips out a free wedge and writes its outer arc to m_arc. Returns the increase of the curve's length.
@@ -424,30 +435,33 @@ private:
                                   m_triangulation.memory_of_records()});
   }
 
-  // Applies a predicate's decision on a candidate, which is kept for another run if it was rejected.
-  void obey(Stop_decision decision, const Queued_wedge& candidate, Curve_index curve)
+  // Applies a predicate's decision on a candidate, which is kept for another run if it was rejected. Returns whether the
+  // candidate was accepted.
+  bool obey(Stop_decision decision, const Queued_wedge& candidate, Curve_index curve)
   {
-    if(decision != Stop_decision::CONTINUE)
-      m_wedges.hold(candidate);
+    if(decision == Stop_decision::CONTINUE)
+      return true;
+    m_wedges.hold(candidate);
+    (decision == Stop_decision::CURVE_LENGTH_LIMIT ? m_curves[curve].status : m_end) = status_of(decision);
+    return false;
+  }
+
+  static Shortening_status status_of(Stop_decision decision)
+  {
     switch(decision) {
-    case Stop_decision::CONTINUE:
-      return;
     case Stop_decision::CURVE_LENGTH_LIMIT:
-      m_curves[curve].status = Shortening_status::LENGTH_LIMIT;
-      return;
     case Stop_decision::LENGTH_LIMIT:
-      m_end = Shortening_status::LENGTH_LIMIT;
-      return;
+      return Shortening_status::LENGTH_LIMIT;
     case Stop_decision::ANGLE_LIMIT:
-      m_end = Shortening_status::ANGLE_LIMIT;
-      return;
+      return Shortening_status::ANGLE_LIMIT;
     case Stop_decision::ITERATION_LIMIT:
-      m_end = Shortening_status::ITERATION_LIMIT;
-      return;
+      return Shortening_status::ITERATION_LIMIT;
     case Stop_decision::MEMORY_LIMIT:
-      m_end = Shortening_status::MEMORY_LIMIT;
-      return;
+      return Shortening_status::MEMORY_LIMIT;
+    case Stop_decision::CONTINUE:
+      break;
     }
+    return Shortening_status::LOCALLY_SHORTEST;
   }
 
   Network& m_network;

@@ -11,8 +11,6 @@
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -565,36 +565,27 @@ void add_texture(Shape& shape, const FaceGraph& mesh, const IO::Texture<CornerMa
   };
 }
 
-/* The number of components of a value, and the components: those of an array or a vector, or the value itself. */
-template <class Value, class = void>
-struct Numbers_of_value
-{
-  static constexpr std::size_t size = 1;
-  static void write(const Value& value, const Sink<double>& sink) { sink(CGAL::to_double(value)); }
-};
+/* The number of components of a value: those of an array or a vector, or the value itself. */
+template <class Value>
+constexpr std::size_t number_of_components = has_coordinates<Value> ? 3 : 1;
+template <class Number, std::size_t N>
+constexpr std::size_t number_of_components<std::array<Number, N>> = N;
 
 template <class Number, std::size_t N>
-struct Numbers_of_value<std::array<Number, N>>
+void write_components(const std::array<Number, N>& value, const Sink<double>& sink)
 {
-  static constexpr std::size_t size = N;
-  static void write(const std::array<Number, N>& value, const Sink<double>& sink)
-  {
-    for(const Number& x : value)
-      sink(CGAL::to_double(x));
-  }
-};
+  for(const Number& x : value)
+    sink(CGAL::to_double(x));
+}
 
 template <class Value>
-struct Numbers_of_value<Value, std::enable_if_t<has_coordinates<Value>>> : Numbers_of_value<Figure_point>
+void write_components(const Value& value, const Sink<double>& sink)
 {
-  static void write(const Value& value, const Sink<double>& sink)
-  {
-    Numbers_of_value<Figure_point>::write(figure_point(value), sink);
-  }
-};
-
-template <class VertexMap>
-using Numbers_of_map = Numbers_of_value<typename boost::property_traits<VertexMap>::value_type>;
+  if constexpr(has_coordinates<Value>)
+    write_components(figure_point(value), sink);
+  else
+    sink(CGAL::to_double(value));
+}
 
 /* Adds values of one kind to a surface, unless they belong to another mesh. Other parts add nothing. */
 template <class FaceGraph, class Part>
@@ -610,7 +601,7 @@ void add_values(Shape& shape, const FaceGraph& mesh, const IO::Vertex_values<Ver
                             typename boost::graph_traits<FaceGraph>::vertex_descriptor>::value)
     shape.values.back() = [&mesh, map = values.map](const Sink<double>& sink) {
       for(const auto& v : vertices(mesh))
-        Numbers_of_map<VertexMap>::write(get(map, v), sink);
+        write_components(get(map, v), sink);
     };
 }
 
@@ -673,7 +664,8 @@ public:
     if constexpr(std::is_same<Part, IO::Colors>::value)
       m_figure.set_colors(part);
     if constexpr(is_vertex_values<Part>)
-      m_figure.add_value_kind({part.name, Numbers_of_map<decltype(part.map)>::size});
+      m_figure.add_value_kind(
+          {part.name, number_of_components<typename boost::property_traits<decltype(part.map)>::value_type>});
   }
 
   Figure& figure() { return m_figure; }

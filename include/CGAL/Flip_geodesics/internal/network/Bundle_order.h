@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 
@@ -435,15 +436,7 @@ private:
 
   bool is_head(const Segment_end& end) const { return end.halfedge != m_network.halfedge(end.segment); }
 
-  // The end that a joint connects with this one, unless the node is fixed.
-  Segment_end mate(const Segment_end& end) const
-  {
-    const Segment_index x = is_head(end) ? end.segment : m_network.previous(end.segment);
-    if(x == null_index || m_network.is_head_fixed(x))
-      return {};
-    const auto [at_x, at_y] = m_network.ends({x, Side::LEFT});
-    return is_head(end) ? at_y : at_x;
-  }
+  Segment_end mate(const Segment_end& end) const { return joined_end(m_network, end); }
 
   // Returns, for the joint of two ends, the literal that the single ends of its vertex lie between the two.
   Literal contains_single_ends(const Segment_end& a, const Segment_end& b) const

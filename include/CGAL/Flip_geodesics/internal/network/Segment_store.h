@@ -744,6 +744,18 @@ private:
   Segments& m_segments;
 };
 
+/* Returns the end that a joint connects with the given one; none if the node is fixed. */
+template <class Network>
+Segment_end joined_end(const Network& network, const Segment_end& end)
+{
+  const bool is_head = end.halfedge != network.halfedge(end.segment);
+  const Segment_index x = is_head ? end.segment : network.previous(end.segment);
+  if(x == null_index || network.is_head_fixed(x))
+    return {};
+  const auto [at_x, at_y] = network.ends({x, Side::LEFT});
+  return is_head ? at_y : at_x;
+}
+
 /* Checks the invariant of Edge_path_network through its public members alone. */
 template <class Network>
 class Network_validity
@@ -825,19 +837,6 @@ private:
            m_network.outermost(first_side(e), Side::RIGHT) == bundle.back();
   }
 
-  // The end that a joint connects with this one, unless the node is fixed.
-  Segment_end partner(const Segment_end& end) const
-  {
-    const Segment_index s = end.segment;
-    if(end.halfedge == m_network.halfedge(s)) {
-      const Segment_index p = m_network.previous(s);
-      return p == null_index || m_network.is_head_fixed(p) ? Segment_end{}
-                                                           : Segment_end{Triangulation::twin(m_network.halfedge(p)), p};
-    }
-    return m_network.is_head_fixed(s) ? Segment_end{}
-                                      : Segment_end{m_network.halfedge(m_network.next(s)), m_network.next(s)};
-  }
-
   // Traverses clockwise from an end, which comes first after the border if there is one. Matched ends must nest like
   // brackets, and single ends, like the border, must all lie at one depth, either outside all brackets or inside the
   // same one.
@@ -848,7 +847,7 @@ private:
     bool has_region = has_border;
     Segment_end end = start;
     do {
-      const Segment_end mate = partner(end);
+      const Segment_end mate = joined_end(m_network, end);
       if(mate.is_none()) {
         const Segment_end here = open.empty() ? Segment_end{} : open.back();
         if(has_region && region != here)

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
@@ -853,8 +854,8 @@ public:
 private:
   struct Place
   {
-    Face face = Graph::null_face();
-    std::array<double, 3> weights = {{0, 0, 0}};
+    Face face;
+    std::array<double, 3> weights;
   };
 
   struct Corners
@@ -923,26 +924,14 @@ private:
       return static_cast<void>(p), place.weights;
   }
 
-  Place place_at(Face f, std::array<double, 3> weights, double snap) const
+  Place place_at(Face f, const std::array<double, 3>& weights, double snap) const
   {
     if(!is_face(f, m_mesh))
       throw Invalid_location_error(name() + " is in no face of the mesh", elements());
-    double sum = 0;
-    for(double& weight : weights) {
-      if(!(weight >= -snap && weight <= 1 + weight_sum_tolerance))
-        throw Invalid_location_error("a barycentric coordinate of " + name() + " is " + std::to_string(weight) +
-                                         ", not between 0 and 1",
-                                     elements());
-      sum += weight;
-      weight = weight <= snap ? 0 : weight;
-    }
-    if(!(std::abs(sum - 1) <= weight_sum_tolerance))
-      throw Invalid_location_error(
-          "the barycentric coordinates of " + name() + " sum to " + std::to_string(sum) + ", not to one", elements());
-    Place result;
-    result.face = f;
-    result.weights = weights;
-    return result;
+    const auto refuse = [this](const std::string& before, const std::string& after) {
+      throw Invalid_location_error(before + name() + after, elements());
+    };
+    return {f, snapped_weights(weights, snap, refuse)};
   }
 
   // The nearest point of the surface: of the faces around the point before, if one of them has it, or of all faces.
@@ -979,11 +968,12 @@ private:
   double diagonal()
   {
     if(m_diagonal < 0) {
-      Bounding_box box;
-      for(const auto v : vertices(m_mesh))
-        box.add(half_of(get(m_points, v)));
-      const Place_in_space d = difference(box.high, box.low);
-      m_diagonal = std::hypot(d[0], d[1], d[2]);
+      Bbox_3 box;
+      for(const auto v : vertices(m_mesh)) {
+        const Place_in_space p = half_of(get(m_points, v));
+        box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+      }
+      m_diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
     }
     return m_diagonal;
   }

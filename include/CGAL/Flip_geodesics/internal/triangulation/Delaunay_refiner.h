@@ -9,8 +9,8 @@
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
-#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -441,19 +441,6 @@ constexpr bool has_curves = false;
 template <class T>
 constexpr bool
     has_curves<T, std::void_t<typename T::Triangulation, decltype(std::declval<const T&>().number_of_curves())>> = true;
-
-/* Returns the edges that a network holds, each once, in increasing order. */
-template <class Network>
-std::vector<Edge_index> edges_under_curves(const Network& network)
-{
-  std::vector<Edge_index> edges;
-  for(Curve_index c : descriptors<Curve_index>(network.number_of_curves()))
-    network.for_each_segment(
-        c, [&](Segment_index s) { edges.push_back(Network::Triangulation::edge(network.halfedge(s))); });
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
 
 /* Returns whether the edge of h carries a curve or lies on the border. */
 template <class Triangulation>

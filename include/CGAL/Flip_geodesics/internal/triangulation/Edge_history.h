@@ -328,11 +328,6 @@ private:
     return triangulation.number_of_vertices() != triangulation.input().number_of_vertices();
   }
 
-  static Index number_of_crossings(const Triangulation& triangulation, Halfedge_index h)
-  {
-    return (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
-  }
-
   // The number of input edges that it crosses; 0 if it lies along one.
   Index crossings(const Triangulation& triangulation, const Edge_version& e) const
   {

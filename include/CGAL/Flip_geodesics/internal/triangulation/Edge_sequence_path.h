@@ -244,7 +244,7 @@ private:
 
   const auto& input() const { return m_triangulation.input(); }
 
-  Index crossings(Halfedge_index h) const { return (std::max)(m_triangulation.crossings(Triangulation::edge(h)), 0); }
+  Index crossings(Halfedge_index h) const { return number_of_crossings(m_triangulation, h); }
 
   bool is_along(Halfedge_index h) const { return m_triangulation.crossings(Triangulation::edge(h)) < 0; }
 

@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 
@@ -18,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <mutex>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -417,61 +415,60 @@ struct Triangle_crossings
   }
 };
 
-/*
- * Derives the effect of a flip from the numbers of crossings of five edges: the sides of the quad i, l, j, k and its
- * diagonal ij. The number -1 marks an edge that lies along an input edge. The numbers of `Triangle_crossings` are used
- * in closed form.
- */
-class Quad_crossings
+/* Returns the number of input edges that a halfedge of a triangulation crosses; 0 if it lies along one. */
+template <class Triangulation>
+Index number_of_crossings(const Triangulation& triangulation, Halfedge_index h)
 {
-public:
-  Quad_crossings(Index ij, Index jk, Index ki, Index il, Index lj)
-    : m_k(ij, ki, jk)
-    , m_l(ij, il, lj)
-    , m_is_along(ij < 0 ? 1 : 0)
+  return (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
+}
+
+/* Returns the passage through the face on the left of h, which is side 0. */
+template <class Triangulation>
+Triangle_crossings crossings_in_face(const Triangulation& triangulation, Halfedge_index h)
+{
+  const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
+  return {number_of_crossings(triangulation, h), number_of_crossings(triangulation, hn),
+          number_of_crossings(triangulation, hp)};
+}
+
+/*
+ * The passage of input edges through one of the two triangles of a quad, seen from its diagonal ij: the triangle with
+ * the vertex o. The numbers are those of `Triangle_crossings` in closed form, since each flip computes them.
+ */
+struct Half_quad_crossings
+{
+  Index cutting_i; // input edges that cut the corner at i off
+  Index end;       // these and those that emanate from o
+  Index past;      // those that do not reach ij and pass between i and j
+
+  Half_quad_crossings(Index along_ij, Index along_oi, Index along_jo)
   {
+    const Index c = (std::max)(along_ij, 0), j = (std::max)(along_oi, 0), i = (std::max)(along_jo, 0);
+    const auto clamped = [](Index a, Index b, Index value) {
+      return (std::max)((std::min)((std::min)(a, b), value), 0);
+    };
+    cutting_i = clamped(c, j, (c + j - i) >> 1);
+    end = c - clamped(c, i, (c + i - j) >> 1);
+    past = (std::max)((std::max)(i, j) - c, (std::max)((i + j - c) >> 1, 0));
   }
-
-  /*
-   * Returns the number of crossings of the other diagonal, kl.
-   *
-   * Input edges that do not reach ij cross kl once, unless they cut i or j off. Along ij, from i to j, the triangle of
-   * k first sends those that cut i, then those that emanate from k, then those that cut j; the triangle of l does the
-   * same. One that cuts i on one side and j on the other crosses kl; one that emanates from k and ends at l lies along
-   * it.
-   */
-  Index other_diagonal() const
-  {
-    if((std::max)(m_k.cutting_i, m_l.cutting_i) < (std::min)(m_k.end, m_l.end))
-      return -1;
-    const Index from_i_to_j = (std::max)(m_k.cutting_i - m_l.end, 0);
-    const Index from_j_to_i = (std::max)(m_l.cutting_i - m_k.end, 0);
-    return m_k.past + m_l.past + from_i_to_j + from_j_to_i + m_is_along;
-  }
-
-private:
-  struct Half
-  {
-    Index cutting_i; // input edges that cut the corner at i off
-    Index end;       // these and those that emanate from the corner opposite ij
-    Index past;      // those that do not reach ij and pass between i and j
-
-    // The vertex o is opposite ij.
-    Half(Index along_ij, Index along_oi, Index along_jo)
-    {
-      const Index c = (std::max)(along_ij, 0), j = (std::max)(along_oi, 0), i = (std::max)(along_jo, 0);
-      const Index cutting_j = clamped(c, i, (c + i - j) >> 1);
-      cutting_i = clamped(c, j, (c + j - i) >> 1);
-      end = c - cutting_j;
-      past = (std::max)((std::max)(i, j) - c, (std::max)((i + j - c) >> 1, 0));
-    }
-
-    static Index clamped(Index a, Index b, Index value) { return (std::max)((std::min)((std::min)(a, b), value), 0); }
-  };
-
-  Half m_k, m_l;
-  Index m_is_along; // 1 if ij lies along an input edge
 };
+
+/*
+ * Returns the number of crossings of the diagonal kl of a quad i, l, j, k, given those of its sides and of the diagonal
+ * ij. The number -1 marks an edge that lies along an input edge.
+ *
+ * Input edges that do not reach ij cross kl once, unless they cut i or j off. Along ij, from i to j, the triangle of k
+ * first sends those that cut i, then those that emanate from k, then those that cut j; the triangle of l does the same.
+ * One that cuts i on one side and j on the other crosses kl; one that emanates from k and ends at l lies along it.
+ */
+inline Index crossings_of_other_diagonal(Index ij, Index jk, Index ki, Index il, Index lj)
+{
+  const Half_quad_crossings k(ij, ki, jk), l(ij, il, lj);
+  if((std::max)(k.cutting_i, l.cutting_i) < (std::min)(k.end, l.end))
+    return -1;
+  const Index from_i_to_j = (std::max)(k.cutting_i - l.end, 0), from_j_to_i = (std::max)(l.cutting_i - k.end, 0);
+  return k.past + l.past + from_i_to_j + from_j_to_i + (ij < 0 ? 1 : 0);
+}
 
 /*
  * The steps that have changed the halfedges of a triangulation, each with the data that it overwrote. Flips and
@@ -511,9 +508,9 @@ public:
 
     auto flipped = halfedges.traits().flip_object()(at_h.geometry, at_hn.geometry, at_hp.geometry, at_t.geometry,
                                                     at_tn.geometry, at_tp.geometry);
-    const Quad_crossings crossing(halfedges.crossings(s), halfedges.crossings(hn), halfedges.crossings(hp),
-                                  halfedges.crossings(tn), halfedges.crossings(tp));
-    const Index new_crossings = crossing.other_diagonal();
+    const Index new_crossings =
+        crossings_of_other_diagonal(halfedges.crossings(s), halfedges.crossings(hn), halfedges.crossings(hp),
+                                    halfedges.crossings(tn), halfedges.crossings(tp));
     m_records.push_back({h, halfedges.halfedge(hp), halfedges.halfedge(tn), halfedges.version(hp),
                          halfedges.version(tn), new_crossings, halfedges.version(s), halfedges.crossings(s) + 1,
                          at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});

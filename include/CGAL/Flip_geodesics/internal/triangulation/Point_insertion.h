@@ -31,7 +31,6 @@
 #include <set>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -145,14 +144,7 @@ private:
 
   std::size_t letters(Halfedge_index h) const
   {
-    return static_cast<std::size_t>((std::max)(m_triangulation.crossings(Triangulation::edge(h)), 0));
-  }
-
-  Triangle_crossings crossings(Halfedge_index h) const
-  {
-    const Halfedge_index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
-    const auto number = [this](Halfedge_index side) { return m_triangulation.crossings(Triangulation::edge(side)); };
-    return {number(h), number(hn), number(hp)};
+    return static_cast<std::size_t>(number_of_crossings(m_triangulation, h));
   }
 
   // A piece at the corner of the input face at the tail of input halfedge c; nothing if the budget is exhausted.
@@ -178,7 +170,8 @@ private:
       Input_halfedge_index direction = tail_anchor(m_triangulation, m_triangulation.edge_sequence(g));
       if(direction == c)
         return Gap{g, 0};
-      const Triangle_crossings corner = crossings(m_triangulation.next(g)); // corner 0 is the tail of g, 1 its head
+      const Triangle_crossings corner =
+          crossings_in_face(m_triangulation, m_triangulation.next(g)); // corner 0 is the tail of g, 1 its head
       for(Index i = 0; i < corner.emanating[0]; ++i) {
         direction = twin_index(input.next(input.next(direction))); // counterclockwise
         if(direction == c)
@@ -194,7 +187,7 @@ private:
   std::vector<Gap> sides_of_piece(const Gap& start) const
   {
     const Halfedge_index h = start.halfedge, hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
-    const Triangle_crossings c = crossings(h); // corners O, A, B
+    const Triangle_crossings c = crossings_in_face(m_triangulation, h); // corners O, A, B
     const std::size_t at_a = c.cutting[1], at_b = c.cutting[2], n = letters(h);
     std::vector<Gap> result = {start};
     const bool is_at_a = start.gap<at_a, is_at_b = start.gap> n - at_b;
@@ -537,9 +530,7 @@ private:
   // From x along the edge to its head, and around the head through the face on the left.
   Edge_sequence_path<Triangulation> path_over_head(const Place& place) const
   {
-    const Halfedge_index hn = next(place.h);
-    const auto number = [this](Halfedge_index h) { return m_triangulation.crossings(Triangulation::edge(h)); };
-    const Index turns = Triangle_crossings(number(place.h), number(hn), number(next(hn))).emanating[2];
+    const Index turns = crossings_in_face(m_triangulation, place.h).emanating[2];
     Edge_sequence_path<Triangulation> path = path_from(place);
     path.cross(place.sequence.crossed, place.gap, place.sequence.crossed.size());
     path.turn(place.sequence.head, head_anchor(m_triangulation, place.sequence), turns);
@@ -548,18 +539,32 @@ private:
 
   // ---------------------------------------------------------------- connectivity
 
-  // With h = a->b, which keeps its index from a to x.
-  Edge_halves split_border_edge()
+  // The edges that a split of edge h = a->b adds: from x to b, to the apex o and, if given, along a third sequence. The
+  // halfedge h keeps its index and leads from a to x.
+  struct Added_edges
   {
-    const Halfedge_index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn);
+    Halfedge_index xb, xo, third;
+  };
+
+  Added_edges add_edges(const Edge_sequence* third = nullptr)
+  {
+    const Halfedge_index t = twin(m_place.h);
     const Vertex_index b = m_triangulation.tail(t);
     const Edge_sequence to_a = sequence_to_tail(m_place), to_b = sequence_to_head(m_place),
                         to_o = sequence_to_apex(m_place);
     const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o);
+    const Added_edges result = {xb, xo, third == nullptr ? null_index : m_editor.add_edge(*third)};
     m_editor.shorten_edge(t, to_a);
-    m_editor.put_on_border(twin(xb));
     m_editor.move_outgoing(b, t, twin(xb));
     m_editor.set_outgoing(m_x, xb);
+    return result;
+  }
+
+  Edge_halves split_border_edge()
+  {
+    const Halfedge_index h = m_place.h, hn = next(h), hp = next(hn);
+    const auto [xb, xo, none] = add_edges();
+    m_editor.put_on_border(twin(xb));
     m_editor.link_face(h, xo, hp);
     m_editor.link_face(xb, hn, twin(xo));
     lay_out_faces({h, xb});
@@ -569,13 +574,8 @@ private:
   Edge_halves split_inner_edge()
   {
     const Halfedge_index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
-    const Vertex_index b = m_triangulation.tail(t);
-    const Edge_sequence to_a = sequence_to_tail(m_place), to_b = sequence_to_head(m_place),
-                        to_o = sequence_to_apex(m_place), to_p = sequence_to_apex(m_place.reversed());
-    const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o), xp = m_editor.add_edge(to_p);
-    m_editor.shorten_edge(t, to_a);
-    m_editor.move_outgoing(b, t, twin(xb));
-    m_editor.set_outgoing(m_x, xb);
+    const Edge_sequence to_p = sequence_to_apex(m_place.reversed());
+    const auto [xb, xo, xp] = add_edges(&to_p);
     m_editor.link_face(h, xo, hp);
     m_editor.link_face(xb, hn, twin(xo));
     m_editor.link_face(t, tn, twin(xp));
@@ -591,19 +591,12 @@ private:
   Edge_halves split_edge_to_degree_one()
   {
     const Halfedge_index h = m_place.h, t = twin(h), hp = next(t);
-    const Vertex_index b = m_triangulation.tail(t);
     const Place from_twin = m_place.reversed();
-    const Edge_sequence to_a = sequence_to_tail(m_place), to_b = sequence_to_head(m_place),
-                        to_o = sequence_to_apex(m_place);
     Edge_sequence_path<Triangulation> loop = path_over_head(m_place);
     loop.cross(from_twin.sequence.crossed, 0, from_twin.gap);
     const Input_halfedge_index face = face_of_gap(from_twin.sequence, from_twin.gap);
     const Edge_sequence around_b = loop.finish(m_x, anchor(m_triangulation, m_x, face));
-
-    const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o), xx = m_editor.add_edge(around_b);
-    m_editor.shorten_edge(t, to_a);
-    m_editor.move_outgoing(b, t, twin(xb));
-    m_editor.set_outgoing(m_x, xb);
+    const auto [xb, xo, xx] = add_edges(&around_b);
     m_editor.link_face(h, xo, hp);
     m_editor.link_face(xb, twin(xb), twin(xx));
     m_editor.link_face(xx, t, twin(xo));
@@ -677,7 +670,7 @@ Vertex_index insert_point(Triangulation& triangulation, Editor editor, Located_p
   const bool is_head_of_degree_one =
       place.is_on_edge && !triangulation.is_border(t) && triangulation.next(t) == place.halfedge;
   if(is_head_of_degree_one) // rather than the tail
-    place = {t, (std::max)(triangulation.crossings(Triangulation::edge(t)), 0) - place.gap, true, null_index};
+    place = {t, number_of_crossings(triangulation, t) - place.gap, true, null_index};
   const std::size_t start = triangulation.log_position();
   const Vertex_index x = editor.begin(place, location);
   try {

@@ -179,6 +179,19 @@ Halfedge_index halfedge_between(const Triangulation& triangulation, Vertex_index
   return best;
 }
 
+/* Returns the edges that a network holds, each once, in increasing order. */
+template <class Network>
+std::vector<Edge_index> edges_under_curves(const Network& network)
+{
+  std::vector<Edge_index> edges;
+  for(Curve_index c : descriptors<Curve_index>(network.number_of_curves()))
+    network.for_each_segment(
+        c, [&](Segment_index s) { edges.push_back(Network::Triangulation::edge(network.halfedge(s))); });
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 /* For functions that may have to flip any edge. \throws Occupied_triangulation_error if a network has curves there */
 template <class Triangulation>
 void check_has_no_curves(const Triangulation& triangulation, const std::string& what_is_impossible)

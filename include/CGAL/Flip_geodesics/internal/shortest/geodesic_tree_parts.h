@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_TREE_STRAIGHTNESS_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_TREE_STRAIGHTNESS_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_GEODESIC_TREE_PARTS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_GEODESIC_TREE_PARTS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
@@ -16,6 +18,8 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/reports.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +34,164 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * The labels of vertices in a growing tree: unknown, with an offered path that waits in the queue, or with an accepted
+ * path. All labels are cleared in constant time, since each contains the number of the tree that wrote it.
+ *
+ * Invariant: an offered path has an entry in the queue, with its length, until that entry is removed. Entries of paths
+ * that are no longer offered stay in the queue until then.
+ */
+class Tree_labels
+{
+public:
+  explicit Tree_labels(std::size_t size)
+    : m_labels(size)
+  {
+  }
+
+  /* Clears all labels, for a tree over `size` vertices. */
+  void start(std::size_t size)
+  {
+    if(m_labels.size() < size || m_epoch > (std::numeric_limits<Index>::max)() - 8) { // or no epoch is left
+      m_labels = Labels(size);
+      m_epoch = 0;
+    }
+    m_epoch += 4;
+    m_queue.clear();
+  }
+
+  bool is_unknown(Vertex_index v) const { return state(v) == UNKNOWN; }
+  bool is_offered(Vertex_index v) const { return state(v) == OFFERED; }
+  bool is_settled(Vertex_index v) const { return state(v) == SETTLED; }
+
+  /* Returns the length of the path; below, its last halfedge. \pre `v` is not unknown */
+  double distance(Vertex_index v) const { return m_labels[v].distance; }
+  Halfedge_index incoming(Vertex_index v) const { return m_labels[v].incoming; }
+
+  /* Offers a path instead of the previous label. */
+  void offer(Vertex_index v, double distance, Halfedge_index h)
+  {
+    m_labels[v] = {distance, h, m_epoch + OFFERED};
+    m_queue.push(distance, v);
+  }
+
+  /* Accepts the offered path. */
+  void settle(Vertex_index v)
+  {
+    CGAL_precondition(is_offered(v));
+    m_labels[v].stamp = m_epoch + SETTLED;
+  }
+
+  /* Accepts another path. */
+  void settle(Vertex_index v, double distance, Halfedge_index h) { m_labels[v] = {distance, h, m_epoch + SETTLED}; }
+
+  void forget(Vertex_index v) { m_labels[v].stamp = m_epoch; }
+
+  bool has_offers() const { return !m_queue.empty(); }
+
+  /* Removes the shortest path from the queue, of equally long ones that to the smallest vertex; returns `null_index` if
+   * it is no longer offered. \pre `has_offers()` */
+  Vertex_index pop()
+  {
+    const double offered = m_queue.priority();
+    const Vertex_index v = m_queue.pop();
+    return is_offered(v) && distance(v) == offered ? v : null_index;
+  }
+
+private:
+  enum State : Index { UNKNOWN = 0, OFFERED = 1, SETTLED = 2 };
+
+  struct Label
+  {
+    double distance;
+    Halfedge_index incoming;
+    Index stamp; // the epoch, a multiple of 4, plus the state
+  };
+
+  using Labels = Indexed_by<Vertex_index, Lazy_array<Label>>;
+
+  Index state(Vertex_index v) const
+  {
+    const Index stamp = m_labels[v].stamp - m_epoch;
+    return m_epoch == 0 || stamp < 0 ? static_cast<Index>(UNKNOWN) : stamp;
+  }
+
+  Labels m_labels;
+  Vertex_queue m_queue;
+  Index m_epoch = 0;
+};
+
+/*
+ * The directions at a vertex as angles in radians, counterclockwise from an input halfedge and measured on the input,
+ * independently of the results of flips. On the border the angles start at the border. At a non-manifold vertex they
+ * are those of one umbrella.
+ */
+template <class Triangulation>
+class Vertex_directions
+{
+public:
+  Vertex_directions(const Triangulation& triangulation, Vertex_index vertex)
+    : m_triangulation(triangulation)
+    , m_vertex(vertex)
+  {
+    if(triangulation.is_inserted(vertex))
+      start_at(triangulation.location(vertex));
+    else if(const Input_halfedge_index start = triangulation.input().outgoing(vertex); start != null_index)
+      m_fan = umbrella_of(triangulation, start);
+  }
+
+  /* For the umbrella of an input halfedge that starts at the vertex. */
+  Vertex_directions(const Triangulation& triangulation, Input_halfedge_index in_umbrella)
+    : m_triangulation(triangulation)
+    , m_vertex(triangulation.input().tail(in_umbrella))
+    , m_fan(umbrella_of(triangulation, in_umbrella))
+  {
+  }
+
+  /* Returns the sum of the input angles at the vertex. */
+  double total() const { return m_fan.total(); }
+  bool has_border() const { return m_fan.has_border(); }
+
+  /* Returns whether an input halfedge belongs to the umbrella. */
+  bool has(Input_halfedge_index h) const { return m_fan.has(h); }
+
+  /* Returns the angle at which an input halfedge starts at the vertex.
+   * \throws Invalid_mesh_error if it belongs to another umbrella */
+  double of_input(Input_halfedge_index h) const { return m_fan.angle_of(h, m_vertex); }
+
+  /* Returns the angle of a strip that starts at the vertex. */
+  double operator()(const Strip<Triangulation>& strip) const
+  {
+    if(!m_is_inside_face)
+      return of_input(strip.reference()) + angle_from_reference(strip.end());
+    const double angle = std::arg(strip.end());
+    return angle < 0 ? angle + total() : angle;
+  }
+
+  /* Returns the angle of a halfedge of the triangulation that starts at the vertex. */
+  double operator()(Halfedge_index h) const
+  {
+    return (*this)(Strip<Triangulation>(m_triangulation, m_triangulation.edge_sequence(h)));
+  }
+
+  /* Returns the angle counterclockwise from one direction to another; infinite if the border intervenes. */
+  double counterclockwise(double from, double to) const { return m_fan.counterclockwise(from, to); }
+
+private:
+  // An inserted point is flat, with one reference direction inside a face and two along an edge.
+  void start_at(const Surface_location& location)
+  {
+    const Input_halfedge_index h = location.halfedge;
+    m_is_inside_face = kind(location) == Location_kind::FACE;
+    m_fan.set_flat(h, !m_is_inside_face && m_triangulation.input().is_border(twin_index(h)));
+  }
+
+  const Triangulation& m_triangulation;
+  Vertex_index m_vertex;
+  Vertex_fan m_fan;
+  bool m_is_inside_face = false;
+};
 
 /*
  * Computes the starts of consecutive halfedges of a triangulation at a vertex of the input: the corner by counting the
@@ -628,4 +790,4 @@ bool can_be_folded(const Triangulation& triangulation, const std::vector<Halfedg
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_TREE_STRAIGHTNESS_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_GEODESIC_TREE_PARTS_H
