@@ -20,20 +20,20 @@
 #include <variant>
 #include <vector>
 
-// Points of the surface as users give them, and curves between such points as users get them.
+// Points of the surface as given by users, and the output of curves between such points.
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Points that were given, as locations on the mesh, and how far these are from them in space. */
+/* Given points as locations on the mesh, and the distances in space between the two. */
 struct Located_points
 {
   std::vector<Surface_location> locations;
   std::vector<double> distances; // 0 unless a point is given by coordinates
 };
 
-/* Locates points of any kinds that `surface_location()` takes. */
+/* Locates points of all types that `surface_location()` accepts. */
 template <class Triangulation>
 class Point_collector
 {
@@ -115,13 +115,13 @@ Located_points located_ends(const Triangulation& triangulation, const TriangleMe
   return located_ends(find, source, target, np);
 }
 
-/* What gives locations on the surface of a triangulation. */
+/* A function that locates the given points on the surface of a triangulation. */
 template <class TriangleMesh, class NamedParameters>
 using Locate_points =
     std::function<Located_points(const typename Curve_types<TriangleMesh, NamedParameters>::Triangulation&)>;
 
-/* How points lie on the surface of a triangulation, which `locate(triangulation)` finds on the mesh itself: once, into
- * `given`. */
+/* Returns the locations of points on the surface of a triangulation. If it is not contracted, `locate(triangulation)`
+ * computes them for the mesh itself and they are stored in `given`, from which later calls take them. */
 template <class Triangulation, class Locate>
 std::vector<Surface_location> points_on_surface(const Triangulation& triangulation, const Locate& locate,
                                                 Located_points& given)
@@ -131,7 +131,7 @@ std::vector<Surface_location> points_on_surface(const Triangulation& triangulati
   return points_on_surface(triangulation, given.locations);
 }
 
-/* The same as canonical locations. */
+/* Returns these locations in canonical form. */
 template <class Triangulation, class Locate>
 std::vector<Surface_location> canonical_points(const Triangulation& triangulation, const Locate& locate,
                                                Located_points& given)
@@ -142,14 +142,14 @@ std::vector<Surface_location> canonical_points(const Triangulation& triangulatio
   return result;
 }
 
-/* Are all locations at vertices? */
+/* Returns whether all locations are at vertices. */
 inline bool are_vertices(const std::vector<Surface_location>& locations)
 {
   return std::all_of(locations.begin(), locations.end(),
                      [](const Surface_location& at) { return kind(at) == Location_kind::VERTEX; });
 }
 
-/* Gives the points of a polyline their tangents, and their halfedges as sides of the face that is left. */
+/* Sets the tangents of the points of a polyline, and their halfedges as sides of the face that the curve leaves. */
 template <class Triangulation, class Form>
 void complete_curve_points(const Triangulation& triangulation, const Surface_polyline& polyline,
                            std::vector<Form>& points)
@@ -162,14 +162,14 @@ void complete_curve_points(const Triangulation& triangulation, const Surface_pol
     }
   if constexpr(Has_points<typename Triangulation::Metric>::value)
     for(std::size_t i = points.size() - 1, next = i; i-- > 0; next = i) {
-      points[i].tangent = points[i + 1].tangent; // where two points coincide in space
+      points[i].tangent = points[i + 1].tangent; // used if two points coincide in space
       set_tangent(points[i], points[i].point, points[next].point);
       if(next + 1 == points.size())
         points.back().tangent = points[i].tangent;
     }
 }
 
-/* Appends the points of a polyline whose start is the end of what is there. */
+/* Appends the points of a polyline that starts at the last of the given points. */
 template <class Form, class Triangulation, class TriangleMesh>
 void append_polyline(const Triangulation& triangulation, const TriangleMesh& mesh, const Surface_polyline& polyline,
                      std::vector<Form>& result)

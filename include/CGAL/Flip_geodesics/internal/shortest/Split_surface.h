@@ -49,23 +49,23 @@ struct Split_face
   friend bool operator!=(Split_face a, Split_face b) { return !(a == b); }
 };
 
-/* A halfedge of a split surface that is new, or that is not linked as the halfedge with its number below. */
+/* A halfedge of a split surface that is new, or whose links differ from those of the original halfedge. */
 struct Split_side
 {
   Input_halfedge_index halfedge, next, previous;
   Vertex_index tail;
-  bool is_border, is_whole;           // is it all of an edge below?
-  Input_halfedge_index along;         // the halfedge below that it is a part of, or all; null inside a face
-  Input_halfedge_index face;          // a side of the face below that holds it; null on the border
+  bool is_border, is_whole;           // the latter if it is an original edge, not divided
+  Input_halfedge_index along;         // the original halfedge of which it is a part; null inside a face
+  Input_halfedge_index face;          // a side of the original face that contains it; null on the border
   std::array<double, 3> tail_weights; // of the tail in that face
 };
 
 /*
- * A surface on which points have been made vertices: the faces below that hold one are split, and all else is as below.
- * Therefore whatever searches from vertices also searches from points.
+ * A surface of which points have become vertices: the original faces that contain points are split, and all others are
+ * unchanged, so that searches between vertices are also searches between points.
  *
- * Elements below keep their numbers, but a halfedge of a split edge is the part at one of its ends. Which faces there
- * are has been decided by an insertion of the points into a triangulation, exactly.
+ * Original elements keep their numbers, but a halfedge of a split edge is the part at one of its ends. The faces are
+ * determined exactly, by an insertion of the points into a triangulation.
  */
 template <class TriangleMesh>
 class Split_surface
@@ -97,7 +97,7 @@ public:
 
   Index number_of_vertices() const { return m_below->number_of_vertices() + static_cast<Index>(m_locations.size()); }
   Index number_of_halfedges() const { return m_number_of_halfedges; }
-  /* A new vertex has two faces more than it has taken, or one on the border. */
+  /* Inserting a vertex adds two faces, or one on the border. */
   Index number_of_faces() const
   {
     const Index border =
@@ -135,36 +135,36 @@ public:
     return h == null_index || tail(h) == v ? h : part_at_tail(h, v);
   }
 
-  /* Is it not a vertex below? */
+  /* Returns whether a vertex is new. */
   bool is_new(Vertex_index v) const { return v.idx() >= m_below->number_of_vertices(); }
-  /* Where a new vertex lies below. */
+  /* Returns the location of a new vertex on the original surface. */
   const Surface_location& location(Vertex_index v) const { return m_locations[new_index(v)]; }
 
-  /* What is known of a halfedge that has changed; null if it is as below. */
+  /* Returns the record of a halfedge that has changed; null if it is unchanged. */
   const Split_side* find(Input_halfedge_index h) const
   {
     const Index i = position(h);
     return i == nowhere ? nullptr : &m_sides[static_cast<std::size_t>(i)];
   }
 
-  /* The halfedges that have changed, face by face from the first side of each on, and then those on the border. */
+  /* Returns the halfedges that have changed: those of each new face in order, and then those on the border. */
   const std::vector<Split_side>& sides() const { return m_sides; }
 
-  /* Is it a vertex at which a face is split? */
+  /* Returns whether a face at a vertex is split. */
   bool is_beside_split(Vertex_index v) const
   {
     return std::any_of(m_sides.begin(), m_sides.end(),
                        [v](const Split_side& side) { return !side.is_border && side.tail == v; });
   }
 
-  /* The halfedge below along which one runs, null inside a face. */
+  /* Returns the original halfedge along which a halfedge runs; null inside a face. */
   Input_halfedge_index along(Input_halfedge_index h) const
   {
     const Split_side* const side = find(h);
     return side == nullptr ? h : side->along;
   }
 
-  /* A location below; none for a point of an edge that is not there below. \param at canonical */
+  /* Returns a canonical location as one on the original surface; nothing for a point of a new edge. */
   std::optional<Surface_location> location_below(const Surface_location& at) const
   {
     if(kind(at) == Location_kind::VERTEX)
@@ -178,7 +178,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t number_of_slots = 256; // far more than halfedges of the faces at two points
+  static constexpr std::size_t number_of_slots = 256; // far more than the faces at two points have halfedges
   static constexpr Index nowhere = -1;
 
   static std::size_t slot(Input_halfedge_index h) { return static_cast<std::size_t>(h.idx()) % number_of_slots; }
@@ -230,7 +230,7 @@ private:
     }
   }
 
-  // Parts of an edge on the border follow each other, and what precedes and follows the edge below.
+  // Links the parts of edges on the border with each other and with the neighbors of the original edges.
   void link_border()
   {
     for(const Split_side& side : m_border)
@@ -250,7 +250,7 @@ private:
     changed(next).previous = h;
   }
 
-  // The record of a halfedge on the border, which is as below if it has none yet.
+  // Returns the record of a halfedge on the border, after creating one from the original surface if necessary.
   Split_side& changed(Input_halfedge_index h)
   {
     if(position(h) == nowhere)
@@ -258,7 +258,7 @@ private:
     return m_sides[static_cast<std::size_t>(position(h))];
   }
 
-  // The part of a halfedge below that starts at a vertex, or ends there.
+  // Returns the part of an original halfedge that starts at a vertex, or ends there.
   Input_halfedge_index part_at_tail(Input_halfedge_index along, Vertex_index v) const
   {
     for(const Split_side& side : m_sides)
@@ -300,7 +300,7 @@ private:
   std::vector<Index> m_first, m_following; // a table of the sides by their halfedges
 };
 
-/* What a curve point needs to know of the faces of a graph. */
+/* The functions of a face graph that curve points require. */
 template <class TriangleMesh>
 Split_face face(Input_halfedge_index h, const Split_surface<TriangleMesh>& surface)
 {
@@ -313,7 +313,7 @@ Input_halfedge_index halfedge(Split_face f, const Split_surface<TriangleMesh>&)
   return f.halfedge;
 }
 
-/* A split surface is numbered already, and is its own mesh. */
+/* The elements of a split surface are numbered, so that it is its own indexed mesh. */
 template <class TriangleMesh>
 class Indexed_mesh<Split_surface<TriangleMesh>> : public Numbered_surface<Split_surface<TriangleMesh>>
 {
@@ -339,19 +339,19 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Where a vertex of a split surface is, by the data of the metric below, up to an error. */
+/* The position of a vertex of a split surface, given by the data of the original metric, up to an error. */
 template <class Place>
 struct Split_place
 {
   Place place;
-  double error; // no distance from the vertex differs by more from that from the place; infinite if nothing is known
+  double error; // bounds the difference of distances from the vertex and from the place; infinite if unknown
 };
 
 /*
- * The metric of a split surface: that of what lies below. It is the same surface exactly: parts of faces are derived
- * from the exact faces below by the exact weights of their corners, and rounded last. A model of IntrinsicMetric.
+ * The metric of a split surface, which is exactly that of the original surface: parts of faces are derived from the
+ * exact original faces by the exact weights of their corners, and rounded last. A model of IntrinsicMetric.
  *
- * A metric below that has no exact faces is taken to have faces of its rounded lengths.
+ * If the original metric has no exact faces, its rounded lengths define them.
  */
 template <class TriangleMesh, class Metric>
 class Split_metric
@@ -364,7 +364,7 @@ public:
   using Point_3 = typename Metric_point<Metric>::type;
   using Place = Split_place<typename Metric::Place>;
 
-  /* \throws as the metric below for the faces that are split */
+  /* \throws as the original metric for the faces that are split */
   Split_metric(const Metric& metric, const Surface& surface)
     : m_metric(metric)
     , m_parts(std::make_shared<std::vector<Exact_subface>>())
@@ -402,7 +402,8 @@ public:
     return new_edge(mesh, h) == nullptr ? m_metric.weight(below(mesh), h, tail.place, head.place) : weight(mesh, h);
   }
 
-  /* Of a new vertex, in space if the metric below has places there, and otherwise that of a corner of its face. */
+  /* Returns the place of a vertex; for a new one, its point in space if the original metric has places in space, and
+   * otherwise the place of a corner of its face. */
   Place place(const Mesh& mesh, Vertex_index v) const
   {
     if(!mesh.surface().is_new(v))
@@ -441,7 +442,7 @@ public:
 
   bool is_rounded(const Mesh& mesh) const { return is_rounded_metric(m_metric, below(mesh)); }
 
-  /* The lengths of a part of a face are rounded from an exact one, and need not satisfy the triangle inequality. */
+  /* The rounded lengths of a part of a face need not satisfy the triangle inequality. */
   bool is_usable_face(const Mesh& mesh, Input_halfedge_index h) const
   {
     const Split_side* const side = mesh.surface().find(h);
@@ -458,8 +459,7 @@ public:
                            : part(mesh, *side).exact_face(place_in_part(mesh, *side));
   }
 
-  /* Of edge sequences that the metric below can have, that is, not to new vertices; nor about a vertex with new edges,
-   * which the steps count. */
+  /* Only for edge sequences between original vertices, and not around a vertex with new edges, which `steps` counts. */
   bool sine_in_plane(const Mesh& mesh, const Edge_sequence& a, const Edge_sequence& b, Index steps,
                      Flat_edges& flat_edges, Sign& sine) const
   {
@@ -485,7 +485,7 @@ private:
       return exact_face_from_lengths(face_lengths(m_metric, input, h));
   }
 
-  // The record of a side of an edge that is not there below, the same from both sides; null for other edges.
+  // Returns the record of a new edge, the same for both of its sides; null for other edges.
   static const Split_side* new_edge(const Mesh& mesh, Input_halfedge_index h)
   {
     const Split_side* side = mesh.surface().find(h);
@@ -505,7 +505,8 @@ private:
   }
   static std::size_t place_in_part(const Mesh& mesh, const Split_side& side) { return position(mesh, side) % 3; }
 
-  // The corners of the face below that holds a new vertex, that of the largest weight first, and their shares.
+  // Returns the corners of the original face that contains a new vertex, beginning with that of the largest weight, and
+  // their shares.
   static std::pair<std::array<Vertex_index, 3>, Shares> corners_and_shares(const Mesh& mesh, Vertex_index v)
   {
     Surface_location at = mesh.surface().location(v);
@@ -520,7 +521,7 @@ private:
   static double value(const Approximate_number& x) { return x.value; }
 
   static void set_coordinate(double& result, double x, double, double, double) { result = x; }
-  /* The shares add up to 1 up to rounding errors, which the factor of 2 covers. */
+  // The shares sum to 1 up to rounding errors, which the factor of 2 covers.
   static void set_coordinate(Approximate_number& result, double x, const Approximate_number& p,
                              const Approximate_number& q, const Approximate_number& r)
   {
@@ -539,7 +540,7 @@ private:
     return result;
   }
 
-  // Crossings of edges that are not there below are left out.
+  // Returns the edge sequence on the original surface, without the crossings of new edges.
   static Edge_sequence sequence_below(const Surface& surface, Edge_sequence sequence)
   {
     std::vector<Input_halfedge_index> crossed;
@@ -571,7 +572,7 @@ public:
   using Split = Intrinsic_triangulation<Surface, typename Triangulation::Traits,
                                         Split_metric<Triangle_mesh, typename Triangulation::Metric>>;
 
-  /* The triangulation, which must outlive this, is afterwards as before. \pre it has not been flipped
+  /* The triangulation must outlive this object, and is not changed. \pre it has not been flipped
    * \throws as `Intrinsic_triangulation::insert()` */
   Split_triangulation(Triangulation& triangulation, const std::vector<Surface_location>& points)
     : m_surface(split(triangulation, points))
@@ -584,7 +585,7 @@ public:
   const Surface& surface() const { return m_surface; }
   Split& triangulation() { return m_triangulation; }
 
-  /* The vertex of a point, by its position among the points. */
+  /* Returns the vertex of point number i. */
   Vertex_index vertex(std::size_t i) const { return m_vertices[i]; }
 
 private:
@@ -601,7 +602,7 @@ private:
   Split m_triangulation;
 };
 
-/* The points of the only curve of a network in a triangulation of a split surface, as locations below. */
+/* Returns the points of the only curve of a network in a triangulation of a split surface, on the original surface. */
 template <class Network, class Surface>
 Surface_polyline curve_below(const Network& network, const Surface& surface)
 {

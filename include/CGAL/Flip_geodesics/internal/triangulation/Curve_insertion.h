@@ -45,8 +45,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The constrained Delaunay triangulation of a face by nodes and segments between them: segments that cross get a vertex
- * at the crossing. Coordinates are exact, and so is each decision. Nodes are numbers of the caller's.
+ * The constrained Delaunay triangulation of a face, given by nodes and segments between them. Crossing segments get a
+ * vertex at the crossing. Coordinates and predicates are exact. Nodes are numbers that the caller assigns.
  */
 class Face_arrangement
 {
@@ -58,7 +58,7 @@ public:
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  /* Adds a node, and returns the node at this point: another one if that was there before. */
+  /* Adds a node. Returns the node at this point, which is another one if it was added before. */
   std::size_t add_node(std::size_t node, const Point_2& p)
   {
     const Vertex_handle v = m_triangulation.insert(p);
@@ -69,13 +69,13 @@ public:
     return v->info().node;
   }
 
-  /* Adds the segment between two nodes that differ. */
+  /* Adds the segment between two different nodes. */
   void add_segment(std::size_t a, std::size_t b)
   {
     m_constraints.push_back(m_triangulation.insert_constraint(m_vertices.at(a), m_vertices.at(b)));
   }
 
-  /* Lets `make_node` return a node for the point of each crossing. */
+  /* Calls `make_node` for the point of each crossing, which must return a new node. */
   template <class MakeNode>
   void add_crossings(const MakeNode& make_node)
   {
@@ -84,7 +84,7 @@ public:
         v->info().node = make_node(v->point());
   }
 
-  /* The segments, divided at all nodes that they pass; each once, with the smaller node first. */
+  /* Returns the segments, divided at all nodes that they pass, each once and with the smaller node first. */
   std::vector<Segment> segments() const
   {
     std::set<Segment> result;
@@ -99,7 +99,7 @@ public:
     return std::vector<Segment>(result.begin(), result.end());
   }
 
-  /* The triangles, counterclockwise. */
+  /* Returns the triangles, counterclockwise. */
   std::vector<Triangle> triangles() const
   {
     std::vector<Triangle> result;
@@ -128,8 +128,8 @@ private:
 
 /*
  * Divides faces of a mesh along segments. Points are first collected as nodes: vertices of the mesh, points of edges,
- * and points inside faces. Segments are kept by the faces in which they lie. `arrange()` computes what becomes of each
- * face; until then the mesh is not changed. `apply()` changes it, and does not throw unless memory runs out.
+ * and points inside faces. Segments are stored with the faces that contain them. `arrange()` computes the subdivision
+ * of each face without changing the mesh. `apply()` changes the mesh; it throws only if memory runs out.
  */
 template <class Mesh, class PointMap>
 class Curve_insertion
@@ -154,7 +154,8 @@ public:
   {
   }
 
-  /* The corners of a face: the sources of its halfedges. Throws unless it is a triangle with finite coordinates. */
+  /* Returns the corners of a face, the sources of its halfedges. Throws unless it is a triangle with finite
+   * coordinates. */
   Triangle_places places_of_corners(Face f) const
   {
     Triangle_places result;
@@ -169,8 +170,8 @@ public:
     return result;
   }
 
-  /* The node at a point of a face, by weights that are not negative and not all zero. For a point inside the face they
-   * are those given, which may be exact. */
+  /* Returns the node at a point of a face with weights that are not negative and not all zero. For a point inside the
+   * face, the given weights are used, which may be exact. */
   template <class Weights>
   std::size_t add_point(Face f, const std::array<double, 3>& weights, const Weights& given)
   {
@@ -189,8 +190,8 @@ public:
     return none;
   }
 
-  /* Adds a segment between two nodes, in the first face that has both, of these and those around the nodes. Returns
-   * whether there is one. */
+  /* Adds a segment between two nodes to the first face with both of them, among the given faces and those around the
+   * nodes. Returns whether such a face exists. */
   bool add_segment(std::size_t a, std::size_t b, const std::array<Face, 2>& hints)
   {
     if(root(a) == root(b))
@@ -206,7 +207,7 @@ public:
     return false;
   }
 
-  /* The faces that have a node. */
+  /* Appends the faces that contain a node. */
   void append_faces(std::size_t n, std::vector<Face>& result) const
   {
     const Node& node = m_nodes[root(n)];
@@ -224,7 +225,7 @@ public:
       append(h);
   }
 
-  /* Decides everything: merges nodes that are too close, and triangulates the faces. */
+  /* Merges nodes that are too close to each other, and triangulates the faces. */
   void arrange()
   {
     for(std::size_t round = 0, open = 1; open > 0 && round < most_rounds; ++round) {
@@ -242,7 +243,7 @@ public:
         arrange_face(i);
   }
 
-  /* Changes the mesh. */
+  /* Splits the edges and divides the faces of the mesh. */
   template <class IsConstrainedMap, class Visitor>
   void apply(IsConstrainedMap is_constrained, Visitor& visitor)
   {
@@ -257,18 +258,18 @@ public:
   std::size_t number_of_new_faces() const { return m_number_of_new_faces; }
 
 private:
-  // Rounds of merging after which what is left too close stays. Each round shortens or removes segments.
+  // The number of rounds of merging, each of which shortens or removes segments; afterwards close nodes stay.
   static constexpr std::size_t most_rounds = 32;
 
   struct Node
   {
     Location_kind kind = Location_kind::VERTEX;
-    std::size_t same_as = none;                 // the node that it was merged with
-    Vertex vertex = Graph::null_vertex();       // of the mesh, once it has one
-    Halfedge halfedge = Graph::null_halfedge(); // that `canonical()` returns for the edge,
-    double t = 0;                               // and where on it, from its source on
-    Face face = Graph::null_face();             // that it is inside of,
-    std::array<Exact, 3> weights;               // and where, with sum one
+    std::size_t same_as = none;                 // the node with which it was merged
+    Vertex vertex = Graph::null_vertex();       // of the mesh, once it exists
+    Halfedge halfedge = Graph::null_halfedge(); // as returned by `canonical()`, for a node on an edge
+    double t = 0;                               // the position on the edge, from 0 at its source to 1
+    Face face = Graph::null_face();             // for a node inside a face
+    std::array<Exact, 3> weights;               // the position in the face; they sum to one
   };
 
   struct Edge
@@ -288,7 +289,7 @@ private:
     std::vector<Segment> segments;                // between nodes
     std::vector<std::size_t> inner_nodes;
     std::vector<Face_arrangement::Triangle> triangles;
-    bool is_arranged = false; // are segments and triangles those of the nodes?
+    bool is_arranged = false; // whether segments and triangles correspond to the nodes
   };
 
   Halfedge check_triangle(Face f) const
@@ -305,7 +306,7 @@ private:
     return {{h, next(h, m_mesh), next(next(h, m_mesh), m_mesh)}};
   }
 
-  // One of the two halfedges of an edge. That of `halfedge()` depends on where a Surface_mesh has the edge from.
+  // Returns the smaller halfedge of an edge. The result of `halfedge()` depends on how a Surface_mesh created the edge.
   Halfedge canonical(Halfedge h) const
   {
     const Halfedge t = opposite(h, m_mesh);
@@ -344,7 +345,7 @@ private:
     const Exact sum = weights[0] + weights[1] + weights[2];
     for(std::size_t i = 0; i < 3; ++i) {
       node.weights[i] = weights[i] / sum;
-      CGAL::exact(node.weights[i]); // so that numbers do not refer to all that they were computed of
+      CGAL::exact(node.weights[i]); // so that lazy numbers do not refer to their operands
     }
     face_record(f).inner_nodes.push_back(m_nodes.size());
     face_record(f).is_arranged = false;
@@ -362,7 +363,7 @@ private:
       return Exact(CGAL::to_double(x));
   }
 
-  // The node of an edge at weights of the source and the target of a halfedge, or one so close that it is the same.
+  // Returns the node of an edge at weights of the source and the target of a halfedge, or one within the tolerance.
   std::size_t add_on_edge(Halfedge h, double at_source, double at_target)
   {
     if(canonical(h) != h) {
@@ -408,7 +409,7 @@ private:
     return 2 * std::hypot(d[0], d[1], d[2]);
   }
 
-  // How close points may come in space, for a length of which snapping takes a part. Zero if nothing is snapped.
+  // Returns the distance in space up to which points of an edge or face of a given length are merged; 0 if none are.
   double tolerance(double length, double largest_coordinate) const
   {
     return m_snap > 0 ? m_snap * length + insertion_rounding * largest_coordinate : 0;
@@ -441,7 +442,7 @@ private:
     return m_faces.back();
   }
 
-  // Crossings do not depend on the shape, which makes good triangles only. A degenerate one gets another shape.
+  // The shape affects the quality of the triangles only, not the crossings, so that a degenerate face gets another one.
   void lay_out(Face_record& f) const
   {
     const double a = length(f.sides[0]), b = length(f.sides[1]), c = length(f.sides[2]);
@@ -539,7 +540,7 @@ private:
 
   static double distance(const Place_2& p, const Place_2& q) { return std::hypot(q[0] - p[0], q[1] - p[1]); }
 
-  // Where p projects onto a segment, from 0 to 1, and how far away that is.
+  // Returns the position of the projection of p on a segment, from 0 to 1, and its distance from p.
   static std::pair<double, double> projection(const Place_2& p, const Place_2& from, const Place_2& to)
   {
     const double dx = to[0] - from[0], dy = to[1] - from[1];
@@ -547,7 +548,7 @@ private:
     return {t, distance(p, {{from[0] + t * dx, from[1] + t * dy}})};
   }
 
-  // Arranges a face, and then merges what is too close in it. Returns whether there was such.
+  // Arranges a face, and then merges nodes that are too close. Returns whether there were any.
   bool refine(std::size_t i)
   {
     arrange_face(i);
@@ -565,7 +566,7 @@ private:
     return is_changed;
   }
 
-  // Nodes inside a face are merged with those before them, or else move to the sides.
+  // Merges nodes inside a face with earlier ones, or else moves them to the sides.
   bool merge_inner_nodes(std::size_t i, const std::vector<std::size_t>& nodes,
                          const std::map<std::size_t, Place_2>& places)
   {
@@ -604,7 +605,7 @@ private:
     return std::any_of(f.sides.begin(), f.sides.end(), [&](Halfedge h) { return is_on(a, h) && is_on(b, h); });
   }
 
-  // Segments that pass a node too closely are led through it.
+  // Leads segments that pass a node too closely through it.
   bool bend_segments(std::size_t i, const std::vector<std::size_t>& nodes, const std::map<std::size_t, Place_2>& places)
   {
     Face_record& f = m_faces[i];
@@ -671,7 +672,7 @@ private:
     }
   }
 
-  // The vertex at the target of a halfedge has one on the border, if there is one: Surface_mesh relies on it.
+  // Associates the target of a halfedge with a halfedge on the border, if there is one, as Surface_mesh requires.
   void set_border(Halfedge h)
   {
     for(const Halfedge in : {h, opposite(next(h, m_mesh), m_mesh)})
@@ -688,7 +689,7 @@ private:
 
   using Halfedges = std::map<Segment, Halfedge>; // by the nodes at source and target
 
-  // The sides of a face that has been split, and vertices at the nodes inside of it.
+  // Creates vertices at the nodes inside a face. Returns the sides of the face, which have been split.
   Halfedges make_vertices(const Face_record& f)
   {
     std::map<Vertex, std::size_t> node_of;
@@ -775,7 +776,7 @@ private:
   std::size_t m_number_of_new_vertices = 0, m_number_of_divided_faces = 0, m_number_of_new_faces = 0;
 };
 
-/* Is T a `Face_location` of a mesh? */
+/* Detects the `Face_location` of a mesh. */
 template <class T, class Mesh, class = void>
 constexpr bool is_face_location_of = false;
 template <class T, class Mesh>
@@ -784,14 +785,14 @@ constexpr bool
         std::is_same<std::decay_t<decltype(std::declval<const T&>().first)>,
                      typename boost::graph_traits<Mesh>::face_descriptor>::value;
 
-/* Has T one, as a `Curve_point` has? */
+/* Detects types with a member `location` of that type, such as `Curve_point`. */
 template <class T, class Mesh, class = void>
 constexpr bool has_face_location = false;
 template <class T, class Mesh>
 constexpr bool has_face_location<T, Mesh, std::void_t<decltype(std::declval<const T&>().location)>> =
     is_face_location_of<std::decay_t<decltype(std::declval<const T&>().location)>, Mesh>;
 
-/* Is T a point in space? */
+/* Detects points in space. */
 template <class T, class = void>
 constexpr bool is_point_in_space = false;
 template <class T>
@@ -802,12 +803,13 @@ constexpr bool
 template <class T, class Mesh>
 constexpr bool is_point_of_curve = is_face_location_of<T, Mesh> || has_face_location<T, Mesh> || is_point_in_space<T>;
 
-/* Is T a range of such, or has it one, as an `Isoline` has? */
+/* Detects ranges of these. */
 template <class T, class Mesh, class = void>
 constexpr bool is_range_of_curve_points = false;
 template <class T, class Mesh>
 constexpr bool is_range_of_curve_points<T, Mesh, std::void_t<Range_value<T>>> = is_point_of_curve<Range_value<T>, Mesh>;
 
+/* Detects types with such a range as a member `locations`, such as `Isoline`. */
 template <class T, class Mesh, class = void>
 constexpr bool has_locations = false;
 template <class T, class Mesh>
@@ -823,7 +825,7 @@ template <class T, class Mesh>
 constexpr bool is_range_of_insertable_curves<T, Mesh, std::void_t<Range_value<T>>> =
     is_insertable_curve<Range_value<T>, Mesh>;
 
-/* Hands curves to an insertion, as nodes and segments between them. */
+/* Adds curves to an insertion as nodes and segments between them. */
 template <class Mesh, class PointMap>
 class Curve_reader
 {
@@ -840,7 +842,7 @@ public:
   {
   }
 
-  /* Curves, or one of them. */
+  /* Adds a range of curves, or a single one. */
   template <class Curves>
   void add_all(const Curves& curves)
   {
@@ -912,7 +914,7 @@ private:
       return place_in_space(half_of(p));
   }
 
-  // Weights as they are given, or those of the place in double.
+  // Returns the weights as given, or those of the place in double.
   template <class T>
   static const auto& given_weights(const T& p, const Place& place)
   {
@@ -934,7 +936,7 @@ private:
     return {f, snapped_weights(weights, snap, refuse)};
   }
 
-  // The nearest point of the surface: of the faces around the point before, if one of them has it, or of all faces.
+  // Returns the nearest point of the surface: in the faces around the previous point if one contains it, or in any face.
   Place place_in_space(const Place_in_space& p)
   {
     if(!are_finite(p))
@@ -964,7 +966,7 @@ private:
       best = {f, nearest};
   }
 
-  // Of the bounding box, halved as all coordinates here are.
+  // Returns the diagonal of the bounding box, halved like all coordinates here.
   double diagonal()
   {
     if(m_diagonal < 0) {
@@ -983,8 +985,8 @@ private:
   double m_snap;
   Insertion& m_insertion;
   std::optional<Nearest_face<Mesh, Corners>> m_nearest_face;
-  double m_diagonal = -1;               // negative as long as it is not known
-  std::size_t m_curve = 0, m_point = 0; // that are read
+  double m_diagonal = -1;               // negative until it is computed
+  std::size_t m_curve = 0, m_point = 0; // the one being read
   std::size_t m_last_node = Insertion::none;
   Face m_last_face = Graph::null_face();
 };
