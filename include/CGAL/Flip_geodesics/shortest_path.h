@@ -13,7 +13,6 @@
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/located_points.h>

@@ -8,7 +8,6 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
@@ -26,6 +25,16 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#ifdef CGAL_FLIP_GEODESICS_COMPILED
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#endif
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -285,7 +294,56 @@ Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
 } // namespace internal
 
 #ifdef CGAL_FLIP_GEODESICS_COMPILED
+
+/*
+ * The instances in the compiled library: those of the free functions' computations with default options. A header of
+ * such functions declares them. All other instances are compiled where they are used, as without the library.
+ */
+
+/* Expands to `INSTANCES(mesh)` for each mesh. */
+#define CGAL_FLIP_GEODESICS_FOR_COMPILED_MESHES(INSTANCES)                                                             \
+  INSTANCES(compiled::Cartesian_mesh)                                                                                  \
+  INSTANCES(compiled::Filtered_mesh)
+
+/* Expands to `INSTANCES(mesh, form)` for each mesh and each value type of an output. */
+#define CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(INSTANCES)                                                              \
+  INSTANCES(compiled::Cartesian_mesh, compiled::Point<compiled::Cartesian_mesh>)                                       \
+  INSTANCES(compiled::Cartesian_mesh, compiled::Location<compiled::Cartesian_mesh>)                                    \
+  INSTANCES(compiled::Cartesian_mesh, compiled::All<compiled::Cartesian_mesh>)                                         \
+  INSTANCES(compiled::Filtered_mesh, compiled::Point<compiled::Filtered_mesh>)                                         \
+  INSTANCES(compiled::Filtered_mesh, compiled::Location<compiled::Filtered_mesh>)                                      \
+  INSTANCES(compiled::Filtered_mesh, compiled::All<compiled::Filtered_mesh>)
+
+/* A source file of the library defines one of these macros as `template`; the instances of the other headers are
+ * declared. */
+#ifndef CGAL_FLIP_GEODESICS_CURVES_INSTANCE
+#define CGAL_FLIP_GEODESICS_CURVES_INSTANCE extern template
+#endif
+#ifndef CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE
+#define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE extern template
+#endif
+#ifndef CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE
+#define CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE extern template
+#endif
+#ifndef CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE
+#define CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE extern template
+#endif
+
 namespace internal {
+namespace compiled {
+
+using Cartesian_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
+using Filtered_mesh = Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+/* The value type of an output. */
+template <class Mesh>
+using Point = typename Mesh::Point;
+template <class Mesh>
+using Location = std::pair<typename boost::graph_traits<Mesh>::face_descriptor, std::array<double, 3>>;
+template <class Mesh>
+using All = Curve_point<Mesh, typename Mesh::Point>;
+
+} // namespace compiled
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_path(                                              \

@@ -922,16 +922,15 @@ private:
     const std::optional<Complex> center = circumcenter(p);
     if(!center)
       return {};
-    for(int i = 0; i < 3 && is_left(p[0], p[1], *center); ++i) { // turn to the side of exit
-      h = m_triangulation.next(h);
-      p = {p[1], p[2], p[0]};
-    }
+    const auto turn = [&](bool is_to_next) {
+      h = is_to_next ? m_triangulation.next(h) : m_triangulation.previous(h);
+      std::rotate(p.begin(), p.begin() + (is_to_next ? 1 : 2), p.end());
+    };
+    for(int i = 0; i < 3 && is_left(p[0], p[1], *center); ++i) // turn to the side of exit
+      turn(true);
     // If the circumcenter is beyond two sides, the line to it crosses one of them.
-    if(!is_left(p[0], p[1], *center) && !is_between(start, *center, p[0], p[1])) {
-      const bool is_next = !is_left(p[1], p[2], *center);
-      h = is_next ? m_triangulation.next(h) : m_triangulation.previous(h);
-      p = is_next ? std::array<Complex, 3>{p[1], p[2], p[0]} : std::array<Complex, 3>{p[2], p[0], p[1]};
-    }
+    if(!is_left(p[0], p[1], *center) && !is_between(start, *center, p[0], p[1]))
+      turn(!is_left(p[1], p[2], *center));
     for(int step = 0; step < most_steps; ++step) {
       if(is_left(p[0], p[1], *center))
         return Place{h, (*center - p[0]) * std::abs(p[1] - p[0]) / (p[1] - p[0]), false};
@@ -942,9 +941,7 @@ private:
       const bool is_inside = is_left(p[1], p[2], *center) && is_left(p[2], p[0], *center);
       if(is_inside)
         continue; // the next step would return, since the center is on the left of h as well
-      const bool is_apex_left = is_left(start, *center, p[2]);
-      h = is_apex_left ? m_triangulation.next(h) : m_triangulation.previous(h);
-      p = is_apex_left ? std::array<Complex, 3>{p[1], p[2], p[0]} : std::array<Complex, 3>{p[2], p[0], p[1]};
+      turn(is_left(start, *center, p[2]));
     }
     return {};
   }
