@@ -17,7 +17,6 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/located_points.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Split_surface.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>

@@ -97,13 +97,6 @@ void for_each_outgoing_halfedge_of_other_umbrellas(const Triangulation& triangul
       function(h);
 }
 
-inline Halfedge_index index_of(Halfedge_index h) { return h; }
-template <class Walker>
-Halfedge_index index_of(const Walker& h)
-{
-  return h.index();
-}
-
 /* Replaces the contents of a range by the outgoing halfedges of v, clockwise, from the border if there is one, as
  * walkers or by their indices. At a non-manifold vertex they are grouped by umbrella, in the order in which the border
  * connects these. */
@@ -123,10 +116,12 @@ void collect_outgoing_halfedges(const Triangulation& triangulation, Vertex_index
   const Halfedge_index start = triangulation.outgoing(v);
   if(start == null_index)
     return;
-  const auto first = triangulation.walker(start);
-  auto h = first;
+  const Walker first = triangulation.walker(start);
+  Walker h = first;
+  [[maybe_unused]] Walker last = first;
   do {
     add(h);
+    last = h;
     h = h.counterclockwise();
   } while(!h.is_none() && h != first);
   std::reverse(h.is_none() ? result.begin() : result.begin() + 1, result.end());
@@ -135,7 +130,7 @@ void collect_outgoing_halfedges(const Triangulation& triangulation, Vertex_index
   for(h = first.clockwise(); !h.is_none(); h = h.clockwise())
     add(h);
   if constexpr(has_edge_sequences<Triangulation>) // the others are manifolds
-    for_each_outgoing_halfedge_of_other_umbrellas(triangulation, index_of(result.front()),
+    for_each_outgoing_halfedge_of_other_umbrellas(triangulation, last.index(),
                                                   [&](Halfedge_index g) { add(triangulation.walker(g)); });
 }
 
