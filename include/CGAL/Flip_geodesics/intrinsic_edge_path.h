@@ -170,9 +170,7 @@ std::vector<Halfedge_index> shortest_intrinsic_edge_path(const Triangulation& tr
     internal::check_vertex(v, triangulation.number_of_vertices());
   std::vector<Halfedge_index> path = internal::intrinsic_edge_path(triangulation, source, target);
   if(path.empty() && source != target)
-    throw Disconnected_endpoints_error(
-        "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
-        {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
+    internal::throw_disconnected(source, target);
   return path;
 }
 

@@ -244,9 +244,7 @@ public:
       return path_to(target);
     if(!is_complete)
       return {};
-    throw Disconnected_endpoints_error(
-        "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
-        {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
+    internal::throw_disconnected(source, target);
   }
 
   template <class Visit, class... Interruptions>

@@ -299,6 +299,13 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
                            {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
 }
 
+[[noreturn]] inline void throw_disconnected(Vertex_index source, Vertex_index target)
+{
+  throw Disconnected_endpoints_error("no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " +
+                                         std::to_string(target.idx()),
+                                     {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
+}
+
 /* A descriptor of no vertex of the mesh has the index `null_index`, which the message omits. */
 [[noreturn]] inline void throw_vertex_out_of_range(Vertex_index v, Index number_of_vertices, const std::string& place,
                                                    const std::vector<std::size_t>& elements)

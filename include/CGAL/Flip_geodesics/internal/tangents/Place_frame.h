@@ -164,8 +164,7 @@ public:
    * \throws Invalid_parameter_error if it is neither */
   double position(Input_halfedge_index h) const
   {
-    if(!h.is_valid() || h.idx() >= input().number_of_halfedges())
-      throw Invalid_parameter_error("a direction is measured from a halfedge that the mesh does not have");
+    check_reference(input(), h);
     if(is_vertex())
       return position_at_vertex(h);
     const bool is_in_face = !input().is_border(h);
@@ -214,12 +213,6 @@ private:
   const auto& input() const { return m_triangulation.input(); }
   bool is_vertex() const { return kind(m_place) == Location_kind::VERTEX; }
   Vertex_index vertex() const { return input().tail(m_place.halfedge); }
-
-  [[noreturn]] static void throw_no_side(Input_halfedge_index h)
-  {
-    throw Invalid_parameter_error("a direction is measured from halfedge " + std::to_string(h.idx()) +
-                                  ", which is not a side of a face of the location");
-  }
 
   double reduced(double angle) const
   {

@@ -475,17 +475,15 @@ public:
   Ray_start by_angle(const Surface_location& location, Input_halfedge_index h, double angle) const
   {
     check_location(input(), location);
-    if(!h.is_valid() || h.idx() >= input().number_of_halfedges())
-      throw Invalid_parameter_error("a direction is measured from a halfedge that the mesh does not have");
+    check_reference(input(), h);
     if(!std::isfinite(angle))
       throw Invalid_parameter_error("the angle of a direction is not a finite number");
     const Surface_location at = canonical_location(input(), location);
     if(kind(at) == Location_kind::VERTEX)
       return at_vertex_of_face(h, input().tail(at.halfedge), angle);
     if(!is_side_of(h, at.halfedge) && !(kind(at) == Location_kind::EDGE && is_side_of(h, twin_index(at.halfedge))))
-      throw Invalid_parameter_error("a direction is measured from halfedge " + std::to_string(h.idx()) +
-                                    ", which is not a side of a face of the location");
-    return told_well(at, h, angle);
+      throw_no_side(h);
+    return by_well_conditioned_side(at, h, angle);
   }
 
   /* Returns a ray by a direction in the face of the point's halfedge, which is used unchanged unless it leaves the face
@@ -533,8 +531,7 @@ public:
     while(input().tail(side) != v) { // the next side is rotated by the outer angle between them
       side = input().next(side);
       if(side == h || input().is_border(h))
-        throw Invalid_parameter_error("a direction is measured from halfedge " + std::to_string(h.idx()) +
-                                      ", which is not a side of a face of the location");
+        throw_no_side(h);
       angle -= boost::math::constants::pi<double>() - corner(side);
     }
     return at_vertex(side, angle);
@@ -587,7 +584,7 @@ private:
    * An angle from a side, expressed relative to another side if the corner there is far less acute or obtuse: a
    * direction expressed in two nearly parallel sides would lose its digits.
    */
-  Ray_start told_well(const Surface_location& at, Input_halfedge_index h, double angle) const
+  Ray_start by_well_conditioned_side(const Surface_location& at, Input_halfedge_index h, double angle) const
   {
     constexpr double far_less = 1.0 / 16;
     Input_halfedge_index best = h, side = h;
@@ -616,11 +613,11 @@ private:
 
   // The change of the weight opposite to a side of a face in a direction expressed relative to any side; its sign is
   // exact.
-  double away_from_side(Input_halfedge_index side, Input_halfedge_index told_from, const Face_direction& d) const
+  double away_from_side(Input_halfedge_index side, Input_halfedge_index reference, const Face_direction& d) const
   {
-    if(side == told_from)
+    if(side == reference)
       return d[1];
-    return input().next(side) == told_from ? d[0] : -d[0] - d[1];
+    return input().next(side) == reference ? d[0] : -d[0] - d[1];
   }
 
   double length(Input_halfedge_index h) const { return m_triangulation.metric().length(input(), h); }

@@ -93,17 +93,18 @@ public:
   /* Returns the vector from the start to the end. */
   const Vector& end() const { return m_end; }
 
-  /* Returns the direction, of length 1, of the reference halfedge of the last face. */
-  const Vector& turn() const { return m_turn; }
-
   Violation violation() const
   {
     Violation worst;
     const double length = std::abs(m_end);
+    const auto note = [&](double distance, Input_halfedge_index h, std::size_t portal) {
+      if(distance > worst.distance)
+        worst = {distance, m_triangulation.input().tail(h), portal};
+    };
     for(std::size_t i = 0; length > 0 && i < m_portals.size(); ++i) {
       const Portal& portal = m_portals[i];
-      note(cross(portal.left, m_end) / length, head(portal.crossed), i, worst);
-      note(cross(m_end, portal.right) / length, tail(portal.crossed), i, worst);
+      note(cross(portal.left, m_end) / length, twin_index(portal.crossed), i);
+      note(cross(m_end, portal.right) / length, portal.crossed, i);
     }
     return worst;
   }
@@ -115,22 +116,13 @@ private:
     Input_halfedge_index crossed;
   };
 
-  Vertex_index tail(Input_halfedge_index h) const { return m_triangulation.input().tail(h); }
-  Vertex_index head(Input_halfedge_index h) const { return tail(twin_index(h)); }
-
-  static void note(double distance, Vertex_index v, std::size_t portal, Violation& worst)
-  {
-    if(distance > worst.distance)
-      worst = {distance, v, portal};
-  }
-
   // Computes the vectors of the last face, rotated such that its halfedge has the given direction.
   void lay_out(const Vector& direction)
   {
     const auto face = input_face_geometry(m_triangulation, m_halfedge);
-    m_turn = direction / std::abs(direction);
+    const Vector turn = direction / std::abs(direction);
     for(std::size_t i = 0; i < 3; ++i)
-      m_vectors[i] = product(m_turn, Vector(face[i].x, face[i].y));
+      m_vectors[i] = product(turn, Vector(face[i].x, face[i].y));
   }
 
   void lay_out_first_face(const Surface_location& start)
@@ -167,7 +159,7 @@ private:
   Input_halfedge_index m_halfedge; // the reference of the last face
   std::array<Vector, 3> m_vectors = {}, m_corners = {};
   std::vector<Portal> m_portals;
-  Vector m_turn = 1, m_end = 0;
+  Vector m_end = 0;
 };
 
 /*
@@ -315,11 +307,6 @@ private:
     return result;
   }
 
-  bool is_same_face(Input_halfedge_index g, Input_halfedge_index h) const
-  {
-    return least_in_face(input(), g) == least_in_face(input(), h);
-  }
-
   // Joins parts at points on edges and in faces, where the curve passes no vertex.
   void join_pieces()
   {
@@ -333,7 +320,7 @@ private:
         continue;
       }
       Sleeve_segment& leg = legs.back();
-      if(!is_same_face(leg.last_face(), m_legs[i].face))
+      if(least_in_face(input(), leg.last_face()) != least_in_face(input(), m_legs[i].face))
         push(leg, location_anchor(input(), m_places[i], leg.last_face()));
       for(Input_halfedge_index h : m_legs[i].crossed)
         push(leg, h);

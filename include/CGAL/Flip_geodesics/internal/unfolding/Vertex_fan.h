@@ -37,6 +37,21 @@ Input_halfedge_index clockwise_of(const Input_mesh& input, Input_halfedge_index 
   return input.next(twin_index(h));
 }
 
+/* Calls visit(h) for the outgoing halfedges of a vertex, clockwise, and across the border from one umbrella to the next;
+ * not at all if the vertex is isolated. */
+template <class Input_mesh, class Visit>
+void for_each_outgoing_halfedge(const Input_mesh& input, Vertex_index v, const Visit& visit)
+{
+  const Input_halfedge_index first = input.outgoing(v);
+  if(first == null_index)
+    return;
+  Input_halfedge_index h = first;
+  do {
+    visit(h);
+    h = clockwise_of(input, h);
+  } while(h != first);
+}
+
 /* Returns the number of corners clockwise from one outgoing halfedge of a vertex to another, all of them if the two are
  * the same; -1 if the border intervenes. */
 template <class Input_mesh>
@@ -241,6 +256,20 @@ private:
   double m_end = 0; // the angle behind the last corner
   bool m_has_border = false;
 };
+
+/* Throws Invalid_parameter_error unless h, from which a direction is measured, is a halfedge of the input. */
+template <class Input_mesh>
+void check_reference(const Input_mesh& input, Input_halfedge_index h)
+{
+  if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
+    throw Invalid_parameter_error("a direction is measured from a halfedge that the mesh does not have");
+}
+
+[[noreturn]] inline void throw_no_side(Input_halfedge_index h)
+{
+  throw Invalid_parameter_error("a direction is measured from halfedge " + std::to_string(h.idx()) +
+                                ", which is not a side of a face of the location");
+}
 
 /* Returns the umbrella of an outgoing halfedge of a vertex of the input, with corners computed from the input.
  * \throws Invalid_mesh_error if a face is not a triangle, and what the metric throws */
