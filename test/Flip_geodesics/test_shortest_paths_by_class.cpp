@@ -8,7 +8,7 @@
 #include "test_shortest_paths_by_class/world.h"
 
 #include <CGAL/Flip_geodesics/internal/topology/Class_paths.h>
-#include <CGAL/Flip_geodesics/internal/topology/Covering_search.h>
+#include <CGAL/Flip_geodesics/internal/topology/Covering_surface.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -174,14 +174,14 @@ public:
   /// ends, do not cross each other.
   std::vector<Halfedge_index> loop(Index i) const
   {
-    return m_forest.loop(m_triangulation->input(), generator(i).halfedge);
+    return m_forest.loop(m_triangulation->input(), generator(i).halfedge).whole();
   }
 
   /// Returns the simple cycle obtained from a loop by removing the part that the loop traverses back and forth; the
   /// cycle passes no vertex twice.
   std::vector<Halfedge_index> cycle(Index i) const
   {
-    return m_forest.cycle(m_triangulation->input(), generator(i).halfedge);
+    return m_forest.loop(m_triangulation->input(), generator(i).halfedge).cycle();
   }
 
   /// Returns the length of `loop(i)`. The loops of a component are sorted by length.

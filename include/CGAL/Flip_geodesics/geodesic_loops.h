@@ -13,8 +13,6 @@
 #include <CGAL/Flip_geodesics/internal/topology/Cut_edges.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
-#include <CGAL/Flip_geodesics/internal/topology/Needless_seams.h>
-#include <CGAL/Flip_geodesics/internal/topology/Reduced_words.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
@@ -178,10 +176,8 @@ public:
     m_reduced_words.clear();
     Policy<IsWanted> policy(*this, is_wanted);
     m_search.run(v, Reduced_words::empty_word, policy);
-    if(policy.closing() != null_index) {
-      const auto [out, back] = m_search.legs(policy.closing());
-      m_loop = closed_chain(out, back, 0);
-    }
+    if(policy.closing() != null_index)
+      m_loop = m_search.loop(policy.closing()).whole();
     m_is_left_out[v] = 1;
   }
 

@@ -5,27 +5,270 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
+#include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/enum.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/unordered_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* A lift from which a search continues, with lower bounds of the paths from the source to it, and of those to the
+ * target by way of it. */
+struct Open_lift
+{
+  Index lift;
+  double distance, total;
+};
+
+/*
+ * Shortest edge paths from one vertex to another in homotopy classes, in order of length: a search in the universal
+ * covering of the surface, whose vertices are the *lifts* of each vertex, that is, the classes of paths from the source
+ * to it. They are created when they are reached.
+ *
+ * Lifts are settled in the order of a lower bound of the edge paths to the target by way of them. The remaining path is
+ * not shorter than a shortest one of any class, so that the search is directed and never reaches a settled lift on a
+ * shorter path.
+ *
+ * Afterwards the search continues where paths that do not follow edges and are shorter than these may pass. On a rough
+ * mesh, edge paths are several times as long, and there are far more classes of edge paths up to that length than
+ * required.
+ */
+template <class Triangulation>
+class Covering_search
+{
+public:
+  /* \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_mesh_error, Invalid_coordinate_error,
+   * Interrupted. `run_to_targets()` also throws Degenerate_face_error if it encounters a zero-length edge. */
+  Covering_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target,
+                  Interruption& interruption)
+    : m_triangulation(triangulation)
+    , m_interruption(interruption)
+    , m_target(target)
+    , m_forest(checked_input(triangulation, source, target), std::vector<Vertex_index>(1, target), weight(),
+               &interruption)
+    , m_words(words(m_forest.component(target)))
+  {
+    if(m_forest.component(source) != m_forest.component(target))
+      throw_disconnected(source, target);
+    m_lifts[lift(source, 0)].distance = 0;
+    m_queue.push(m_forest.distance(source), Vertex_index(0));
+  }
+
+  /* Continues until `number` lifts of the target are settled, there are more than `most_lifts` in total, or it is
+   * interrupted. */
+  void run_to_targets(std::size_t number, std::size_t most_lifts)
+  {
+    while(m_targets.size() < number && !m_queue.empty() && number_of_lifts() <= most_lifts &&
+          !m_interruption.count_step())
+      if(const Index l = m_queue.pop().idx(); !is_settled(l)) // otherwise it has been moved forward
+        settle(l);
+  }
+
+  /*
+   * Continues from unsettled lifts, beginning with those by way of which paths to the target seem shortest, as long as
+   * these are not longer than `bound`. At least half as many additional lifts are settled, so that few such calls are
+   * necessary; at most as many again, since a larger part may reveal shorter paths and thus a smaller bound.
+   *
+   * \param to_target lower bound of the length of a path from a vertex to the target
+   */
+  template <class LowerBound>
+  void run_from(const std::vector<Open_lift>& starts, const LowerBound& to_target, double bound, std::size_t most_lifts)
+  {
+    const std::size_t enough = m_number_of_settled + m_number_of_settled / 2 + 16;
+    const std::size_t most = 2 * m_number_of_settled + 64;
+    std::unordered_map<Index, double> distance;
+    Vertex_queue queue;
+    const auto open = [&](const Open_lift& next) {
+      const auto [place, is_new] = distance.emplace(next.lift, next.distance);
+      if(is_settled(next.lift) || (!is_new && place->second <= next.distance))
+        return;
+      place->second = next.distance;
+      queue.push(next.total, Vertex_index(next.lift));
+    };
+    for(const Open_lift& start : starts)
+      open(start);
+    const auto is_to_go_on = [&] {
+      return queue.priority() <= bound ? m_number_of_settled < most : m_number_of_settled < enough;
+    };
+    while(!queue.empty() && is_to_go_on() && number_of_lifts() <= most_lifts && !m_interruption.count_step()) {
+      const Index l = queue.pop().idx();
+      if(is_settled(l))
+        continue;
+      settle(l);
+      const double here = distance.find(l)->second;
+      for_each_neighbor(l, [&](Index to, Input_halfedge_index h) {
+        const double there = here + weight()(h);
+        open({to, there, there + to_target(vertex(to))});
+      });
+    }
+  }
+
+  /* Makes the paths shortest ones among settled lifts, even if these were not settled in order. */
+  void shorten_paths()
+  {
+    m_queue.clear();
+    for(Index l = 0; l < static_cast<Index>(m_lifts.size()); ++l)
+      if(is_settled(l))
+        shorten_paths_over(l);
+    while(!m_queue.empty())
+      shorten_paths_over(m_queue.pop().idx());
+  }
+
+  /* Returns whether the whole covering has been searched. */
+  bool is_exhausted() const { return m_number_of_settled == m_lifts.size(); }
+
+  std::size_t number_of_lifts() const { return m_lifts.size(); }
+  /* Returns the settled lifts of the target, those of `run_to_targets()` first and by distance. The source is lift
+   * 0. */
+  const std::vector<Index>& targets() const { return m_targets; }
+
+  Vertex_index vertex(Index lift) const { return at(lift).vertex; }
+  double distance(Index lift) const { return at(lift).distance; }
+  bool is_settled(Index lift) const { return at(lift).neighbors != none; }
+  /* Returns the lift to which halfedge `i` leads, counted clockwise from `outgoing()` at a settled lift's vertex. */
+  Index neighbor(Index lift, std::size_t i) const { return m_neighbors[at(lift).neighbors + i]; }
+
+  /* Returns the shortest edge path to a lift. */
+  std::vector<Input_halfedge_index> path(Index lift) const
+  {
+    std::vector<Input_halfedge_index> result;
+    for(; at(lift).incoming != null_index; lift = at(lift).previous)
+      result.push_back(at(lift).incoming);
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  using Key = std::pair<Vertex_index, std::uint64_t>; // of a word
+
+  struct Lift
+  {
+    Vertex_index vertex;
+    Index older; // the one created before with the same vertex and key, -1 if there is none
+    Path_words::Word word;
+    double distance = std::numeric_limits<double>::infinity();
+    Index previous = -1; // on the shortest path, with the edge from there
+    Input_halfedge_index incoming = null_index;
+    std::size_t neighbors = none; // the position of the first one, once it is settled
+  };
+
+  static const auto& checked_input(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
+  {
+    const auto& input = triangulation.input();
+    check_vertex(source, input.number_of_vertices());
+    check_vertex(target, input.number_of_vertices());
+    check_surface(input);
+    if(input.outgoing(source) == null_index || input.outgoing(target) == null_index)
+      throw_disconnected(source, target);
+    return input;
+  }
+
+  const auto& input() const { return m_triangulation.input(); }
+  Metric_weight<Triangulation> weight() const { return Metric_weight<Triangulation>{m_triangulation}; }
+  const Lift& at(Index lift) const { return m_lifts[static_cast<std::size_t>(lift)]; }
+
+  template <class Function>
+  void for_each_neighbor(Index l, const Function& function) const
+  {
+    std::size_t i = 0;
+    for_each_outgoing_halfedge(input(), vertex(l), [&](Input_halfedge_index h) { function(neighbor(l, i++), h); });
+  }
+
+  void shorten_paths_over(Index l)
+  {
+    for_each_neighbor(l, [&](Index to, Input_halfedge_index h) {
+      Lift& head = m_lifts[static_cast<std::size_t>(to)];
+      const double length = distance(l) + weight()(h);
+      if(!(length < head.distance))
+        return;
+      head.distance = length;
+      head.previous = l;
+      head.incoming = h;
+      if(is_settled(to))
+        m_queue.push(length, Vertex_index(to));
+    });
+  }
+
+  Path_words words(Index component) const
+  {
+    const Cotree cotree(input(), m_forest, Borders::CLOSED_BY_ONE_FACE, weight(), &m_interruption);
+    Generator_words words(input(), m_forest, cotree, &m_interruption);
+    const std::vector<Letter> relation = words.relation(component);
+    return {std::move(words), relation};
+  }
+
+  // The lift of a vertex to which a path with the given word leads.
+  std::size_t lift(Vertex_index v, Path_words::Word word)
+  {
+    const auto [place, is_new] = m_newest.emplace(Key{v, m_words.key(word)}, -1);
+    for(Index l = place->second; l >= 0; l = at(l).older)
+      if(m_words.are_homotopic(word, at(l).word))
+        return static_cast<std::size_t>(l);
+    m_lifts.push_back({v, place->second, word});
+    place->second = checked_index_bound(m_lifts.size()) - 1;
+    return m_lifts.size() - 1;
+  }
+
+  void settle(Index l)
+  {
+    ++m_number_of_settled;
+    m_lifts[static_cast<std::size_t>(l)].neighbors = m_neighbors.size();
+    const Lift from = at(l);
+    if(from.vertex == m_target)
+      m_targets.push_back(l);
+    for_each_outgoing_halfedge(input(), from.vertex, [&](Input_halfedge_index h) {
+      const std::size_t to = lift(input().tail(twin_index(h)), m_words.continued(from.word, h));
+      m_neighbors.push_back(static_cast<Index>(to));
+      // Edges of length zero are not allowed: they would lead to infinitely many classes.
+      const double distance = from.distance + m_triangulation.metric().length(input(), h);
+      if(distance < m_lifts[to].distance && m_lifts[to].neighbors == none) {
+        m_lifts[to].distance = distance;
+        m_lifts[to].previous = l;
+        m_lifts[to].incoming = h;
+        m_queue.push(distance + m_forest.distance(m_lifts[to].vertex), Vertex_index(static_cast<Index>(to)));
+      }
+    });
+  }
+
+  const Triangulation& m_triangulation;
+  Interruption& m_interruption;
+  Vertex_index m_target;
+  Edge_forest m_forest; // from the target
+  Path_words m_words;
+  std::vector<Lift> m_lifts;
+  std::size_t m_number_of_settled = 0;
+  boost::unordered_map<Key, Index> m_newest; // the newest lift of a vertex whose word has a given key
+  std::vector<Index> m_neighbors;
+  std::vector<Index> m_targets;
+  Vertex_queue m_queue; // of lifts
+};
 
 /* A face of a covering, by the halfedge that lies over the first one of the mesh's face. */
 struct Covering_face
@@ -102,12 +345,8 @@ private:
   void add_faces(const Search& search, Index lift)
   {
     std::vector<Input_halfedge_index> outgoing_halfedges;
-    const Input_halfedge_index first = m_below->outgoing(search.vertex(lift));
-    Input_halfedge_index h = first;
-    do {
-      outgoing_halfedges.push_back(h);
-      h = m_below->next(twin_index(h));
-    } while(h != first);
+    for_each_outgoing_halfedge(*m_below, search.vertex(lift),
+                               [&](Input_halfedge_index h) { outgoing_halfedges.push_back(h); });
     // The face on the left of an outgoing halfedge lies between it and the previous one.
     const auto is_before = [&](Index l) { return l < lift && search.is_settled(l); };
     for(std::size_t i = 0; i < outgoing_halfedges.size(); ++i) {
@@ -176,11 +415,7 @@ private:
       m_outgoing.push_back(first);
       if(search.is_settled(m_tail_lift[first]))
         m_vertex[static_cast<std::size_t>(m_tail_lift[first])] = v;
-      Input_halfedge_index h = first;
-      do {
-        m_tail[h] = v;
-        h = m_next[twin_index(h)];
-      } while(h != first);
+      for_each_outgoing_halfedge(*this, v, [&](Input_halfedge_index h) { m_tail[h] = v; });
     }
   }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -25,12 +26,12 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Throws Invalid_mesh_error unless all faces are triangles, each edge belongs to a face, and the border passes each
+ * Returns which vertices are on the border. Throws Invalid_mesh_error unless all faces are triangles, each edge belongs to a face, and the border passes each
  * vertex at most once: umbrellas that are connected at a vertex only do not form a surface, and loops through it have
  * no class.
  */
 template <class Input_mesh>
-void check_surface(const Input_mesh& input)
+Indexed_by<Vertex_index, std::vector<char>> check_surface(const Input_mesh& input)
 {
   Indexed_by<Vertex_index, std::vector<char>> is_on_border(static_cast<std::size_t>(input.number_of_vertices()), 0);
   for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
@@ -45,6 +46,7 @@ void check_surface(const Input_mesh& input)
                                {static_cast<std::size_t>(v.idx())});
     is_on_border[v] = 1;
   }
+  return is_on_border;
 }
 
 /* Calls `use(border)` for each border, a chain of halfedges with the surface on the left, in the order of their
@@ -67,24 +69,41 @@ void for_each_border(const Input_mesh& input, const Use& use)
   }
 }
 
-/* Returns the length of the common start of two chains. */
-inline std::size_t common_start(const std::vector<Halfedge_index>& a, const std::vector<Halfedge_index>& b)
+/* The loop of an edge: the path to one end, over the edge, and back along the path to the other end. */
+class Edge_loop
 {
-  std::size_t common = 0;
-  while(common < a.size() && common < b.size() && a[common] == b[common])
-    ++common;
-  return common;
-}
+  using Halfedges = std::vector<Halfedge_index>;
 
-/* Concatenates two chains between the same vertices from a position on, the second one reversed. */
-inline std::vector<Halfedge_index> closed_chain(const std::vector<Halfedge_index>& out,
-                                                const std::vector<Halfedge_index>& back, std::size_t first)
-{
-  std::vector<Halfedge_index> result(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
-  for(std::size_t i = back.size(); i-- > first;)
-    result.push_back(twin_index(back[i]));
-  return result;
-}
+public:
+  /* `path(v)` must return the path to a vertex from the start of the loop. */
+  template <class Input_mesh, class Path>
+  Edge_loop(const Input_mesh& input, Input_halfedge_index h, const Path& path)
+    : m_out(path(input.tail(h)))
+    , m_back(path(input.tail(twin_index(h))))
+  {
+    m_out.push_back(as_intrinsic(h));
+  }
+
+  Halfedges whole() const { return closed(m_out.begin(), m_back.begin()); }
+
+  /* Returns the loop without the common part of its two paths. */
+  Halfedges cycle() const
+  {
+    const auto [first, last] = std::mismatch(m_out.begin(), m_out.end(), m_back.begin(), m_back.end());
+    return closed(first, last);
+  }
+
+private:
+  Halfedges closed(Halfedges::const_iterator first, Halfedges::const_iterator last) const
+  {
+    Halfedges result(first, m_out.end());
+    std::transform(m_back.rbegin(), Halfedges::const_reverse_iterator(last), std::back_inserter(result),
+                   [](Halfedge_index h) { return twin_index(h); });
+    return result;
+  }
+
+  Halfedges m_out, m_back;
+};
 
 /*
  * Shortest paths along the edges of the input from one base point in each component to all its vertices: one tree per
@@ -96,16 +115,14 @@ inline std::vector<Halfedge_index> closed_chain(const std::vector<Halfedge_index
 class Edge_forest
 {
 public:
-  /* The path to the tail of an edge and over the edge, and the path to its other end. */
-  using Legs = std::pair<std::vector<Halfedge_index>, std::vector<Halfedge_index>>;
-
   /* An empty forest. */
   Edge_forest() = default;
 
-  /* Grows a tree from each base point, and from the first vertex of each other component. \throws Interrupted */
-  template <class Input_mesh, class VertexRange, class Weight, class IsJoined>
+  /* Grows a tree from each base point. Each other component has its root at the first vertex with a property, or else at
+   * its first vertex. \throws Interrupted */
+  template <class Input_mesh, class VertexRange, class Weight, class IsJoined, class IsPreferred>
   Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight, const IsJoined& is_joined,
-              Interruption* interruption = nullptr)
+              const IsPreferred& is_preferred, Interruption* interruption)
     : m_incoming(static_cast<std::size_t>(input.number_of_vertices()), null_index)
     , m_distance(static_cast<std::size_t>(input.number_of_vertices()), std::numeric_limits<double>::infinity())
     , m_component(static_cast<std::size_t>(input.number_of_vertices()), -1)
@@ -117,9 +134,10 @@ public:
       check_base_point(input, v);
       grow(v, search, policy);
     }
-    for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices()))
-      if(m_component[v] < 0 && input.outgoing(v) != null_index)
-        grow(v, search, policy);
+    for(bool are_all_roots : {false, true})
+      for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices()))
+        if(m_component[v] < 0 && input.outgoing(v) != null_index && (are_all_roots || is_preferred(v)))
+          grow(v, search, policy);
     if(policy.number_of_steps() != static_cast<std::size_t>(input.number_of_halfedges()))
       throw Invalid_mesh_error("umbrellas of the surface meet in a vertex only");
   }
@@ -129,7 +147,8 @@ public:
   Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight,
               Interruption* interruption = nullptr)
     : Edge_forest(
-          input, base_points, weight, [](Input_halfedge_index) { return false; }, interruption)
+          input, base_points, weight, [](Input_halfedge_index) { return false; }, [](Vertex_index) { return false; },
+          interruption)
   {
   }
 
@@ -139,8 +158,6 @@ public:
   Index component(Vertex_index v) const { return m_component[v]; }
   /* Returns the length of the path to a vertex. */
   double distance(Vertex_index v) const { return m_distance[v]; }
-  /* Returns the last halfedge of the path to a vertex, `null_index` at a base point. */
-  Input_halfedge_index incoming(Vertex_index v) const { return m_incoming[v]; }
 
   /* Returns whether an edge is on a path. */
   template <class Input_mesh>
@@ -160,20 +177,11 @@ public:
     return result;
   }
 
-  /* Returns the path to an edge, over it, and the path back to the base point. */
+  /* Returns the loop of an edge, from the base point back to it. */
   template <class Input_mesh>
-  std::vector<Halfedge_index> loop(const Input_mesh& input, Input_halfedge_index h) const
+  Edge_loop loop(const Input_mesh& input, Input_halfedge_index h) const
   {
-    const auto [out, back] = legs(input, h);
-    return closed_chain(out, back, 0);
-  }
-
-  /* Returns that loop without the common part of its two paths. */
-  template <class Input_mesh>
-  std::vector<Halfedge_index> cycle(const Input_mesh& input, Input_halfedge_index h) const
-  {
-    const auto [out, back] = legs(input, h);
-    return closed_chain(out, back, common_start(out, back));
+    return {input, h, [&](Vertex_index v) { return path(input, v); }};
   }
 
 private:
@@ -276,14 +284,6 @@ private:
   };
 
   template <class Input_mesh>
-  Legs legs(const Input_mesh& input, Input_halfedge_index h) const
-  {
-    Legs result = {path(input, input.tail(h)), path(input, input.tail(twin_index(h)))};
-    result.first.push_back(as_intrinsic(h));
-    return result;
-  }
-
-  template <class Input_mesh>
   void check_base_point(const Input_mesh& input, Vertex_index v) const
   {
     check_vertex(v, input.number_of_vertices());
@@ -341,7 +341,7 @@ public:
 
   public:
     explicit Policy(Loop_search& search)
-      : Base(search.input(), Metric_weight<Triangulation>(search.m_triangulation), search.m_interruption)
+      : Base(search.input(), Metric_weight<Triangulation>{search.m_triangulation}, search.m_interruption)
       , m_loops(search)
     {
     }
@@ -380,22 +380,16 @@ public:
     m_search.run(policy);
   }
 
-  /* Returns the path of the last search to the tail of a halfedge and over it, and the path to its head. */
-  Edge_forest::Legs legs(Input_halfedge_index h) const
+  /* Returns the loop of an edge by the paths of the last search. */
+  Edge_loop loop(Input_halfedge_index h) const
   {
-    Edge_forest::Legs result = {path(input().tail(h)), path(input().tail(twin_index(h)))};
-    result.first.push_back(as_intrinsic(h));
-    return result;
+    const auto tail = [this](Input_halfedge_index g) { return input().tail(g); };
+    return {input(), h, [&](Vertex_index v) { return m_search.template path<Halfedge_index>(v, tail); }};
   }
 
 private:
   const Input_mesh& input() const { return m_triangulation.input(); }
   std::size_t number_of_vertices() const { return static_cast<std::size_t>(input().number_of_vertices()); }
-
-  std::vector<Halfedge_index> path(Vertex_index v) const
-  {
-    return m_search.template path<Halfedge_index>(v, [this](Input_halfedge_index h) { return input().tail(h); });
-  }
 
   const Triangulation& m_triangulation;
   Interruption* m_interruption;

@@ -9,7 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
+#include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
 
 #include <CGAL/enum.h>
 
@@ -87,20 +87,18 @@ public:
   Sign side(const Weighted_place& a, const Weighted_place& b, const Weighted_place& c, const Direction& direction) const
   {
     const Coordinates along = {double(direction[0]), double(direction[1]), double(direction[2])};
-    const Sign sign = sign_of_determinant(vector(a, b), vector(a, c), along);
-    if(sign != ZERO)
-      return sign;
-    return sign_of(determinant(exact_vector(a, b), exact_vector(a, c),
-                               Exact_vector{Integer(direction[0]), Integer(direction[1]), Integer(direction[2])}));
+    return sign_of_determinant(vector(a, b), vector(a, c), along, [&] {
+      const Exact_vector exactly_along = {Integer(direction[0]), Integer(direction[1]), Integer(direction[2])};
+      return determinant(exact_vector(a, b), exact_vector(a, c), exactly_along);
+    });
   }
 
   /* Returns the sign of the determinant of ab, cd and ef. */
   Sign orientation(const std::array<Weighted_place, 6>& p) const
   {
-    const Sign sign = sign_of_determinant(vector(p[0], p[1]), vector(p[2], p[3]), vector(p[4], p[5]));
-    if(sign != ZERO)
-      return sign;
-    return sign_of(determinant(exact_vector(p[0], p[1]), exact_vector(p[2], p[3]), exact_vector(p[4], p[5])));
+    return sign_of_determinant(vector(p[0], p[1]), vector(p[2], p[3]), vector(p[4], p[5]), [&] {
+      return determinant(exact_vector(p[0], p[1]), exact_vector(p[2], p[3]), exact_vector(p[4], p[5]));
+    });
   }
 
   /* Returns six times the volume of the tetrahedron of three points and the first vertex, rounded, and a bound of its
@@ -121,8 +119,6 @@ public:
 private:
   using Exact_vector = std::array<Integer, 3>;
 
-  static Sign sign_of(const Integer& n) { return n.sign() > 0 ? POSITIVE : (n.sign() < 0 ? NEGATIVE : ZERO); }
-
   template <class Number>
   static Number determinant(const std::array<Number, 3>& u, const std::array<Number, 3>& v,
                             const std::array<Number, 3>& w)
@@ -140,11 +136,16 @@ private:
            underflow_of_small_products;
   }
 
-  // ZERO if the sign is uncertain.
-  Sign sign_of_determinant(const Coordinates& u, const Coordinates& v, const Coordinates& w) const
+  // The sign of `exact()`, which is called only if the rounded vectors do not decide.
+  template <class Exact_determinant>
+  Sign sign_of_determinant(const Coordinates& u, const Coordinates& v, const Coordinates& w,
+                           const Exact_determinant& exact) const
   {
     const double value = determinant(u, v, w);
-    return std::abs(value) > error(u, v, w) ? (value > 0 ? POSITIVE : NEGATIVE) : ZERO;
+    if(std::abs(value) > error(u, v, w))
+      return value > 0 ? POSITIVE : NEGATIVE;
+    const Integer number = exact();
+    return number.sign() > 0 ? POSITIVE : (number.sign() < 0 ? NEGATIVE : ZERO);
   }
 
   Coordinates vector(const Weighted_place& a, const Weighted_place& b) const
@@ -184,15 +185,6 @@ private:
   double m_size = 0;
   int m_least_exponent = 2000;
 };
-
-/* Pseudorandom numbers, the same in each run [Steele, Lea, Flood 2014]. */
-inline std::uint64_t scrambled(std::uint64_t n)
-{
-  n += 0x9e3779b97f4a7c15;
-  n = (n ^ (n >> 30)) * 0xbf58476d1ce4e5b9;
-  n = (n ^ (n >> 27)) * 0x94d049bb133111eb;
-  return n ^ (n >> 31);
-}
 
 /* The cotree of a closed surface as a rooted tree of faces in each component. */
 template <class Input_mesh>
@@ -351,7 +343,7 @@ private:
   {
     std::map<Edge_index, Passes> passes;
     for(std::size_t i = 0; i < m_size; ++i)
-      for(Halfedge_index h : forest.cycle(input(), generator(i)))
+      for(Halfedge_index h : forest.loop(input(), generator(i)).cycle())
         passes[edge_of(h)].emplace_back(i, is_first_side(h) ? 1 : -1);
     for(const auto& [e, of_loops] : passes) {
       const Input_halfedge_index h = as_input(first_side(e));

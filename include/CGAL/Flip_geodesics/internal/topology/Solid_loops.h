@@ -41,10 +41,10 @@ public:
   using Row = std::vector<std::int64_t>;
 
   explicit Primitive_rows(std::size_t n)
-    : m_matrix(n, std::vector<Integer>(n, Integer(0)))
+    : m_columns(n, Numbers(n, Integer(0)))
   {
     for(std::size_t i = 0; i < n; ++i)
-      m_matrix[i][i] = Integer(1);
+      m_columns[i][i] = Integer(1);
   }
 
   std::size_t size() const { return m_size; }
@@ -52,109 +52,83 @@ public:
   /* Adds a vector if it is part of a basis together with the present ones; returns whether it is. */
   bool add(const Row& row)
   {
-    std::vector<Integer> rest = rest_of(row);
-    std::size_t pivot = smallest(rest);
-    if(pivot == rest.size())
-      return false;
-    // Euclid's algorithm for columns of the matrix
-    for(bool is_one_left = false; !is_one_left; pivot = smallest(rest)) {
-      is_one_left = true;
-      for(std::size_t c = 0; c < rest.size(); ++c) {
-        if(c == pivot || rest[c].sign() == 0)
-          continue;
-        const Integer q = rest[c] / rest[pivot];
-        rest[c] -= q * rest[pivot];
-        for(std::vector<Integer>& r : m_matrix)
-          r[m_size + c] -= q * r[m_size + pivot];
-        is_one_left = is_one_left && rest[c].sign() == 0;
-      }
-    }
-    if(absolute(rest[pivot]) != Integer(1))
-      return false;
-    for(std::vector<Integer>& r : m_matrix)
-      r[m_size].swap(r[m_size + pivot]);
-    ++m_size;
-    return true;
+    const std::size_t n = m_columns.size();
+    for(std::size_t c = m_size; c < n; ++c)
+      m_columns[c].push_back(product(row, m_columns[c]));
+    const std::size_t pivot = reduce(m_columns, m_size, n);
+    const bool is_primitive = pivot < n && absolute(m_columns[pivot][n]) == Integer(1);
+    for(std::size_t c = m_size; c < n; ++c)
+      m_columns[c].pop_back();
+    if(is_primitive)
+      m_columns[m_size++].swap(m_columns[pivot]);
+    return is_primitive;
   }
 
   /* Returns combinations of rows that, together with the present vectors, generate the same as all rows.
    * \pre the vectors are combinations of the rows, which have a basis that is part of a basis of all vectors */
   std::vector<Row> completed_by(const std::vector<Row>& rows) const
   {
-    std::vector<Pair> pairs;
-    for(const Row& row : rows)
-      pairs.push_back({rest_of(row), std::vector<Integer>(row.begin(), row.end())});
+    const std::size_t size_of_rest = m_columns.size() - m_size;
+    std::vector<Numbers> left; // the product of each row with the columns from k on, and the row
+    for(const Row& row : rows) {
+      left.emplace_back();
+      for(std::size_t c = m_size; c < m_columns.size(); ++c)
+        left.back().push_back(product(row, m_columns[c]));
+      left.back().insert(left.back().end(), row.begin(), row.end());
+    }
     std::vector<Row> result;
-    for(std::size_t c = 0; c < m_matrix.size() - m_size; ++c) {
-      // Euclid's algorithm for rows: one is left with a nonzero entry in this column, and is used.
-      auto pivot = smallest(pairs, c);
-      if(pivot == pairs.end())
+    for(std::size_t c = 0; c < size_of_rest; ++c) {
+      const std::size_t pivot = reduce(left, 0, c);
+      if(pivot == left.size())
         continue;
-      for(bool is_one_left = false; !is_one_left; pivot = smallest(pairs, c)) {
-        is_one_left = true;
-        for(Pair& pair : pairs)
-          if(&pair != &*pivot && pair.rest[c].sign() != 0) {
-            subtract(pair.rest[c] / pivot->rest[c], *pivot, pair);
-            is_one_left = is_one_left && pair.rest[c].sign() == 0;
-          }
-      }
       result.emplace_back();
-      for(const Integer& x : pivot->row)
-        result.back().push_back(static_cast<std::int64_t>(x));
-      pairs.erase(pivot);
+      for(std::size_t i = size_of_rest; i < left[pivot].size(); ++i)
+        result.back().push_back(static_cast<std::int64_t>(left[pivot][i]));
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(pivot));
     }
     return result;
   }
 
 private:
-  struct Pair
-  {
-    std::vector<Integer> rest, row;
-  };
+  using Numbers = std::vector<Integer>;
 
-  // Returns a row times the unused columns of the matrix.
-  std::vector<Integer> rest_of(const Row& row) const
+  static Integer product(const Row& row, const Numbers& column)
   {
-    std::vector<Integer> result(row.size() - m_size, Integer(0));
+    Integer result(0);
     for(std::size_t i = 0; i < row.size(); ++i)
-      if(row[i] != 0)
-        for(std::size_t c = 0; c < result.size(); ++c)
-          if(m_matrix[i][m_size + c].sign() != 0)
-            result[c] += Integer(row[i]) * m_matrix[i][m_size + c];
+      if(row[i] != 0 && column[i].sign() != 0)
+        result += Integer(row[i]) * column[i];
     return result;
   }
 
-  static bool is_smaller(const Integer& a, const Integer& b)
+  // Euclid's algorithm for the vectors from `first` on, by their i-th entries: all of these become zero but one, that of
+  // the returned vector. Returns the number of vectors if all are zero.
+  static std::size_t reduce(std::vector<Numbers>& vectors, std::size_t first, std::size_t i)
   {
-    return a.sign() != 0 && (b.sign() == 0 || absolute(a) < absolute(b));
+    const auto is_smaller = [i](const Numbers& a, const Numbers& b) {
+      return a[i].sign() != 0 && (b[i].sign() == 0 || absolute(a[i]) < absolute(b[i]));
+    };
+    const auto begin = vectors.begin() + static_cast<std::ptrdiff_t>(first);
+    for(bool is_one_left = false;;) {
+      const auto pivot = std::min_element(begin, vectors.end(), is_smaller);
+      if(pivot == vectors.end() || (*pivot)[i].sign() == 0)
+        return vectors.size();
+      if(is_one_left)
+        return static_cast<std::size_t>(pivot - vectors.begin());
+      is_one_left = true;
+      for(auto v = begin; v != vectors.end(); ++v) {
+        if(v == pivot || (*v)[i].sign() == 0)
+          continue;
+        const Integer quotient = (*v)[i] / (*pivot)[i];
+        for(std::size_t k = 0; k < v->size(); ++k)
+          (*v)[k] -= quotient * (*pivot)[k];
+        is_one_left = is_one_left && (*v)[i].sign() == 0;
+      }
+    }
   }
 
-  // The smallest nonzero number, or the end if there is none.
-  static std::size_t smallest(const std::vector<Integer>& numbers)
-  {
-    const auto found = std::min_element(numbers.begin(), numbers.end(), is_smaller);
-    return found == numbers.end() || found->sign() == 0 ? numbers.size()
-                                                        : static_cast<std::size_t>(found - numbers.begin());
-  }
-
-  static std::vector<Pair>::iterator smallest(std::vector<Pair>& pairs, std::size_t column)
-  {
-    const auto found = std::min_element(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
-      return is_smaller(a.rest[column], b.rest[column]);
-    });
-    return found == pairs.end() || found->rest[column].sign() == 0 ? pairs.end() : found;
-  }
-
-  static void subtract(const Integer& factor, const Pair& from, Pair& to)
-  {
-    for(std::size_t c = 0; c < to.rest.size(); ++c)
-      to.rest[c] -= factor * from.rest[c];
-    for(std::size_t c = 0; c < to.row.size(); ++c)
-      to.row[c] -= factor * from.row[c];
-  }
-
-  std::vector<std::vector<Integer>> m_matrix;
-  std::size_t m_size = 0; // of the present vectors
+  std::vector<Numbers> m_columns; // of the matrix
+  std::size_t m_size = 0;         // of the present vectors
 };
 
 /* Sums over the edges of a loop, modulo 2^64, that distinguish classes. The loop does not bound on the surface if its
@@ -202,7 +176,11 @@ public:
   {
     Policy<IsWanted> policy(m_search, m_sums, most, is_wanted);
     m_search.run(root, Class_sums(), policy);
-    return {loop(policy.closing(0)), loop(policy.closing(1))};
+    std::array<Loop, 2> result;
+    for(std::size_t side : {0, 1})
+      if(policy.closing(side) != null_index)
+        result[side] = m_search.loop(policy.closing(side)).cycle();
+    return result;
   }
 
 private:
@@ -262,14 +240,6 @@ private:
     std::array<double, 2> m_lengths;               // of the best loops
     std::array<Input_halfedge_index, 2> m_closing; // their edges that are on no path
   };
-
-  Loop loop(Input_halfedge_index h) const
-  {
-    if(h == null_index)
-      return {};
-    const auto [out, back] = m_search.legs(h);
-    return closed_chain(out, back, common_start(out, back));
-  }
 
   const Sums& m_sums;
   Search m_search;
@@ -343,10 +313,7 @@ private:
   std::size_t number_of_generators() const { return m_cotree.generators().size(); }
   std::size_t component(std::size_t i) const { return static_cast<std::size_t>(m_cotree.generators()[i].component); }
 
-  auto weight() const
-  {
-    return [this](Input_halfedge_index h) { return m_triangulation.metric().weight(input(), h); };
-  }
+  Metric_weight<Triangulation> weight() const { return Metric_weight<Triangulation>{m_triangulation}; }
 
   const auto& checked_input() const
   {
@@ -438,7 +405,7 @@ private:
       throw_if_interrupted(m_interruption);
       for(std::size_t side : {0, 1})
         if(const Class_sums& sums = m_sums[edge_of(as_intrinsic(h))]; sums.bounds(side))
-          keep({length_of(m_forest.cycle(input(), h)), h, {}}, sums, result[side]);
+          keep({length_of(m_forest.loop(input(), h).cycle()), h, {}}, sums, result[side]);
     }
     return result;
   }
@@ -453,7 +420,7 @@ private:
     for(std::size_t i = 0; i < m_size; ++i) {
       throw_if_interrupted_before_part(m_interruption);
       const Input_halfedge_index h = m_cotree.generators()[m_first + i].halfedge;
-      const Loop cycle = m_forest.cycle(input(), h);
+      const Loop cycle = m_forest.loop(input(), h).cycle();
       const Vertex_index root = round == 0 ? input().tail(h) : input().tail(as_input(cycle[7 * round % cycle.size()]));
       const std::array<Loop, 2> loops = search(root, most, [&](std::size_t side, const Class_sums& sums) {
         return round == 0 || candidates[side].count((std::min)(sums.name, -sums.name)) == 0;
@@ -518,7 +485,7 @@ private:
       if(2 * result.taken.size() == m_size)
         break;
       throw_if_interrupted(m_interruption);
-      const Loop loop = candidate->loop.empty() ? m_forest.cycle(input(), candidate->halfedge) : candidate->loop;
+      const Loop loop = candidate->loop.empty() ? m_forest.loop(input(), candidate->halfedge).cycle() : candidate->loop;
       const Row row = class_of(loop);
       if(!is_zero(row, others) || !result.taken.add(row))
         continue;
@@ -615,7 +582,7 @@ private:
         result.push_back(h);
     };
     for(std::size_t i = 0; i < m_size; ++i) {
-      const Loop loop = m_forest.loop(input(), m_cotree.generators()[m_first + i].halfedge);
+      const Loop loop = m_forest.loop(input(), m_cotree.generators()[m_first + i].halfedge).whole();
       for(std::int64_t times = std::abs(row[i]); times > 0; --times)
         if(row[i] > 0)
           std::for_each(loop.begin(), loop.end(), pass);
