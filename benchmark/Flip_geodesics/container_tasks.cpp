@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The tasks for which compare_containers.py measures containers of the package against those of libraries. Prints a
-// number for the result, and the seconds of the processor, or for `parallel_field` those of the clock.
+// number for the result, and the seconds of the processor.
 //
 //   container_tasks TASK COUNT [VERTICES | MESH]
 //
-// TASK is edge_path, path, shortest_path, field, tree, history or parallel_field, which is run COUNT times on a mesh, or
-// on a bumpy torus with as many vertices (100 000 by default).
+// TASK is edge_path, path, shortest_path, tree or history, which is run COUNT times on a mesh, or on a bumpy torus with
+// as many vertices (100 000 by default).
 
 #include "benchmark_meshes.h"
 #include "processor_time.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
@@ -20,9 +19,7 @@
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/tags.h>
 
-#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <iostream>
@@ -58,16 +55,6 @@ double edge_path(const Mesh& mesh, Mesh::Vertex_index s, Mesh::Vertex_index t)
   return static_cast<double>(search(triangulation.index(s), triangulation.index(t)).size());
 }
 
-template <class ConcurrencyTag>
-double field(const Mesh& mesh, Mesh::Vertex_index s, Mesh::Vertex_index t)
-{
-  const Triangulation triangulation(mesh);
-  FG::Geodesic_distance_field<Triangulation> distances(triangulation, mesh);
-  distances.add_source(triangulation.index(s));
-  distances.compute<ConcurrencyTag>();
-  return distances.distance(triangulation.index(t));
-}
-
 double tree(const Mesh& mesh, Mesh::Vertex_index s, Mesh::Vertex_index t)
 {
   Triangulation triangulation(mesh);
@@ -98,16 +85,10 @@ Task task(const std::string& name)
     return path;
   if(name == "shortest_path")
     return shortest_path;
-  if(name == "field")
-    return field<CGAL::Sequential_tag>;
   if(name == "tree")
     return tree;
   if(name == "history")
     return history;
-#ifdef CGAL_LINKED_WITH_TBB
-  if(name == "parallel_field")
-    return field<CGAL::Parallel_tag>;
-#endif
   throw std::invalid_argument("there is no task " + name);
 }
 
@@ -134,14 +115,7 @@ try {
       sum += s == t ? 0 : compute(mesh, s, t);
     }
   };
-  double time = 0;
-  if(name == "parallel_field") {
-    const auto start = std::chrono::steady_clock::now();
-    compute_all();
-    time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  } else {
-    time = seconds(compute_all);
-  }
+  const double time = seconds(compute_all);
   std::cout.precision(17);
   std::cout << sum << ' ' << time << '\n';
 } catch(const std::exception& error) {

@@ -9,7 +9,7 @@
 #include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/distances/Edge_cones.h>
+#include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <boost/test/unit_test.hpp>

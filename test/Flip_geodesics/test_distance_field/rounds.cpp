@@ -4,8 +4,8 @@
 
 #include "test_distance_field/asked_surface.h"
 
-#include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
-#include <CGAL/Flip_geodesics/internal/distances/Team.h>
+#include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
+#include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -72,43 +74,73 @@ void run_by_four(const Function& function)
 #endif
 }
 
-// Each index comes once in each of many steps, and what the least number throws comes out, whoever meets it.
-BOOST_AUTO_TEST_CASE(a_team_does_each_thing_once)
+// Each index comes once in each of many loops, and no two threads of a loop have one number at the same time.
+BOOST_AUTO_TEST_CASE(threads_of_a_loop_have_numbers)
 {
+  using Tag = CGAL::Parallel_if_available_tag;
   run_by_four([] {
-    FG::internal::Team<CGAL::Parallel_if_available_tag> team;
+    const std::size_t threads = FG::internal::number_of_threads<Tag>();
+    std::vector<std::atomic<int>> at_work(threads);
+    std::atomic<bool> is_shared{false};
     for(std::size_t n = 0; n < 300; ++n) {
-      std::vector<std::uint32_t> numbers(n);
-      for(std::size_t i = 0; i < n; ++i)
-        numbers[i] = static_cast<std::uint32_t>(n - i);
       std::vector<int> times(n);
-      std::atomic<std::size_t> greatest_member{0};
-      const auto count = [&](std::size_t member, std::size_t i) {
+      FG::internal::for_each_index<Tag>(n, [&](std::size_t i) {
+        const std::size_t thread = FG::internal::thread_index<Tag>();
+        is_shared = is_shared || thread >= threads || ++at_work[thread] != 1;
         ++times[i];
-        std::size_t known = greatest_member;
-        while(known < member && !greatest_member.compare_exchange_weak(known, member)) {
-        }
-      };
-      team.for_each(numbers, count);
+        --at_work[thread];
+      });
       BOOST_TEST((times == std::vector<int>(n, 1)));
-      BOOST_TEST(greatest_member < team.most_members());
-      if(n < 20)
-        continue;
-      // In a team of one it is the first that throws; so let the numbers grow there.
-      if(team.most_members() == 1)
-        std::reverse(numbers.begin(), numbers.end());
-      std::uint32_t thrown = 0;
-      try {
-        team.for_each(numbers, [&](std::size_t, std::size_t i) {
-          if(numbers[i] % 7 == 3)
-            throw numbers[i];
-        });
-      } catch(const std::uint32_t& number) {
-        thrown = number;
-      }
-      BOOST_TEST(thrown == 3u);
     }
+    BOOST_TEST(!is_shared);
   });
+}
+
+// A grid on which several threads meet faces that are no triangles at the same time, as seen from the middle.
+Mesh grid_with_quads(int n, std::mt19937& random)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      v.push_back(mesh.add_vertex(Point(i, j, 0)));
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j) {
+      const auto at = [&](int k, int l) { return v[static_cast<std::size_t>((i + k) * (n + 1) + j + l)]; };
+      if(random() % 8 == 0 && i != n / 2) {
+        mesh.add_face(at(0, 0), at(1, 0), at(1, 1), at(0, 1));
+      } else {
+        mesh.add_face(at(0, 0), at(1, 0), at(1, 1));
+        mesh.add_face(at(0, 0), at(1, 1), at(0, 1));
+      }
+    }
+  return mesh;
+}
+
+// Of several exceptions in a round, that of the same face is thrown, whatever the number of threads.
+BOOST_AUTO_TEST_CASE(threads_throw_the_same)
+{
+  std::mt19937 random(6);
+  std::set<std::string> all;
+  for(int i = 0; i < 20; ++i) {
+    const Mesh mesh = grid_with_quads(12, random);
+    const Triangulation triangulation(mesh);
+    const auto message = [&](auto tag) {
+      Field field(triangulation, mesh);
+      field.add_source(FG::Vertex_index(6 * 13 + 6));
+      try {
+        field.template compute<decltype(tag)>();
+      } catch(const FG::Invalid_mesh_error& error) {
+        return std::string(error.what());
+      }
+      return std::string();
+    };
+    const std::string thrown = message(CGAL::Sequential_tag());
+    BOOST_TEST(!thrown.empty());
+    all.insert(thrown);
+    run_by_four([&] { BOOST_TEST(message(CGAL::Parallel_if_available_tag()) == thrown); });
+  }
+  BOOST_TEST(all.size() > 10u);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

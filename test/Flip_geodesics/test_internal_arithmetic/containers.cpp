@@ -197,13 +197,13 @@ BOOST_AUTO_TEST_CASE(bits_of_numbers_have_their_order)
 
 BOOST_AUTO_TEST_CASE(arrays_in_scratch_memory_do_not_overlap)
 {
-  FGI::Scratch<int> scratch;
+  FGI::Scratch scratch;
   std::mt19937 random(4);
   for(int round = 0; round < 3; ++round) { // from the second on, in the same memory
     std::vector<std::pair<int*, std::size_t>> arrays;
     for(int i = 0; i < 200; ++i) {
-      const std::size_t size = i == 50 ? 5000 : random() % 100; // one is larger than the next block would be
-      arrays.emplace_back(scratch.allocate(size), size);
+      const std::size_t size = i == 50 ? 50000 : random() % 200; // one is larger than the next block would be
+      arrays.emplace_back(scratch.allocate<int>(size), size);
       std::fill_n(arrays.back().first, size, i);
     }
     for(int i = 0; i < 200; ++i) {

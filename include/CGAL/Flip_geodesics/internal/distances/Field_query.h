@@ -21,7 +21,16 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Returns the roots of parts of sources sorted by the least halfedges of their faces. */
+/* Returns the side of the face of h that starts at one of its vertices. */
+template <class Input>
+Input_halfedge_index side_from(const Input& input, Input_halfedge_index h, Vertex_index v)
+{
+  while(input.tail(h) != v)
+    h = input.next(h);
+  return h;
+}
+
+/* Returns the roots of parts of sources sorted by the smallest halfedges of their faces. */
 template <class Input>
 std::vector<std::pair<Input_halfedge_index, Index>> parts_by_face(const Input& input,
                                                                   const std::vector<Source_part>& parts)
@@ -108,17 +117,12 @@ public:
       const double t = a.crossing / m_propagation.sides().copy(a.through).length;
       return turned({{1 - t, t, 0}}, a.through, h);
     }
-    if(is_part(a.root)) {
-      const Source_part& p = part(a.root);
+    if(m_propagation.is_part(a.root)) {
+      const Source_part& p = m_propagation.part(a.root);
       const double t = p.nearest(m_propagation.sides().copy(p.halfedge), turned(weights, h, p.halfedge));
       return turned(p.at(t), p.halfedge, h);
     }
-    Face_weights result = {{1, 0, 0}};
-    while(m_triangulation.input().tail(h).idx() != a.root) {
-      h = m_triangulation.input().next(h);
-      result = {{result[2], result[0], result[1]}};
-    }
-    return result;
+    return turned({{1, 0, 0}}, side_from(m_triangulation.input(), h, Vertex_index(a.root)), h);
   }
 
   /* Returns the direction away from the source, in the frame of h; zero at the source. */
@@ -164,7 +168,7 @@ public:
         h = twin_index(a.through);
         weights = {{t, 1 - t, 0}};
         a = arrival_on_edge(h, weights, end);
-      } else if(is_part(a.root)) {
+      } else if(m_propagation.is_part(a.root)) {
         *out++ = surface_point_in_face(h, from(a, h, weights));
         break;
       } else {
@@ -221,12 +225,6 @@ private:
     double m_least = std::numeric_limits<double>::infinity();
   };
 
-  bool is_part(Index root) const { return root >= m_triangulation.input().number_of_vertices(); }
-  const Source_part& part(Index root) const
-  {
-    return m_propagation.parts()[static_cast<std::size_t>(root - m_triangulation.input().number_of_vertices())];
-  }
-
   // Calls `function(root)` for the parts of sources in the face of h.
   template <class Function>
   void for_each_part(Input_halfedge_index h, const Function& function) const
@@ -243,7 +241,7 @@ private:
                        Arrival& best) const
   {
     for_each_part(h, [&](Index root) {
-      const Source_part& p = part(root);
+      const Source_part& p = m_propagation.part(root);
       const double d = p.distance(m_propagation.sides().copy(p.halfedge), turned(weights, h, p.halfedge));
       if(d < best.distance && is_wanted(root))
         best = {d, root, null_index, 0, Window()};
@@ -328,12 +326,9 @@ private:
   Input_halfedge_index last_face(Vertex_index v, const Arrival& a) const
   {
     const auto& input = m_triangulation.input();
-    if(!is_part(a.root) || a.through != null_index)
+    if(!m_propagation.is_part(a.root) || a.through != null_index)
       return input.outgoing(v);
-    Input_halfedge_index h = part(a.root).halfedge;
-    while(input.tail(h) != v)
-      h = input.next(h);
-    return h;
+    return side_from(input, m_propagation.part(a.root).halfedge, v);
   }
 
   const Triangulation& m_triangulation;

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>
@@ -310,21 +311,11 @@ private:
 /* The length of a halfedge of the input in the metric of a triangulation, for searches that do not touch the
  * triangulation. */
 template <class Triangulation>
-class Metric_weight
+struct Metric_weight
 {
-public:
-  explicit Metric_weight(const Triangulation& triangulation)
-    : m_triangulation(triangulation)
-  {
-  }
+  const Triangulation& triangulation;
 
-  double operator()(Input_halfedge_index h) const
-  {
-    return m_triangulation.metric().weight(m_triangulation.input(), h);
-  }
-
-private:
-  const Triangulation& m_triangulation;
+  double operator()(Input_halfedge_index h) const { return triangulation.metric().weight(triangulation.input(), h); }
 };
 
 /* The common part of policies for searches along edges, whose labels consist of a distance only. */
@@ -376,12 +367,7 @@ public:
   template <class Function>
   void for_each_halfedge(const Origin& origin, const Function& function) const
   {
-    const Input_halfedge_index first = m_input.outgoing(origin.vertex);
-    Input_halfedge_index h = first;
-    do {
-      function(h);
-      h = m_input.next(twin_index(h));
-    } while(h != first);
+    for_each_outgoing_halfedge(m_input, origin.vertex, function);
   }
 
   Vertex_index head(Input_halfedge_index h) const { return m_input.tail(twin_index(h)); }

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <algorithm>
 #include <array>
@@ -282,14 +283,11 @@ private:
       return;
     }
     const auto& input = m_triangulation.input();
-    const Input_halfedge_index first = input.outgoing(m_goal);
-    Input_halfedge_index h = first;
-    do {
+    for_each_outgoing_halfedge(input, m_goal, [&](Input_halfedge_index h) {
       const Vertex_index neighbor = input.tail(twin_index(h));
       if(m_landmarks->has_row(neighbor))
         m_known.push_back({neighbor, m_triangulation.metric().weight(input, h) * (1 + distance_bound_rounding)});
-      h = input.next(twin_index(h)); // along the border, too
-    } while(h != first);
+    });
   }
 
   double by_landmarks(Vertex_index v) const

@@ -129,7 +129,7 @@ public:
   static Index twin(Index half) { return half ^ 1; }
 
   /* Returns the half of a side, not on the border, relative to which points on the side are expressed. */
-  Index telling_half(Index half) const { return is_border(half & ~1) ? half | 1 : half & ~1; }
+  Index reference_half(Index half) const { return is_border(half & ~1) ? half | 1 : half & ~1; }
 
   /* Returns the sample at the start, and below at the end, of a half that is not on the border. */
   Index tail(Index half) const { return m_pieces[m_uses[half].piece].corners[m_uses[half].side]; }
@@ -339,7 +339,8 @@ private:
   void bisect(Index half, std::vector<Index>& queue)
   {
     const Index s = half / 2;
-    const Index m = add_middle(telling_half(half));
+    const Index m = static_cast<Index>(m_samples.size());
+    m_samples.push_back(sampled(reference_half(half), 0.5));
     const Index rest = add_side(m_lengths[s] / 2);
     m_lengths[s] /= 2;
     bisect_piece(m_uses[2 * s], m, 2 * s, 2 * rest, queue);
@@ -364,12 +365,6 @@ private:
                              {{second, old.halves[b], 2 * cut + 1}},
                              {{middle, old.weights[b], old.weights[c]}}});
     queue.push_back(at.piece);
-  }
-
-  Index add_middle(Index half)
-  {
-    m_samples.push_back(sampled(half, 0.5));
-    return static_cast<Index>(m_samples.size()) - 1;
   }
 
   // There are more halves than samples and pieces.

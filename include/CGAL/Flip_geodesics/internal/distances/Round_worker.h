@@ -3,11 +3,16 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ROUND_WORKER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ROUND_WORKER_H
 
-#include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,12 +24,299 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/*
+ * A priority queue from which all entries up to some key are removed at once, in an unspecified but deterministic
+ * order. Entries due soon are examined each time, later ones only when no others are left.
+ */
+class Round_queue
+{
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  struct Entry
+  {
+    double key;
+    Index id;
+    std::uint32_t tag; // additional data
+  };
+
+  bool empty() const { return m_soon.empty() && m_later.empty(); }
+
+  /* Returns the smallest key; infinity if the queue is empty. */
+  double least() const { return m_soon.empty() ? m_least_later : m_least_soon; }
+
+  void push(const Entry& e)
+  {
+    (e.key < m_horizon ? m_soon : m_later).push_back(e);
+    double& least = e.key < m_horizon ? m_least_soon : m_least_later;
+    least = (std::min)(least, e.key);
+  }
+
+  /* Reserves memory for additional entries. */
+  void reserve(std::size_t number)
+  {
+    for(std::vector<Entry>* entries : {&m_soon, &m_later})
+      if(entries->capacity() - entries->size() < number)
+        entries->reserve((std::max)(2 * entries->capacity(), entries->size() + number));
+  }
+
+  /* Prepares for `take(last)` and returns an upper bound of the number of entries removed by it. Changes nothing if it
+   * throws.
+   * \param step estimate of the increase of `last` until the next call */
+  std::size_t look_ahead(double last, double step)
+  {
+    constexpr double steps = 16; // between two examinations of later entries
+    if(m_least_later <= last || m_soon.empty()) {
+      m_soon.reserve(m_soon.size() + m_later.size());
+      m_horizon = last + steps * step;
+      if(m_least_later <= m_horizon)
+        remove(m_later, m_least_later, m_horizon, [this](const Entry& e) {
+          m_soon.push_back(e);
+          m_least_soon = (std::min)(m_least_soon, e.key);
+        });
+    }
+    return m_soon.size();
+  }
+
+  /* Calls `function(entry)` for all entries whose keys are at most `last`, and removes them. The function must not push
+   * entries. \pre look_ahead(last) was called since the last push */
+  template <class Function>
+  void take(double last, const Function& function)
+  {
+    remove(m_soon, m_least_soon, last, function);
+  }
+
+private:
+  // Removes the entries whose keys are at most `last` from a list.
+  template <class Function>
+  static void remove(std::vector<Entry>& entries, double& least, double last, const Function& function)
+  {
+    least = infinity;
+    auto to = entries.begin();
+    for(const Entry& e : entries)
+      if(e.key <= last) {
+        function(e);
+      } else {
+        least = (std::min)(least, e.key);
+        *to++ = e;
+      }
+    entries.erase(to, entries.end());
+  }
+
+  std::vector<Entry> m_soon, m_later; // with keys up to the horizon, and larger ones
+  double m_horizon = 0, m_least_soon = infinity, m_least_later = infinity;
+};
+
+/* A window that is propagated over a face, in the frame of the side across which it enters. */
+struct Crossing_window
+{
+  Window window;
+  double crossing; // where the ray to the vertex opposite crosses the side
+};
+
+/* All windows that cross a face from one side together. */
+struct Face_crossing
+{
+  Crossing_window *first, *last;
+  Input_halfedge_index halfedge, next, previous; // the side across which they enter, and the sides that follow it
+  Vertex_index apex;                             // the vertex opposite
+  bool is_shorter;                               // whether the path there is shorter than others
+  const Crossing_window* nearest;                // has the shortest path; null if none has one
+  double distance;                               // of the vertex by that path
+
+  /* Removes all windows. */
+  void clear()
+  {
+    first = last = nullptr;
+    is_shorter = false;
+  }
+
+  /* Converts the windows to the frame of the side and finds the nearest one. */
+  template <class Sides>
+  void begin(Input_halfedge_index h, const Sides& sides)
+  {
+    const Face_side& f = sides.known(h);
+    halfedge = h;
+    next = f.next;
+    previous = sides.known(next).next;
+    apex = sides.known(previous).tail;
+    nearest = nullptr;
+    distance = std::numeric_limits<double>::infinity();
+    for(Crossing_window* i = first; i != last; ++i) {
+      Window& w = i->window;
+      if(!is_first_side(halfedge))
+        w.mirror(f.length);
+      const double c = i->crossing = w.crossing(f.x, f.y);
+      if(!(c > w.from - beside_window * f.length && c < w.to + beside_window * f.length))
+        continue;
+      const double through = w.bent_distance(f.x, f.y, c);
+      // If the ray misses its window, it reaches the apex only if the bent path is as long as the straight line.
+      if(!(c >= w.from && c <= w.to) && through - w.distance(f.x, f.y) > equal_paths * through)
+        continue;
+      if(through < distance) {
+        distance = through;
+        nearest = i;
+      }
+    }
+    is_shorter = nearest != nullptr;
+  }
+
+  /* Calls `function` for everything that arrives at the side at the tail, in the frame of its twin. */
+  template <class Function>
+  void arrive_left(const Face_side& f, double length, const Function& function) const
+  {
+    const double best = nearest == nullptr ? 0 : nearest->crossing, limit = best + beside_window * f.length;
+    for(const Crossing_window* i = first; i != last; ++i) {
+      const Window& w = i->window;
+      const double c = i->crossing;
+      if(!(c > w.from) || (is_split(*i) && c > limit))
+        continue;
+      // The part of a window before the ray to the apex, which crosses at c.
+      Window child = turned(w, f.cosine, f.sine, (std::min)(c, w.to), c < w.to + w.error(f.length), length);
+      if(!(child.y > 0))
+        continue;
+      child.mirror(length);
+      function(child);
+    }
+  }
+
+  /* Calls `function` for everything that arrives at the side at the head, by mirror images. */
+  template <class Function>
+  void arrive_right(const Face_side& f, const Face_side& fn, const Function& function) const
+  {
+    const double best = nearest == nullptr ? 0 : nearest->crossing, limit = best - beside_window * f.length;
+    for(const Crossing_window* i = first; i != last; ++i) {
+      const double c = i->crossing;
+      if(!(c < i->window.to) || (is_split(*i) && c < limit))
+        continue;
+      Window w = i->window;
+      w.mirror(f.length);
+      Window child = turned(w, fn.cosine, fn.sine, (std::min)(f.length - c, w.to),
+                            f.length - c < w.to + w.error(f.length), fn.length);
+      if(child.y > 0)
+        function(child);
+    }
+  }
+
+private:
+  // Returns whether the ray to the apex divides the window. If its path is not the best to the apex, the window is
+  // useless beyond the ray of the best one [CH90].
+  static bool is_split(const Crossing_window& i) { return i.crossing > i.window.from && i.crossing < i.window.to; }
+
+  // The part of a window up to `to` in the frame of a side that starts at the same vertex, rotated upwards by an angle.
+  static Window turned(const Window& w, double cosine, double sine, double to, bool is_to_end, double length)
+  {
+    Window result = w;
+    result.x = w.x * cosine - w.y * sine;
+    result.y = w.y * cosine + w.x * sine;
+    const double weight = w.weight();
+    const auto hit = [&](double b) {
+      const double fall = result.y - weight * b * sine;
+      return fall > 0 ? (std::min)((std::max)(b * w.y / fall, 0.0), length) : length;
+    };
+    result.from = hit(w.from);
+    result.to = is_to_end ? length : hit(to);
+    return result;
+  }
+};
+
+/* The time at which a vertex or an edge is due; for edges the tag is that of `Edge_record`. */
+using Noted = Round_queue::Entry;
+
+/* A part of an array. */
+template <class T>
+struct Array_part
+{
+  T *first = nullptr, *last = nullptr;
+  T* begin() const { return first; }
+  T* end() const { return last; }
+  std::ptrdiff_t size() const { return last - first; }
+};
+
+/* The paths and windows that start from a vertex in a round, and their results. */
+struct Starting
+{
+  Array_part<Vertex_opening> openings;
+  Array_part<Noted> noted;
+};
+
+/* The windows that leave an edge on which they were waiting, and their results. */
+struct Leaving
+{
+  double length; // 0 if the edge is not left
+  double passed; // the time at which the front has passed the edge, if it must be noted
+  Array_part<Noted> noted;
+  std::array<Face_crossing, 2> crossings;
+};
+
+/* A vertex or an edge that is due in a round. One of the pointers is set once it has been left. */
+struct Round_item
+{
+  Noted due;
+  std::uint32_t number; // in the order of the queues, vertices first
+  bool is_vertex;
+  bool may_reach = false; // whether it can be the shortest path to a vertex
+  Starting* starting = nullptr;
+  Leaving* leaving = nullptr;
+};
+
+/* A round, and the number of one of its items. */
+struct Round_place
+{
+  std::uint32_t round, number;
+};
+
+/* Something that arrives at an edge in a round. */
+struct Arrival
+{
+  /* Returns what arrives from the vertex opposite. */
+  static Arrival from_vertex(const Round_item& item, Vertex_opening& o)
+  {
+    const auto place = static_cast<std::uint64_t>(&o - item.starting->openings.first);
+    return {(std::uint64_t(item.number) << 32) + place, nullptr, &o, false};
+  }
+  /* Returns what arrives from a side of the face that has been crossed, at whose tail or head the edge is. */
+  static Arrival from_side(const Round_item& item, const Face_crossing& c, bool is_at_tail)
+  {
+    const unsigned place = (is_first_side(c.halfedge) ? 0 : 2) + (is_at_tail ? 0 : 1);
+    return {(std::uint64_t(item.number) << 32) + place, &c, nullptr, is_at_tail};
+  }
+
+  std::uint64_t order;           // among the arrivals of a round
+  const Face_crossing* crossing; // null if it comes from a vertex
+  Vertex_opening* opening;
+  bool is_left;
+};
+
+/* All arrivals at an edge, in order: from at most two vertices and four sides, from vertices on the border twice. */
+class Arrivals
+{
+public:
+  Arrivals() {} // leaves the elements uninitialized
+
+  const Arrival* begin() const { return m_all.data(); }
+  const Arrival* end() const { return m_all.data() + m_number; }
+
+  void add(const Arrival& a)
+  {
+    CGAL_assertion(m_number < m_all.size());
+    std::size_t i = m_number++;
+    for(; i > 0 && a.order < m_all[i - 1].order; --i)
+      m_all[i] = m_all[i - 1];
+    m_all[i] = a;
+  }
+
+private:
+  std::array<Arrival, 8> m_all; // the first of them
+  std::size_t m_number = 0;
+};
+
 /* The state of an edge while windows are propagated. */
 struct Edge_record
 {
   double due;        // the least distance of the waiting windows
   Round_place left;  // when it was left
-  std::uint32_t tag; // of the last note: the bearing, and the number of earlier notes
+  std::uint32_t tag; // of the last note: the number of notes
   bool is_waiting;   // whether windows wait on it
   bool is_noted;     // whether it is queued for the time at which the front has passed it
 };
@@ -56,17 +348,15 @@ struct Field_state
   double distance(Vertex_index v) const { return is_reached(v) ? vertices[v].distance : infinity; }
   bool is_shorter(Vertex_index v, double d) const { return !is_reached(v) || d < vertices[v].distance; }
 
-  /* Records when an edge is due. \param place has a member `bearing()` */
-  template <class Place>
-  void note_waiting(Index e, double due, const Place& place, Array_part<Noted>& noted)
+  /* Records when an edge is due. */
+  void note_waiting(Index e, double due, Array_part<Noted>& noted)
   {
     Edge_record& record = edge(e);
     if(due == infinity || (record.is_waiting && record.due <= due))
       return;
     record.is_waiting = true;
     record.due = due;
-    record.tag = record.tag / Bearing::number * Bearing::number + Bearing::number + place.bearing();
-    *noted.last++ = {due, e, record.tag};
+    *noted.last++ = {due, e, ++record.tag};
   }
 
   const Triangulation& triangulation;
@@ -75,45 +365,45 @@ struct Field_state
   Lazy_array<Edge_record> edges;
   Indexed_by<Vertex_index, Lazy_array<Round_place>> left; // when paths started there
   Indexed_by<Vertex_index, Lazy_array<Vertex_record>> vertices;
+  std::vector<Round_item> items; // of the current round, the vertices first
 };
 
 /*
  * A memory arena for small arrays, which are all released at once and do not move until then. It corresponds to
  * `std::pmr::monotonic_buffer_resource`, which libc++ has only since version 16.
  */
-template <class T>
 class Scratch
 {
-  static_assert(std::is_trivially_copyable<T>::value, "elements are not destroyed");
-
 public:
   /* Returns memory for some elements, whose values are undefined. */
+  template <class T>
   T* allocate(std::size_t size)
   {
-    while(m_at == m_blocks.size() || m_blocks[m_at].size - m_used < size)
-      enter_next_block(size);
-    T* const result = m_blocks[m_at].first.get() + m_used;
-    m_used += size;
-    return result;
+    static_assert(std::is_trivially_copyable<T>::value, "elements are not destroyed");
+    const std::size_t bytes = (size * sizeof(T) + alignment - 1) / alignment * alignment;
+    while(m_at == m_blocks.size() || m_blocks[m_at].size - m_used < bytes)
+      enter_next_block(bytes);
+    std::byte* const result = m_blocks[m_at].first.get() + m_used;
+    m_used += bytes;
+    return reinterpret_cast<T*>(result);
   }
 
   void release() { m_at = m_used = 0; }
 
 private:
-  static constexpr std::size_t least = 256;
+  static constexpr std::size_t least = 1 << 16, alignment = alignof(std::max_align_t);
 
   struct Block
   {
-    std::unique_ptr<T[]> first;
+    std::unique_ptr<std::byte[]> first;
     std::size_t size;
   };
 
   void enter_next_block(std::size_t size)
   {
     if(m_at == m_blocks.size()) {
-      const std::size_t larger = m_blocks.empty() ? least : 2 * m_blocks.back().size;
-      const std::size_t room = (std::max)(size, larger);
-      m_blocks.push_back({std::unique_ptr<T[]>(new T[room]), room});
+      const std::size_t room = (std::max)(size, m_blocks.empty() ? least : 2 * m_blocks.back().size);
+      m_blocks.push_back({std::unique_ptr<std::byte[]>(new std::byte[room]), room});
     } else {
       ++m_at;
     }
@@ -125,12 +415,12 @@ private:
 };
 
 /*
- * The work of a member of a team in a round, with its own data. First `leave()` propagates everything from vertices and
- * edges over the next faces; when all items have been left, and the vertices have been updated, `enter()` puts the
- * results on the edges that they reach. Members do both simultaneously, with different items.
+ * The work of a thread in a round, with its own data. First `leave()` propagates everything from vertices and edges over
+ * the next faces; when all items have been left, and the vertices have been updated, `enter()` puts the results on the
+ * edges that they reach. Threads do both simultaneously, with different items.
  *
- * An edge is entered by the member that has the first of the items from which something arrives; that member looks up
- * the others itself. Each edge is thus entered once, by one member, from the items in the order of their numbers,
+ * An edge is entered by the thread that has the first of the items from which something arrives; that thread looks up
+ * the others itself. Each edge is thus entered once, by one thread, from the items in the order of their numbers,
  * without collecting data for it.
  */
 template <class Triangulation>
@@ -139,9 +429,8 @@ class Round_worker
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
 public:
-  Round_worker(Field_state<Triangulation>& state, Round_items& items, bool keeps_windows)
+  Round_worker(Field_state<Triangulation>& state, bool keeps_windows)
     : m_state(state)
-    , m_items(items)
     , m_keeps_windows(keeps_windows)
     , m_vertex_openings(state.triangulation)
   {
@@ -155,20 +444,19 @@ public:
   std::size_t most_entries(std::uint32_t round) const { return m_round == round ? m_most_entries : 0; }
 
   /* \throws as the metric, Invalid_mesh_error; the item is then unchanged */
-  void leave(std::uint32_t round, std::size_t place)
+  void leave(std::uint32_t round, Round_item& item)
   {
     begin(round);
-    if(m_items[place].is_vertex)
-      leave_vertex(place);
+    if(item.is_vertex)
+      leave_vertex(item);
     else
-      leave_edge(place);
+      leave_edge(item);
   }
 
   /* \pre all items have been left */
-  void enter(std::uint32_t round, std::size_t place)
+  void enter(std::uint32_t round, const Round_item& item)
   {
     begin(round);
-    const Round_item& item = m_items[place];
     if(item.is_vertex)
       enter(*item.starting, item);
     else if(item.leaving->length > 0)
@@ -203,24 +491,18 @@ private:
       return;
     m_round = round;
     m_most_entries = 0;
-    m_starting.release();
-    m_leaving.release();
-    m_openings.release();
-    m_paths.release();
-    m_windows.release();
-    m_noted.release();
+    m_scratch.release();
   }
 
-  void leave_vertex(std::size_t place)
+  void leave_vertex(Round_item& item)
   {
-    Round_item& item = m_items[place];
     const Vertex_index v(item.due.id);
-    Starting& s = *m_starting.allocate(1);
+    Starting& s = *m_scratch.allocate<Starting>(1);
     s = Starting();
     if(m_state.vertices[v].distance == item.due.key && m_state.triangulation.input().outgoing(v) != null_index) {
-      make_faces_known(v);
+      for_each_outgoing_halfedge(m_state.triangulation.input(), v, [this](Input_halfedge_index h) { make_known(h); });
       open(s, item);
-      m_state.left[v] = {m_round, static_cast<std::uint32_t>(place)};
+      m_state.left[v] = {m_round, item.number};
     }
     item.starting = &s;
   }
@@ -228,26 +510,18 @@ private:
   void open(Starting& s, Round_item& item)
   {
     const Vertex_index v(item.due.id);
-    s.is_source = m_state.vertices[v].is_source;
     const std::vector<Vertex_opening>& openings = m_vertex_openings(m_state.sides, v, m_state.vertices[v]);
-    s.openings.first = s.openings.last = m_openings.allocate(openings.size());
-    s.paths.first = s.paths.last = m_paths.allocate(openings.size());
-    for(const Vertex_opening& o : openings) {
-      if(o.opposite != null_index)
-        *s.openings.last++ = o;
-      if(m_state.is_shorter(o.head, o.distance)) {
-        *s.paths.last++ = {o.head, o.along, o.distance};
-        item.may_reach = true;
-      }
-    }
+    s.openings.first = m_scratch.allocate<Vertex_opening>(openings.size());
+    s.openings.last = std::copy(openings.begin(), openings.end(), s.openings.first);
+    item.may_reach = std::any_of(openings.begin(), openings.end(),
+                                 [this](const Vertex_opening& o) { return m_state.is_shorter(o.head, o.distance); });
     m_most_entries += openings.size() + 1;
   }
 
-  void leave_edge(std::size_t place)
+  void leave_edge(Round_item& item)
   {
-    Round_item& item = m_items[place];
     Edge_record& record = m_state.edge(item.due.id);
-    Leaving& l = *m_leaving.allocate(1);
+    Leaving& l = *m_scratch.allocate<Leaving>(1);
     l.length = 0;
     l.passed = infinity;
     l.noted = {};
@@ -259,7 +533,7 @@ private:
       make_known(twin_index(h));
       cross(l, h);
       record.is_waiting = false;
-      record.left = {m_round, static_cast<std::uint32_t>(place)};
+      record.left = {m_round, item.number};
       item.may_reach = l.crossings[0].is_shorter || l.crossings[1].is_shorter;
       m_most_entries += 5;
     }
@@ -270,7 +544,8 @@ private:
   void cross(Leaving& l, Input_halfedge_index h)
   {
     const auto windows = m_state.windows.on_edge(m_state.edge_of(h));
-    Crossing_window *const first = m_windows.allocate(windows.size()), *const last = first + windows.size();
+    Crossing_window *const first = m_scratch.allocate<Crossing_window>(windows.size()), *const last =
+                                                                                            first + windows.size();
     Crossing_window *to = first, *from = last;
     for(Window& w : windows)
       if(w.state != Window_state::DONE) {
@@ -294,16 +569,6 @@ private:
     c.is_shorter = c.is_shorter && m_state.is_shorter(c.apex, c.distance);
   }
 
-  void make_faces_known(Vertex_index v)
-  {
-    const auto& input = m_state.triangulation.input();
-    Input_halfedge_index h = input.outgoing(v);
-    do {
-      make_known(h);
-      h = input.next(twin_index(h));
-    } while(h != input.outgoing(v));
-  }
-
   void make_known(Input_halfedge_index h)
   {
     if(!m_state.triangulation.input().is_border(h) && m_state.sides.make_known(h))
@@ -312,14 +577,15 @@ private:
 
   void enter(Starting& s, const Round_item& item)
   {
-    s.noted.first = s.noted.last = m_noted.allocate(static_cast<std::size_t>(s.openings.size()));
+    s.noted.first = s.noted.last = m_scratch.allocate<Noted>(static_cast<std::size_t>(s.openings.size()));
     for(Vertex_opening& o : s.openings)
-      enter(o.opposite, Arrival::from_vertex(item, o), s.noted);
+      if(o.opposite != null_index)
+        enter(o.opposite, Arrival::from_vertex(item, o), s.noted);
   }
 
   void enter(Leaving& l, const Round_item& item)
   {
-    l.noted.first = l.noted.last = m_noted.allocate(4);
+    l.noted.first = l.noted.last = m_scratch.allocate<Noted>(4);
     for(const Face_crossing& c : l.crossings)
       if(c.first != c.last) {
         enter(c.previous, Arrival::from_side(item, c, true), l.noted);
@@ -357,10 +623,10 @@ private:
       for(const Arrival& a : arrivals)
         enter(a, due);
     } catch(...) {
-      m_state.note_waiting(m_state.edge_of(h), due, arrivals, noted);
+      m_state.note_waiting(m_state.edge_of(h), due, noted);
       throw;
     }
-    m_state.note_waiting(m_state.edge_of(h), due, arrivals, noted);
+    m_state.note_waiting(m_state.edge_of(h), due, noted);
   }
 
   // Adds the arrivals at the edge of h from its face.
@@ -369,7 +635,7 @@ private:
     const auto& input = m_state.triangulation.input();
     const Vertex_index apex = input.tail(input.previous(h));
     if(m_state.left[apex].round == m_round) {
-      const Round_item& item = m_items[m_state.left[apex].place];
+      const Round_item& item = m_state.items[m_state.left[apex].number];
       for(Vertex_opening& o : item.starting->openings)
         if(o.opposite == h)
           arrivals.add(Arrival::from_vertex(item, o));
@@ -383,9 +649,9 @@ private:
     const Round_place& left = m_state.edge(m_state.edge_of(h)).left;
     if(left.round != m_round)
       return;
-    const Face_crossing& c = m_items[left.place].leaving->crossings[is_first_side(h) ? 0 : 1];
+    const Face_crossing& c = m_state.items[left.number].leaving->crossings[is_first_side(h) ? 0 : 1];
     if(c.first != c.last)
-      arrivals.add(Arrival::from_side(m_items[left.place], c, is_left));
+      arrivals.add(Arrival::from_side(m_state.items[left.number], c, is_left));
   }
 
   // \param due when the edge is due, decreased if that becomes earlier
@@ -406,7 +672,6 @@ private:
   }
 
   Field_state<Triangulation>& m_state;
-  Round_items& m_items;
   bool m_keeps_windows;
   Window_inserter m_inserter;
   Vertex_openings<Triangulation> m_vertex_openings;
@@ -414,12 +679,7 @@ private:
   // Of the round:
   std::uint32_t m_round = 0;
   std::size_t m_most_entries = 0;
-  Scratch<Starting> m_starting;
-  Scratch<Leaving> m_leaving;
-  Scratch<Vertex_opening> m_openings;
-  Scratch<Edge_path> m_paths;
-  Scratch<Crossing_window> m_windows;
-  Scratch<Noted> m_noted;
+  Scratch m_scratch;
 };
 
 } // namespace internal

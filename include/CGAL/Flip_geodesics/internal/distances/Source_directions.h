@@ -99,7 +99,7 @@ public:
     if(record.along != null_index)
       return leg_along_edge(record);
     if(record.through == null_index) {
-      const Start_direction start = inside_face(v, part(record.root));
+      const Start_direction start = inside_face(v, m_propagation.part(record.root));
       return leg_in_face(record.root, start.first, start.direction);
     }
     const Face_side f = side(record.through);
@@ -114,10 +114,8 @@ public:
       return std::nullopt;
     if(a.through != null_index)
       return leg_through_side(a.through, a.window, position(side(a.through), m_query.turned(weights, h, a.through)));
-    Input_halfedge_index first = h;
-    while(!is_part(a.root) && m_input.tail(first).idx() != a.root)
-      first = m_input.next(first);
-    first = is_part(a.root) ? part(a.root).halfedge : first;
+    const Input_halfedge_index first = m_propagation.is_part(a.root) ? m_propagation.part(a.root).halfedge
+                                                                     : side_from(m_input, h, Vertex_index(a.root));
     const Face_side f = side(first);
     const Face_weights from = m_query.turned(m_query.from(a, h, weights), h, first);
     return leg_in_face(a.root, first, position(f, m_query.turned(weights, h, first)) - position(f, from));
@@ -147,17 +145,11 @@ private:
 
   Face_side side(Input_halfedge_index h) const { return m_propagation.sides().copy(h); }
 
-  bool is_part(Index root) const { return root >= m_input.number_of_vertices(); }
-  const Source_part& part(Index root) const
-  {
-    return m_propagation.parts()[static_cast<std::size_t>(root - m_input.number_of_vertices())];
-  }
-
   // Returns whether the path to a vertex bends on its way.
   bool bends(Vertex_index v) const
   {
     const Index root = m_propagation.vertex(v).root;
-    return !is_part(root) && !m_propagation.vertex(Vertex_index(root)).is_source;
+    return !m_propagation.is_part(root) && !m_propagation.vertex(Vertex_index(root)).is_source;
   }
 
   static std::optional<Straight_leg> leg_in_face(Index root, Input_halfedge_index h, const Vector& way)
@@ -193,7 +185,7 @@ private:
     if(record.along != null_index)
       return {record.along, 1};
     if(record.through == null_index)
-      return inside_face(v, part(record.root));
+      return inside_face(v, m_propagation.part(record.root));
     const Window& w = record.window;
     const Face_side f = side(record.through);
     const Vector way = Vector(f.x, f.y) - Vector(w.x, -w.y);
@@ -203,9 +195,7 @@ private:
 
   Start_direction inside_face(Vertex_index v, const Source_part& source) const
   {
-    Face_weights corner = {{1, 0, 0}};
-    for(Input_halfedge_index h = source.halfedge; m_input.tail(h) != v; h = m_input.next(h))
-      corner = {{corner[2], corner[0], corner[1]}};
+    const Face_weights corner = m_query.turned({{1, 0, 0}}, side_from(m_input, source.halfedge, v), source.halfedge);
     const Face_side f = side(source.halfedge);
     return {source.halfedge, position(f, corner) - position(f, source.ends[0])};
   }
@@ -246,7 +236,8 @@ private:
     const Vector apex(f.x, f.y);
     rays = {t, f.length - rays.source, -rays.ray, -rays.turn};
     if(const auto place = place_of_root(t, f, root); place && std::abs(*place - rays.source) <= allowed)
-      return is_part(root) ? First_face{t, 1} : First_face{tp, -std::conj(apex) / std::sqrt(std::norm(apex))};
+      return m_propagation.is_part(root) ? First_face{t, 1}
+                                         : First_face{tp, -std::conj(apex) / std::sqrt(std::norm(apex))};
     const bool is_next = cross(apex - rays.source, rays.ray) > 0;
     const Vector start = is_next ? Vector(f.length) : apex, along = is_next ? apex - f.length : -apex;
     const Vector turn = std::conj(along) / std::sqrt(std::norm(along));
@@ -259,15 +250,12 @@ private:
   std::optional<Vector> place_of_root(Input_halfedge_index t, const Face_side& f, Index root) const
   {
     const Input_halfedge_index tp = m_input.next(f.next);
-    if(!is_part(root))
+    if(!m_propagation.is_part(root))
       return m_input.tail(tp).idx() == root ? std::optional(Vector(f.x, f.y)) : std::nullopt;
-    const Source_part& source = part(root);
-    Face_weights weights = source.ends[0];
+    const Source_part& source = m_propagation.part(root);
     if(source.halfedge != t && source.halfedge != f.next && source.halfedge != tp)
       return std::nullopt;
-    for(Input_halfedge_index h = source.halfedge; h != t; h = m_input.next(h))
-      weights = rotated(weights);
-    return position(f, weights);
+    return position(f, m_query.turned(source.ends[0], source.halfedge, t));
   }
 
   // One edge in sixteen, independent of their order.

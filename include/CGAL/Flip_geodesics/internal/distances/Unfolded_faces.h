@@ -10,6 +10,9 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
+
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +95,9 @@ public:
 
   double length(Input_halfedge_index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
 
+  /* Returns the faces that classify vertices and measure angles, for any type of numbers. */
+  Unfolded_faces& in_double() { return *this; }
+
   /*
    * Returns whether a shortest path may pass the vertex: only on the border and if the angles add up to more than 2 pi,
    * or nearly so.
@@ -105,41 +111,33 @@ public:
   double nearest_edge(Vertex_index v)
   {
     const auto& input = m_triangulation.input();
-    const Input_halfedge_index first = input.outgoing(v);
     double nearest = std::numeric_limits<double>::infinity();
-    Input_halfedge_index h = first;
-    do {
+    for_each_outgoing_halfedge(input, v, [&](Input_halfedge_index h) {
       if(!input.is_border(h))
         nearest = (std::min)(nearest, apex(next(number(h))).imag());
-      h = input.next(twin_index(h));
-    } while(h != first);
+    });
     return nearest;
   }
 
-  /* Returns the smaller angle between two directions from a vertex, zero if it is less than a tolerance. */
+  /* Returns the smaller angle between two directions from a vertex, zero if it is less than a tolerance; infinite if
+   * they are in different umbrellas. */
   double angle_between(const Direction& a, const Direction& b, double tolerance)
   {
-    const double angle = (std::min)(turn(a, b, tolerance), turn(b, a, tolerance));
+    const auto corner = [this](Input_halfedge_index h) { // of the face on the left
+      const Side& side = m_sides[static_cast<std::size_t>(number(h))];
+      return std::atan2(side.sine, side.cosine);
+    };
+    Vertex_fan fan;
+    fan.collect_umbrella(m_triangulation.input(), a.halfedge, corner);
+    if(!fan.has(b.halfedge))
+      return std::numeric_limits<double>::infinity();
+    const Vertex_index v = m_triangulation.input().tail(a.halfedge);
+    const double angle =
+        fan.smaller_wedge(fan.angle_of(a.halfedge, v) + a.angle, fan.angle_of(b.halfedge, v) + b.angle);
     return angle < tolerance ? 0 : angle;
   }
 
 private:
-  // The angle from one direction to another; infinite if the border lies between them.
-  double turn(const Direction& a, const Direction& b, double tolerance)
-  {
-    double angle = -a.angle;
-    for(Input_halfedge_index h = a.halfedge; h != b.halfedge || angle + b.angle < -tolerance;) {
-      if(m_triangulation.input().is_border(h))
-        return std::numeric_limits<double>::infinity();
-      const Index side = number(h);
-      angle += std::atan2((*this)[side].sine, (*this)[side].cosine);
-      h = twin_index((*this)[previous(side)].halfedge);
-      if(h == a.halfedge && h != b.halfedge) // faces at the vertex that share only the vertex with these
-        return std::numeric_limits<double>::infinity();
-    }
-    return angle + b.angle;
-  }
-
   enum Shape : char { UNKNOWN, CONVEX, FLAT, OTHER };
 
   Shape shape(Vertex_index v)
@@ -176,26 +174,21 @@ private:
     m_number[side.halfedge] = number + 1;
   }
 
-  // Rotates by the angles, and counts the half turns.
   Shape compute_shape(Vertex_index v)
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index first = input.outgoing(v);
-    Vector direction(1, 0);
-    int half_turns = 0;
+    Angle_sum sum;
     Input_halfedge_index h = first;
     do {
       if(input.is_border(h))
         return OTHER;
-      const Index s = number(h);
-      const bool was_left = direction.imag() >= 0;
-      direction *= Vector((*this)[s].cosine, (*this)[s].sine);
-      half_turns += was_left == (direction.imag() >= 0) ? 0 : 1;
-      h = twin_index((*this)[previous(s)].halfedge);
+      const Side& side = m_sides[static_cast<std::size_t>(number(h))];
+      sum.add({side.cosine, side.sine});
+      h = counterclockwise_of(input, h);
     } while(h != first);
-    if(direction.real() > 0 && std::abs(direction.imag()) < full_turn_tolerance && (half_turns == 1 || half_turns == 2))
-      return FLAT;
-    return half_turns < 2 ? CONVEX : OTHER;
+    const double excess = sum.value() - boost::math::constants::two_pi<double>();
+    return std::abs(excess) < full_turn_tolerance ? FLAT : (excess < 0 ? CONVEX : OTHER);
   }
 
   const Triangulation& m_triangulation;
@@ -216,7 +209,6 @@ class Precise_unfolded_faces
 public:
   using Number = Precise_number;
   using Vector = Precise_vector;
-  using Direction = typename Faces::Direction;
 
   /* A halfedge, and the angle at its tail in the face on its left. */
   struct Side
@@ -263,13 +255,7 @@ public:
     return (*this)[number(m_triangulation.input().is_border(h) ? twin_index(h) : h)].length;
   }
 
-  bool is_passable(Vertex_index v) { return m_faces.is_passable(v); }
-  bool is_flat(Vertex_index v) { return m_faces.is_flat(v); }
-  double nearest_edge(Vertex_index v) { return m_faces.nearest_edge(v); }
-  double angle_between(const Direction& a, const Direction& b, double tolerance)
-  {
-    return m_faces.angle_between(a, b, tolerance);
-  }
+  Faces& in_double() { return m_faces; }
 
 private:
   // The direction of the next halfedge is rotated by the outer angle at the head; the inner one is that at the next

@@ -16,13 +16,13 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -221,7 +221,12 @@ public:
         add_part(*v, v->from, v->to);
       else
         compete(*v, w);
-    if(!put(w))
+    const std::size_t made = m_made;
+    for_each_part(w, m_lost, [&](double from, double to) {
+      add_part(w, from, to);
+      ++m_made;
+    });
+    if(m_made == made)
       return false;
     replace(windows.list(edge), static_cast<std::uint32_t>(first - old.begin()),
             static_cast<std::uint32_t>(last - first));
@@ -252,7 +257,7 @@ private:
     } else {
       settle(old, w, {l, r}, dl, dr, equal);
     }
-    keep(old);
+    for_each_part(old, m_old_lost, [&](double from, double to) { add_part(old, from, to); });
   }
 
   // Removes these parts where the difference is monotone, given the excess of the new window's distance at both ends.
@@ -328,23 +333,6 @@ private:
     at = m_result.insert(at, w);
     at->from = from;
     at->to = to;
-  }
-
-  // Adds the remaining parts of an old window.
-  void keep(const Window& old)
-  {
-    for_each_part(old, m_old_lost, [&](double from, double to) { add_part(old, from, to); });
-  }
-
-  // Adds the remaining parts of the new window; returns false if there are none.
-  bool put(const Window& w)
-  {
-    const std::size_t made = m_made;
-    for_each_part(w, m_lost, [&](double from, double to) {
-      add_part(w, from, to);
-      ++m_made;
-    });
-    return m_made != made;
   }
 
   // Replaces some windows of a list by those of the result.
@@ -435,7 +423,7 @@ struct Face_side
   Vertex_index tail;
 };
 
-/* The sides of the input faces, computed when a face is first requested. */
+/* The sides of the input faces, computed when a face is first requested, by several threads at once if need be. */
 template <class Triangulation>
 class Face_sides
 {
@@ -443,50 +431,34 @@ public:
   explicit Face_sides(const Triangulation& triangulation)
     : m_triangulation(triangulation)
     , m_sides(static_cast<std::size_t>(triangulation.number_of_halfedges()))
+    , m_is_known(m_sides.size())
   {
   }
 
   /* \pre h is not on the border. \throws as the metric, Invalid_mesh_error */
   const Face_side& operator()(Input_halfedge_index h)
   {
-    if(m_sides[h].length == 0)
-      compute(h);
+    make_known(h);
     return m_sides[h];
   }
 
-  /* Prepares for several threads. */
-  void share()
-  {
-    if(m_states.empty())
-      m_states = std::vector<std::atomic<State>>(m_sides.size());
-  }
-
-  /* Computes the sides of a face that has not been requested. Returns whether it is so flat that rays can be lost in
-   * it. After `share()` several threads can do so simultaneously; one waits while another computes the same face. */
+  /* Computes the sides of a face unless they are known. Returns whether this has made known a face so flat that rays can
+   * be lost in it. */
   bool make_known(Input_halfedge_index h)
   {
-    if(m_states.empty())
-      return m_sides[h].length == 0 && compute(h);
-    if(state(h).load(std::memory_order_acquire) == State::KNOWN)
+    if(load_acquire(m_is_known[h]) != 0)
       return false;
-    std::atomic<State>& first = state(least_in_face(m_triangulation.input(), h));
-    for(State expected = State::UNKNOWN;
-        !first.compare_exchange_weak(expected, State::BEING_COMPUTED, std::memory_order_acquire);
-        expected = State::UNKNOWN)
-      if(expected == State::KNOWN)
-        return false;
-    return compute_claimed(h);
-  }
-
-  /* Computes the sides of a face. Returns whether it is so flat that rays can be lost in it. */
-  bool compute(Input_halfedge_index h)
-  {
+    // The result is the same for each halfedge of the face.
+    const std::array<Face_side, 3> sides = computed(least_in_face(m_triangulation.input(), h));
+    const std::lock_guard<Short_lock> guard(m_lock);
+    if(m_is_known[h] != 0) // another thread was faster
+      return false;
     bool is_flat = false;
-    h = least_in_face(m_triangulation.input(), h);
-    for(const Face_side& side : computed(h)) {
-      m_sides[h] = side;
+    for(const Face_side& side : sides) {
+      const Input_halfedge_index g = m_triangulation.input().previous(side.next);
+      m_sides[g] = side;
+      store_release(m_is_known[g], char(1));
       is_flat = is_flat || !(side.y > flat_face * (side.length + std::abs(side.x)));
-      h = side.next;
     }
     return is_flat;
   }
@@ -497,33 +469,13 @@ public:
   /* Returns the side of any face, as a copy. */
   Face_side copy(Input_halfedge_index h) const
   {
-    if(m_sides[h].length != 0)
+    if(m_is_known[h] != 0)
       return m_sides[h];
     const Input_halfedge_index first = least_in_face(m_triangulation.input(), h);
     return computed(first)[h == first ? 0 : (h == m_triangulation.input().next(first) ? 1 : 2)];
   }
 
 private:
-  enum class State : unsigned char { UNKNOWN, BEING_COMPUTED, KNOWN };
-
-  std::atomic<State>& state(Input_halfedge_index h) { return m_states[static_cast<std::size_t>(h.idx())]; }
-
-  bool compute_claimed(Input_halfedge_index h)
-  {
-    const auto& input = m_triangulation.input();
-    h = least_in_face(m_triangulation.input(), h);
-    try {
-      const bool result = compute(h);
-      state(input.next(input.next(h))).store(State::KNOWN, std::memory_order_release);
-      state(input.next(h)).store(State::KNOWN, std::memory_order_release);
-      state(h).store(State::KNOWN, std::memory_order_release);
-      return result;
-    } catch(...) {
-      state(h).store(State::UNKNOWN, std::memory_order_release);
-      throw;
-    }
-  }
-
   // The sides of a face, starting with h.
   std::array<Face_side, 3> computed(Input_halfedge_index h) const
   {
@@ -546,7 +498,8 @@ private:
 
   const Triangulation& m_triangulation;
   Indexed_by<Input_halfedge_index, Lazy_array<Face_side>> m_sides;
-  std::vector<std::atomic<State>> m_states; // of faces, by each of their halfedges; empty if one thread computes them
+  Indexed_by<Input_halfedge_index, Lazy_array<char>> m_is_known;
+  Short_lock m_lock;
 };
 
 /* The arrival of the shortest known path at a vertex. */

@@ -4,23 +4,25 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
 
 #include <CGAL/Flip_geodesics/internal/distances/Last_leg.h>
-#include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
 #include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
-#include <CGAL/Flip_geodesics/internal/distances/Team.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -56,8 +58,6 @@ struct Source_part
   std::array<Face_weights, 2> ends;
   double offset;
   std::size_t source;
-
-  bool is_point() const { return ends[0] == ends[1]; }
 
   /* Returns the position along the line, from 0 to 1, of its point nearest to another point in the face. */
   double nearest(const Face_side& side, const Face_weights& weights) const
@@ -136,7 +136,6 @@ public:
     : m_triangulation(triangulation)
     , m_keeps_windows(keeps_windows)
     , m_state(std::make_unique<State>(triangulation))
-    , m_items(std::make_unique<Round_items>())
   {
     make_workers(1);
   }
@@ -145,7 +144,7 @@ public:
   void add_vertex(Vertex_index v, double offset, std::size_t source)
   {
     if(m_state->is_shorter(v, offset))
-      accept(v, {offset, Window(), null_index, null_index, v.idx(), true, true, source}, 0);
+      accept(v, {offset, Window(), null_index, null_index, v.idx(), true, true, source});
   }
 
   /* Makes a line in a face a source, except for ends that are vertices. */
@@ -155,16 +154,15 @@ public:
     m_parts.push_back(part);
     Input_halfedge_index h = part.halfedge;
     std::array<Face_weights, 2> ends = part.ends;
-    int side = 0;
     for(Face_weights corner = {{1, 0, 0}}; h != null_index;) {
       const Vertex_index v = m_state->sides(h).tail;
       const double distance = part.distance(m_state->sides(part.halfedge), corner);
       if(m_state->is_shorter(v, distance))
-        accept(v, {distance, Window(), null_index, null_index, root, true, false, 0}, 0);
+        accept(v, {distance, Window(), null_index, null_index, root, true, false, 0});
       Window w = Source_part::window(m_state->sides(h), ends[0], ends[1], part.offset);
       w.root = root;
       const double due = w.from < w.to ? m_workers.front()->put_beyond(h, w) : infinity;
-      note_waiting(State::edge_of(h), due, static_cast<std::uint32_t>(Bearing::spread(side++, 3)));
+      note_waiting(State::edge_of(h), due);
       h = m_state->sides(h).next == part.halfedge ? Input_halfedge_index(null_index) : m_state->sides(h).next;
       ends = {{rotated(ends[0]), rotated(ends[1])}};
       corner = {{corner[2], corner[0], corner[1]}};
@@ -177,12 +175,9 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   void run(double bound, std::size_t most_windows, Interruption* interruption = nullptr)
   {
-    Team<ConcurrencyTag> team;
-    make_workers(team.most_members());
-    if(m_workers.size() > 1)
-      m_state->sides.share();
+    make_workers(number_of_threads<ConcurrencyTag>());
     while(!is_given_up(most_windows) && reach() < bound && !is_interrupted_before_part(interruption))
-      take_round(team, bound);
+      take_round<ConcurrencyTag>(bound);
   }
 
   /* Returns the length below which all paths are known. */
@@ -207,12 +202,17 @@ public:
   /* Returns the source from which paths reach a root, that is, a vertex or a part of a source. */
   std::size_t source(Index root) const
   {
-    const Index n = m_triangulation.input().number_of_vertices();
-    while(root < n && !vertex(Vertex_index(root)).is_source)
+    while(!is_part(root) && !vertex(Vertex_index(root)).is_source)
       root = vertex(Vertex_index(root)).root;
-    return root < n ? vertex(Vertex_index(root)).source : m_parts[static_cast<std::size_t>(root - n)].source;
+    return is_part(root) ? part(root).source : vertex(Vertex_index(root)).source;
   }
   const std::vector<Source_part>& parts() const { return m_parts; }
+  /* Returns whether a root is a part of a source, and not a vertex. */
+  bool is_part(Index root) const { return root >= m_triangulation.input().number_of_vertices(); }
+  const Source_part& part(Index root) const
+  {
+    return m_parts[static_cast<std::size_t>(root - m_triangulation.input().number_of_vertices())];
+  }
   const Face_sides<Triangulation>& sides() const { return m_state->sides; }
   const Edge_windows& windows() const { return m_state->windows; }
   std::size_t number_of_windows() const { return sum(&Window_inserter::number_made); }
@@ -250,20 +250,20 @@ private:
   void make_workers(std::size_t number)
   {
     while(m_workers.size() < number)
-      m_workers.push_back(std::make_unique<Worker>(*m_state, *m_items, m_keeps_windows));
+      m_workers.push_back(std::make_unique<Worker>(*m_state, m_keeps_windows));
   }
 
-  void accept(Vertex_index v, const Vertex_record& record, std::uint32_t bearing)
+  void accept(Vertex_index v, const Vertex_record& record)
   {
-    m_vertex_queue.push({record.distance, v.idx(), bearing});
+    m_vertex_queue.push({record.distance, v.idx(), 0});
     m_state->vertices[v] = record;
   }
 
-  void note_waiting(Index edge, double due, std::uint32_t bearing)
+  void note_waiting(Index edge, double due)
   {
     Noted noted;
     Array_part<Noted> all{&noted, &noted};
-    m_state->note_waiting(edge, due, Bearing{bearing}, all);
+    m_state->note_waiting(edge, due, all);
     push(all);
   }
 
@@ -273,18 +273,18 @@ private:
       m_edge_queue.push(e);
   }
 
-  template <class Team>
-  void take_round(Team& team, double bound)
+  template <class ConcurrencyTag>
+  void take_round(double bound)
   {
-    begin_round(bound, team.most_members());
+    begin_round(bound);
     try {
-      team.for_each(m_items->numbers(), [this](std::size_t k, std::size_t i) { m_workers[k]->leave(m_round, i); });
+      for_each_item<ConcurrencyTag>([this](Worker& worker, Round_item& item) { worker.leave(m_round, item); });
       make_room();
       note_accuracy();
       accept_vertices();
-      team.for_each(m_items->numbers(), [this](std::size_t k, std::size_t i) { m_workers[k]->enter(m_round, i); });
+      for_each_item<ConcurrencyTag>([this](Worker& worker, Round_item& item) { worker.enter(m_round, item); });
     } catch(...) {
-      give_up_round();
+      roll_back_round();
       throw;
     }
     end_round();
@@ -292,16 +292,46 @@ private:
   }
 
   // Removes the first item from the queues, together with those due soon after it. Removes nothing if it throws.
-  void begin_round(double bound, std::size_t members)
+  void begin_round(double bound)
   {
     const double first = reach();
     const double last = first + m_step < bound ? first + m_step : std::nextafter(bound, 0);
-    m_items->clear(m_vertex_queue.look_ahead(last, m_step) + m_edge_queue.look_ahead(last, m_step));
+    std::vector<Round_item>& items = m_state->items;
+    items.clear();
+    items.reserve(m_vertex_queue.look_ahead(last, m_step) + m_edge_queue.look_ahead(last, m_step));
     ++m_round;
-    m_vertex_queue.take(last, [this](const Noted& e) { m_items->add(e); });
-    const std::size_t number_of_vertices = m_items->size();
-    m_edge_queue.take(last, [this](const Noted& e) { m_items->add(e); });
-    m_items->deal(members, number_of_vertices);
+    const auto take = [&](Round_queue& queue, bool is_vertex) {
+      queue.take(last, [&](const Noted& e) {
+        items.push_back({e, static_cast<std::uint32_t>(items.size()), is_vertex});
+      });
+    };
+    take(m_vertex_queue, true);
+    take(m_edge_queue, false);
+  }
+
+  // Calls `step(worker, item)` for all items of the round. If calls throw, rethrows the exception of the first of their
+  // items, so that it does not depend on the number of threads.
+  template <class ConcurrencyTag, class Step>
+  void for_each_item(const Step& step)
+  {
+    std::vector<Round_item>& items = m_state->items;
+    std::atomic<std::size_t> failed{items.size()};
+    std::exception_ptr error;
+    std::mutex mutex; // guards both
+    for_each_index<ConcurrencyTag>(items.size(), [&](std::size_t i) {
+      if(i > failed.load(std::memory_order_relaxed))
+        return;
+      try {
+        step(*m_workers[thread_index<ConcurrencyTag>()], items[i]);
+      } catch(...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if(i < failed)
+          error = std::current_exception();
+        failed = (std::min)(failed.load(), i);
+      }
+    });
+    if(error)
+      std::rethrow_exception(error);
   }
 
   // Reserves memory in the queues for everything that the round can insert or restore.
@@ -325,8 +355,8 @@ private:
   void note_accuracy()
   {
     double shortest = infinity;
-    for(const std::size_t i : m_items->places())
-      if(const Round_item& item = (*m_items)[i]; !item.is_vertex)
+    for(const Round_item& item : m_state->items)
+      if(!item.is_vertex)
         m_longest_edge = (std::max)(m_longest_edge, item.leaving->length);
       else if(item.due.key > 0)
         shortest = (std::min)(shortest, item.due.key);
@@ -338,49 +368,47 @@ private:
   // Updates the vertices at which paths end.
   void accept_vertices()
   {
-    for(const std::size_t i : m_items->places())
-      if(const Round_item& item = (*m_items)[i]; item.may_reach) {
+    for(const Round_item& item : m_state->items)
+      if(item.may_reach) {
         if(item.is_vertex)
           accept_along(item.due, *item.starting);
         else
-          accept_across(item.due, *item.leaving);
+          accept_across(*item.leaving);
       }
   }
 
   void accept_along(const Noted& e, const Starting& s)
   {
-    for(const Edge_path& p : s.paths)
-      if(m_state->is_shorter(p.head, p.distance))
-        accept(p.head, {p.distance, Window(), null_index, p.along, e.id, true, false, 0}, Bearing::of(e));
+    for(const Vertex_opening& o : s.openings)
+      if(m_state->is_shorter(o.head, o.distance))
+        accept(o.head, {o.distance, Window(), null_index, o.along, e.id, true, false, 0});
   }
 
-  void accept_across(const Noted& e, const Leaving& l)
+  void accept_across(const Leaving& l)
   {
     for(const Face_crossing& c : l.crossings)
       if(c.is_shorter && m_state->is_shorter(c.apex, c.distance)) {
         const Window& w = c.nearest->window;
-        accept(c.apex, {c.distance, w, c.halfedge, null_index, w.root, true, false, 0}, Bearing::of(e));
+        accept(c.apex, {c.distance, w, c.halfedge, null_index, w.root, true, false, 0});
       }
   }
 
   // Restores the items that a round has removed, to be processed once more, and records the results so far.
-  void give_up_round()
+  void roll_back_round()
   {
-    for(const std::size_t i : m_items->places()) {
-      const Round_item& item = (*m_items)[i];
+    for(const Round_item& item : m_state->items)
       if(item.is_vertex) {
         if(item.starting != nullptr)
           push(item.starting->noted);
         m_vertex_queue.push(item.due);
       } else if(item.leaving != nullptr) {
-        give_up(*item.leaving, item.due);
+        roll_back(*item.leaving, item.due);
       } else {
         m_edge_queue.push(item.due);
       }
-    }
   }
 
-  void give_up(const Leaving& l, const Noted& e)
+  void roll_back(const Leaving& l, const Noted& e)
   {
     push(l.noted);
     if(l.passed < infinity)
@@ -393,15 +421,15 @@ private:
         w.state = Window_state::WAITING;
         due = (std::min)(due, w.least_distance());
       }
-    note_waiting(e.id, due, Bearing::of(e));
+    note_waiting(e.id, due);
   }
 
   void end_round()
   {
     double inverse_lengths = 0;
     std::size_t number = 0;
-    for(const std::size_t i : m_items->places())
-      if(const Round_item& item = (*m_items)[i]; item.is_vertex) {
+    for(const Round_item& item : m_state->items)
+      if(item.is_vertex) {
         push(item.starting->noted);
       } else if(item.leaving->length > 0) {
         push(item.leaving->noted);
@@ -430,7 +458,6 @@ private:
   const Triangulation& m_triangulation;
   bool m_keeps_windows;
   std::unique_ptr<State> m_state;
-  std::unique_ptr<Round_items> m_items;
   std::vector<Source_part> m_parts;
   Round_queue m_vertex_queue, m_edge_queue; // by their distances, and by when their nearest windows are due
   Round_queue m_passing;                    // edges, by the times at which the front has passed them

@@ -139,6 +139,7 @@ class Window_search
   using Number = typename Faces::Number;
   using Rounding = Number_rounding<Number>;
   using Vector = typename Faces::Vector;
+  using Direction = typename Unfolded_faces<Triangulation>::Direction;
   using Length = Path_length<Number>;
   using Arrival = Path_arrival;
   using Vertex_record = Reached_vertex<Number>;
@@ -356,7 +357,7 @@ private:
   }
 
   // The direction from which a path comes.
-  typename Faces::Direction direction(const Arrival& arrival)
+  Direction direction(const Arrival& arrival)
   {
     if(arrival.window == null_index)
       return {twin_index(arrival.along), 0};
@@ -372,7 +373,7 @@ private:
   }
 
   /* The direction in which a path leaves its start. */
-  typename Faces::Direction departure(const Arrival& arrival)
+  Direction departure(const Arrival& arrival)
   {
     if(arrival.window == null_index)
       return {arrival.along, 0};
@@ -401,7 +402,7 @@ private:
    * Returns whether the direction of a path at one of its ends lies within the face there, up to its error. In a
    * degenerate face, the rounded direction can point out of the face.
    */
-  bool is_within_face(const Arrival& arrival, const typename Faces::Direction& direction)
+  bool is_within_face(const Arrival& arrival, const Direction& direction)
   {
     if(arrival.window == null_index)
       return true;
@@ -430,11 +431,11 @@ private:
     const auto of_a = direction(a), of_b = direction(b);
     if(!is_within_face(a, of_a) || !is_within_face(b, of_b))
       return false;
-    double angle = m_faces.angle_between(of_a, of_b, same_way);
+    double angle = m_faces.in_double().angle_between(of_a, of_b, same_way);
     if(angle == 0 && start(a) == start(b))
       angle = angle_at_start(a, b);
     const Arrival& shorter = a.leg < b.leg ? a : b;
-    const bool is_beside = shorter.leg * angle <= same_way * length && m_faces.is_flat(start(shorter));
+    const bool is_beside = shorter.leg * angle <= same_way * length && m_faces.in_double().is_flat(start(shorter));
     return angle > 0 && !is_beside;
   }
 
@@ -443,7 +444,7 @@ private:
   {
     const auto of_a = departure(a), of_b = departure(b);
     const bool are_known = is_within_face(a, of_a) && is_within_face(b, of_b);
-    return are_known ? m_faces.angle_between(of_a, of_b, same_way) : 0;
+    return are_known ? m_faces.in_double().angle_between(of_a, of_b, same_way) : 0;
   }
 
   // Records a lower bound of the paths to v.
@@ -454,7 +455,7 @@ private:
       return;
     record.length.least = least;
     record.length.error = error;
-    if((record.is_source || m_faces.is_passable(v)) && !(record.has_started && record.started <= least))
+    if((record.is_source || m_faces.in_double().is_passable(v)) && !(record.has_started && record.started <= least))
       push_vertex(v, (std::min)(least, record.promised));
   }
 
@@ -479,17 +480,15 @@ private:
   void start_from(Vertex_index v)
   {
     const auto& input = m_triangulation.input();
-    const Input_halfedge_index first = input.outgoing(v);
-    if(first == null_index)
+    if(input.outgoing(v) == null_index)
       return;
     const Length before = m_vertices[v].length;
-    const Number allowance = m_faces.is_flat(v) ? row_allowance * before.error : Number(0);
+    const Number allowance = m_faces.in_double().is_flat(v) ? row_allowance * before.error : Number(0);
     const Number sigma = (std::min)(before.least - allowance, m_vertices[v].promised);
     Vertex_record& record = m_vertices.write(v);
     record.started = sigma;
     record.has_started = true;
-    Input_halfedge_index h = first;
-    do {
+    for_each_outgoing_halfedge(input, v, [&](Input_halfedge_index h) {
       ++m_number_of_starts;
       const Number along = m_faces.length(h);
       const Number computed = before.computed + along, error = evaluation_error * (before.computed + along);
@@ -506,8 +505,7 @@ private:
               (std::max)(place.imag(), Number(0)), sigma, step_error * (side.length + along), 0},
              side.length);
       }
-      h = input.next(twin_index(h));
-    } while(h != first);
+    });
   }
 
   // Stores a window on an edge if it can be useful. The length is a copy, since computing faces moves their sides.
@@ -553,12 +551,12 @@ private:
   // Returns whether a vertex replaces the part of a window whose points are at most this far from it.
   bool goes_along(const Window& w, Vertex_index v, const Number& place, const Number& farthest)
   {
-    if(!is_reached(v) || !m_faces.is_passable(v))
+    if(!is_reached(v) || !m_faces.in_double().is_passable(v))
       return false;
     // The distance of the rays from the vertex.
     const Number run = norm(place - w.x, w.y) - farthest - w.radius;
     const Number offset = run > 0 ? farthest * (std::min)((w.y + w.radius) / run, Number(1)) : farthest;
-    if(offset > 32 * w.radius || !(2 * farthest < m_faces.nearest_edge(v)))
+    if(offset > 32 * w.radius || !(2 * farthest < m_faces.in_double().nearest_edge(v)))
       return false;
     const Number least = w.least(place) - 2 * offset;
     Vertex_record& record = m_vertices.write(v);

@@ -8,6 +8,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <cstddef>
@@ -35,6 +36,29 @@ void for_each_index(std::size_t n, const Function& function)
 #endif
   for(std::size_t i = 0; i < n; ++i)
     function(i);
+}
+
+/* Returns a bound of `thread_index()` in the calls of `for_each_index()`. */
+template <class ConcurrencyTag>
+std::size_t number_of_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value)
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#endif
+  return 1;
+}
+
+/* Returns a number of the thread that makes a call of `for_each_index()`, unique among the threads that make calls at
+ * the same time. */
+template <class ConcurrencyTag>
+std::size_t thread_index()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value)
+    return static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+#endif
+  return 0;
 }
 
 } // namespace internal
