@@ -74,7 +74,7 @@ void run_by_four(const Function& function)
 #endif
 }
 
-// Each index comes once in each of many loops, and no two threads of a loop have one number at the same time.
+// Each index occurs once in each of many loops, and no two threads of a loop have the same number at the same time.
 BOOST_AUTO_TEST_CASE(threads_of_a_loop_have_numbers)
 {
   using Tag = CGAL::Parallel_if_available_tag;
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(threads_of_a_loop_have_numbers)
   });
 }
 
-// A grid on which several threads meet faces that are no triangles at the same time, as seen from the middle.
+// A grid some of whose faces are quadrilaterals, several of which are reached in one round from the middle.
 Mesh grid_with_quads(int n, std::mt19937& random)
 {
   Mesh mesh;
@@ -117,7 +117,7 @@ Mesh grid_with_quads(int n, std::mt19937& random)
   return mesh;
 }
 
-// Of several exceptions in a round, that of the same face is thrown, whatever the number of threads.
+// If several items of a round throw, the exception of the same face is rethrown for any number of threads.
 BOOST_AUTO_TEST_CASE(threads_throw_the_same)
 {
   std::mt19937 random(6);

@@ -475,17 +475,15 @@ class Cone_sweep
 
 public:
   /* \param goal the end of the paths that matter
-   * \param free_updates number of exact updates of a cone; more are expensive at needles, but keep the bounds good
-   * \param most_updates_per_side on average; more, which six free ones cannot cause, end a useless propagation */
+   * \param free_updates number of exact updates of a cone; more are expensive at needles, but keep the bounds good */
   Cone_sweep(const Triangulation& triangulation, Faces& faces, Vertex_index source,
-             const Goal_bound<Triangulation>& goal, int free_updates = 6, std::size_t most_updates_per_side = 26)
+             const Goal_bound<Triangulation>& goal, int free_updates = 6)
     : m_triangulation(triangulation)
     , m_faces(faces)
     , m_source(source)
     , m_goal(goal)
     , m_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
     , m_free_updates(free_updates)
-    , m_most_updates_per_side(most_updates_per_side)
   {
   }
 
@@ -563,6 +561,9 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // On average. More cost as much as windows, and end a useless propagation; six free updates cannot cause that many.
+  static constexpr std::size_t most_updates_per_side = 26;
 
   // The way in which paths come to a side of a face: across the previous side, across the next side, or by way of the
   // apex.
@@ -782,7 +783,7 @@ private:
     ++wave.number_of_updates;
     if(wave.number_of_updates > m_free_updates)
       m_total_error += tolerance(wave);
-    if(m_updates > m_most_updates_per_side * m_faces.size()) // not useful any more
+    if(m_updates > most_updates_per_side * m_faces.size()) // not useful any more
       m_total_error = infinity;
     wave.cones = fitted_cones(parts, length, m_error);
     wave.is_set = true;
@@ -887,7 +888,6 @@ private:
   Block_array<Wave> m_waves; // of sides, that is, of halfedges whose faces have been computed
   Written_records<Vertex_index, Vertex_record> m_vertices;
   int m_free_updates;
-  std::size_t m_most_updates_per_side;
   Heap_of_four<Entry> m_queue;
   double m_bound = infinity, m_error = 0, m_total_error = 0;
   std::size_t m_updates = 0;

@@ -244,17 +244,14 @@ template <class Triangulation>
 class Goal_bound
 {
 public:
-  explicit Goal_bound(const Triangulation& triangulation)
-    : m_triangulation(triangulation)
-  {
-  }
-
-  Goal_bound(const Triangulation& triangulation, Vertex_index goal, const Landmark_rows* landmarks = nullptr)
+  Goal_bound(const Triangulation& triangulation, Vertex_index goal = null_index,
+             const Landmark_rows* landmarks = nullptr)
     : m_triangulation(triangulation)
     , m_goal(goal)
-    , m_place(triangulation.metric().place(triangulation.input(), goal))
     , m_landmarks(landmarks)
   {
+    if(goal != null_index)
+      m_place = triangulation.metric().place(triangulation.input(), goal);
     if(landmarks != nullptr)
       find_known_vertices();
   }
@@ -299,9 +296,9 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  Vertex_index m_goal = null_index;
+  Vertex_index m_goal; // null if every bound is zero
   typename Triangulation::Metric::Place m_place = {};
-  const Landmark_rows* m_landmarks = nullptr;
+  const Landmark_rows* m_landmarks;
   std::vector<Known_vertex> m_known; // the goal, or neighbors of it
 };
 

@@ -138,11 +138,8 @@ public:
   /* Returns the longest side of a piece, by its half; a total order decides between equal ones. */
   Index longest(const Piece& piece) const
   {
-    Index result = piece.halves[0];
-    for(Index i = 1; i < 3; ++i)
-      if(is_longer(piece.halves[i], result))
-        result = piece.halves[i];
-    return result;
+    return *std::max_element(piece.halves.begin(), piece.halves.end(),
+                             [this](Index a, Index b) { return is_longer(b, a); });
   }
 
   /* Bisects pieces, and others as necessary, until `is_fine(piece)` holds for all. */

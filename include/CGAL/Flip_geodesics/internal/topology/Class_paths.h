@@ -94,7 +94,7 @@ public:
     , m_goal(triangulation.metric().place(triangulation.input(), goal))
     , m_bound(bound)
     , m_faces(triangulation)
-    , m_sweep(triangulation, m_faces, source, {triangulation, goal}, free_updates, most_updates_per_side)
+    , m_sweep(triangulation, m_faces, source, {triangulation, goal}, free_updates)
   {
   }
 
@@ -172,9 +172,7 @@ public:
   const Windows_by_halfedge& windows_inside() const { return m_windows_inside; }
 
 private:
-  // Many, since few cones at needles require them; a larger average costs as much as windows.
-  static constexpr int free_updates = 400;
-  static constexpr std::size_t most_updates_per_side = 26;
+  static constexpr int free_updates = 400; // many, since few cones at needles require them
 
   // The bound for paths that meet on the edge of h between its ends. Paths to the goal on either side count: those on
   // one side may have been dropped in favor of shorter ones on the other. Paths that run along the edge pass an end.
