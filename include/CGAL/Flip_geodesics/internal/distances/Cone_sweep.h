@@ -398,7 +398,7 @@ private:
 };
 
 /*
- * One record for each element of a sequence of which few are written. Written records are contiguous, in the order of
+ * Records for the elements of a sequence, only few of which are written. Written records are contiguous, in the order of
  * their first writing, and do not move. All others share one record with its initial value.
  */
 template <class Key, class Record>

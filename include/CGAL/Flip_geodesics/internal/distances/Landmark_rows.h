@@ -266,7 +266,7 @@ public:
   }
 
 private:
-  // A vertex of which landmarks have a row, and an upper bound of its distance from the goal.
+  // A vertex that has a row, and an upper bound of its distance from the goal.
   struct Known_vertex
   {
     Vertex_index vertex;

@@ -423,7 +423,7 @@ struct Face_side
   Vertex_index tail;
 };
 
-/* The sides of the input faces, computed when a face is first requested, by several threads at once if need be. */
+/* The sides of the input faces, computed when a face is first requested, possibly by several threads simultaneously. */
 template <class Triangulation>
 class Face_sides
 {

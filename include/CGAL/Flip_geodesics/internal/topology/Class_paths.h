@@ -204,7 +204,7 @@ private:
 
 /*
  * The shortest paths from one vertex to another in several homotopy classes: shortest paths to the target's lifts in
- * the universal covering, of which a part is constructed.
+ * the universal covering, a part of which is constructed.
  *
  * Paths that leave the part cross its frontier. Two lower-bound propagations bound their lengths from below, up to the
  * frontier and on to the target. The part is enlarged at the frontier until this bound exceeds the lengths of the

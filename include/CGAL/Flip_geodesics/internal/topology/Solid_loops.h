@@ -541,7 +541,7 @@ private:
     return std::all_of(product.begin(), product.end(), [](std::int64_t x) { return x == 0; });
   }
 
-  // Adds other classes to a class as long as this shortens the loops of which it consists.
+  // Adds other classes to a class as long as this shortens the sum of its loops.
   void shorten(std::vector<Row>& rows, std::size_t i, const std::vector<Row>& classes) const
   {
     const auto is_improved_by = [&](const Row& other) {
