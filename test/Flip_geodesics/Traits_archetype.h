@@ -3,10 +3,13 @@
 #ifndef FLIP_GEODESICS_TEST_TRAITS_ARCHETYPE_H
 #define FLIP_GEODESICS_TEST_TRAITS_ARCHETYPE_H
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
@@ -219,6 +222,49 @@ private:
   }
 
   static long double norm(const std::array<double, 2>& v) { return std::hypot((long double)v[0], (long double)v[1]); }
+};
+
+/*
+ * Adds the optional overloads of the functors that lay out faces. Each reports its call; faces from points are not
+ * expected for exact coordinates, and have no definition.
+ */
+class Traits_with_exact_faces : public Traits_archetype
+{
+public:
+  using Point_3 = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
+  using Integer =
+      boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+  static inline int faces_from_sides = 0, faces_from_squares = 0;
+
+  struct Construct_face_3
+  {
+    Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const;
+
+    Face_geometry operator()(const std::array<std::array<double, 3>, 3>& sides) const
+    {
+      ++faces_from_sides;
+      const auto length = [&](int i) { return std::hypot(sides[i][0], sides[i][1], sides[i][2]); };
+      return Traits_archetype::Construct_face_from_lengths()(length(0), length(1), length(2));
+    }
+  };
+
+  struct Construct_face_from_lengths
+  {
+    Face_geometry operator()(double a, double b, double c) const;
+
+    Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const
+    {
+      ++faces_from_squares;
+      const auto length = [&](int i) {
+        return std::sqrt(static_cast<double>(squares[i]) / static_cast<double>(denominator));
+      };
+      return Traits_archetype::Construct_face_from_lengths()(length(0), length(1), length(2));
+    }
+  };
+
+  Construct_face_3 construct_face_3_object() const { return {}; }
+  Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; }
 };
 
 } // namespace Flip_geodesics_test

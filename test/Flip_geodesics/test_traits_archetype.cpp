@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE traits_archetype
 
 #include "Curve_setting.h"
+#include "Metric_archetype.h"
 #include "Traits_archetype.h"
 #include "descriptors.h"
 #include "generated_curves.h"
@@ -13,6 +14,10 @@
 
 #include <CGAL/Flip_geodesics/extract.h>
 
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -125,4 +130,39 @@ BOOST_AUTO_TEST_CASE(the_same_edges_are_delaunay)
   BOOST_TEST(flips > 10);
   BOOST_TEST(flip_to_delaunay(archetype.triangulation, 10000) == flips);
   BOOST_TEST(are_all_edges_delaunay(archetype.triangulation));
+}
+
+template <template <class> class Metric, class Mesh>
+void lengths_are_those_of_the_mesh(const Mesh& mesh)
+{
+  using Points = FG::Embedded_metric<Mesh, typename boost::property_map<Mesh, CGAL::vertex_point_t>::const_type>;
+  const Metric<Points> metric(get(CGAL::vertex_point, mesh));
+  const FG::Intrinsic_triangulation<Mesh, Traits_with_exact_faces, Metric<Points>> triangulation(mesh, metric);
+  for(int i = 0; i < triangulation.number_of_halfedges(); ++i) {
+    const FG::Halfedge_index h(i);
+    const auto point = [&](FG::Vertex_index v) { return mesh.point(triangulation.input().vertex(v)); };
+    const auto square = CGAL::squared_distance(point(triangulation.tail(h)), point(triangulation.head(h)));
+    BOOST_TEST(triangulation.length(h) == std::sqrt(CGAL::to_double(square)), boost::test_tools::tolerance(1e-15));
+  }
+}
+
+template <class Point>
+CGAL::Surface_mesh<Point> corner_of_a_cube()
+{
+  CGAL::Surface_mesh<Point> mesh;
+  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), mesh);
+  return mesh;
+}
+
+template <class Metric>
+using Itself = Metric;
+template <class Metric>
+using With_squares = Metric_archetype<Metric_with_squares<Metric>>;
+
+BOOST_AUTO_TEST_CASE(faces_of_exact_numbers_call_the_optional_overloads)
+{
+  lengths_are_those_of_the_mesh<Itself>(corner_of_a_cube<Traits_with_exact_faces::Point_3>());
+  BOOST_TEST(Traits_with_exact_faces::faces_from_sides == 4);
+  lengths_are_those_of_the_mesh<With_squares>(corner_of_a_cube<Surface::Point>());
+  BOOST_TEST(Traits_with_exact_faces::faces_from_squares == 4);
 }

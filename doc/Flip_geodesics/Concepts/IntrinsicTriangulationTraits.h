@@ -65,13 +65,21 @@ public:
   /// `Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const`: the face whose halfedges
   /// lead from `p` to `q`, from `q` to `r` and from `r` to `p`. `Embedded_metric` calls it once for each
   /// input face that is used. \pre the points differ pairwise; they may be collinear
+  ///
+  /// A further overload, `Face_geometry operator()(const std::array<std::array<double, 3>, 3>& sides) const`, is
+  /// optional: the face whose halfedges have these vectors in space. If it exists, `Embedded_metric` calls it instead
+  /// for points with exact rational coordinates; each coordinate of a vector is then the exact difference of those of
+  /// two points, rounded once.
   typedef unspecified_type Construct_face_3;
 
   /// `Face_geometry operator()(double a, double b, double c) const`: the face whose halfedges have these lengths, in
-  /// the order of the face. `Edge_length_metric` calls it once for each input face that is used. The functors of the
-  /// models in this package have further overloads, for exact squared lengths, and in `Construct_face_3` for rounded
-  /// sides. These overloads are not part of the concept; other models are called with doubles and points.
+  /// the order of the face. `Edge_length_metric` calls it once for each input face that is used.
   /// \pre the lengths are positive and satisfy the triangle inequality; equality is allowed
+  ///
+  /// A further overload, `Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator)
+  /// const`, is optional: the face whose halfedges have exactly the squared lengths `squares[i] / denominator`. If it
+  /// exists, it is called instead for metrics with the member `IntrinsicMetric::squared_length()`. `Integer` is
+  /// `boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>`.
   typedef unspecified_type Construct_face_from_lengths;
 
   /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: the face whose

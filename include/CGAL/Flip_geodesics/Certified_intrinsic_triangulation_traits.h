@@ -118,8 +118,8 @@ public:
       return with_error(typename Plain::Construct_face_3()(p, q, r), internal::face_layout_error);
     }
 
-    /// Returns the face with these sides.
-    Face_geometry operator()(const internal::Rounded_sides& sides) const
+    /// Returns the face whose halfedges have the vectors `sides` in space.
+    Face_geometry operator()(const std::array<std::array<double, 3>, 3>& sides) const
     {
       return with_error(typename Plain::Construct_face_3()(sides), internal::face_layout_error);
     }
@@ -136,10 +136,13 @@ public:
       return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), internal::face_layout_error);
     }
 
-    /// Returns the face with these exact squared side lengths.
-    Face_geometry operator()(const internal::Squared_lengths& lengths) const
+    /// Returns the face whose halfedges have the exact squared lengths `squares[i] / denominator`.
+    /// \tparam Integer see `IntrinsicTriangulationTraits`
+    template <class Integer>
+    Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const
     {
-      return with_error(typename Plain::Construct_face_from_lengths()(lengths), internal::face_layout_error);
+      return with_error(typename Plain::Construct_face_from_lengths()(squares, denominator),
+                        internal::face_layout_error);
     }
   };
 

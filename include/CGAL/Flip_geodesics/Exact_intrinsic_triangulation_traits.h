@@ -78,6 +78,22 @@ class Exact_intrinsic_triangulation_traits
 
   using Geometry = std::conditional_t<is_exact, internal::Squared_length_geometry<NT>, internal::Vector_geometry<NT>>;
 
+  // A functor refers to the unit of area of the traits that returned it.
+  class Functor_with_unit
+  {
+  public:
+    explicit Functor_with_unit(const Area_unit& unit)
+      : m_unit(&unit)
+    {
+    }
+
+  protected:
+    const Area_unit& unit() const { return *m_unit; }
+
+  private:
+    const Area_unit* m_unit;
+  };
+
 public:
   using FT = NT; ///< the type of squared lengths
   /// Rounded numbers drift, even if this is not noticeable with 100 digits. Intervals bound their error.
@@ -120,23 +136,19 @@ public:
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
   /// Constructs a face from points. \throws Inexact_root_error if the area is not rational in the unit of area
-  class Construct_face_3
+  class Construct_face_3 : Functor_with_unit
   {
     using Vector_3 = typename Geometry::Vector_3;
 
   public:
-    /// Constructs the functor with the unit of area of the traits, which must outlive it.
-    explicit Construct_face_3(const Area_unit& unit)
-      : m_unit(&unit)
-    {
-    }
+    using Functor_with_unit::Functor_with_unit;
 
     /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       const Vector_3 u = difference(p, q), v = difference(q, r), w = difference(r, p);
       const NT x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
-      return Geometry::face(u, v, w, m_unit->root(NT(NT(4) * NT(x * x + y * y + z * z))));
+      return Geometry::face(u, v, w, this->unit().root(NT(NT(4) * NT(x * x + y * y + z * z))));
     }
 
   private:
@@ -157,40 +169,35 @@ public:
     {
       return {NT(number(q.x()) - number(p.x())), NT(number(q.y()) - number(p.y())), NT(number(q.z()) - number(p.z()))};
     }
-
-    const Area_unit* m_unit;
   };
 
   /// Constructs a face from lengths. \throws Inexact_root_error if the area is not rational in the unit of area
-  class Construct_face_from_lengths
+  class Construct_face_from_lengths : Functor_with_unit
   {
   public:
-    /// Constructs the functor with the unit of area of the traits, which must outlive it.
-    explicit Construct_face_from_lengths(const Area_unit& unit)
-      : m_unit(&unit)
-    {
-    }
+    using Functor_with_unit::Functor_with_unit;
 
     /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const { return face(NT(a), NT(b), NT(c)); }
 
-    /// Returns the face with these exact squared side lengths.
-    Face_geometry operator()(const internal::Squared_lengths& lengths) const
+    /// Returns the face whose halfedges have the exact squared lengths `squares[i] / denominator`.
+    /// \tparam Integer see `IntrinsicTriangulationTraits`
+    template <class Integer>
+    Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const
     {
-      const NT unit = internal::converted<NT>(lengths.denominator);
-      const auto square = [&](std::size_t i) { return NT(internal::converted<NT>(lengths.numerators[i]) / unit); };
-      const NT area = NT(internal::converted<NT>(lengths.quadrupled_area_squared()) / NT(unit * unit));
-      return Geometry::face_from_squares(square(0), square(1), square(2), m_unit->root(area));
+      const internal::Squared_lengths lengths = {squares, denominator};
+      const NT divisor = internal::converted<NT>(denominator);
+      const auto square = [&](std::size_t i) { return NT(internal::converted<NT>(squares[i]) / divisor); };
+      const NT area = NT(internal::converted<NT>(lengths.quadrupled_area_squared()) / NT(divisor * divisor));
+      return Geometry::face_from_squares(square(0), square(1), square(2), this->unit().root(area));
     }
 
   private:
     Face_geometry face(const NT& a, const NT& b, const NT& c) const
     {
       const NT square = NT((a + b + c) * (a + b - c)) * NT((b + c - a) * (c + a - b)); // of 4 area [Heron]
-      return Geometry::face_from_squares(NT(a * a), NT(b * b), NT(c * c), m_unit->root(square));
+      return Geometry::face_from_squares(NT(a * a), NT(b * b), NT(c * c), this->unit().root(square));
     }
-
-    const Area_unit* m_unit;
   };
 
   /// Constructs a face from vectors; the library calls it only for rounded numbers and intervals. \pre `NT` is not
@@ -225,14 +232,10 @@ public:
   using Construct_subface = std::conditional_t<is_exact, Construct_exact_subface, void>;
 
   /// Extends a turn as `Intrinsic_triangulation_traits::Extend_turn` does.
-  class Extend_turn
+  class Extend_turn : Functor_with_unit
   {
   public:
-    /// Constructs the functor with the unit of area of the traits, which must outlive it.
-    explicit Extend_turn(const Area_unit& unit)
-      : m_unit(&unit)
-    {
-    }
+    using Functor_with_unit::Functor_with_unit;
 
     /// Adds the corner at the head of `in` to `turn`.
     void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
@@ -252,7 +255,7 @@ public:
         turn.x = corner.x;
         turn.y = corner.y;
       } else {
-        const NT product_x = NT(turn.x * corner.x) - m_unit->product(turn.y, corner.y);
+        const NT product_x = NT(turn.x * corner.x) - this->unit().product(turn.y, corner.y);
         turn.y = NT(turn.x * corner.y + turn.y * corner.x);
         turn.x = product_x;
       }
@@ -307,8 +310,6 @@ public:
         }
       }
     }
-
-    const Area_unit* m_unit;
   };
 
   /// Compares a turn with \f$\pi\f$. \throws Uncertain_conversion_exception if intervals do not determine the sign
@@ -320,14 +321,10 @@ public:
   };
 
   /// Computes the key of a turn. For number types with a radicand, equal angles have equal keys.
-  class Turn_key
+  class Turn_key : Functor_with_unit
   {
   public:
-    /// Constructs the functor with the unit of area of the traits, which must outlive it.
-    explicit Turn_key(const Area_unit& unit)
-      : m_unit(&unit)
-    {
-    }
+    using Functor_with_unit::Functor_with_unit;
 
     /// Returns the key, a number in [0, 2], rounded.
     double operator()(const Turn& turn) const
@@ -350,34 +347,25 @@ public:
       const double cotangent = Operations::to_double(NT(turn.x / turn.y));
       if(!std::isfinite(cotangent))
         return cotangent > 0 ? 0 : 2;
-      return key(cotangent, m_unit->to_double());
+      return key(cotangent, this->unit().to_double());
     }
 
     static double key(double x, double y) { return 1 - x / (std::abs(x) + y); }
-
-    const Area_unit* m_unit;
   };
 
   /// Flips an edge with one division and no root.
-  class Flip
+  class Flip : Functor_with_unit
   {
   public:
-    /// Constructs the functor with the unit of area of the traits, which must outlive it.
-    explicit Flip(const Area_unit& unit)
-      : m_unit(&unit)
-    {
-    }
+    using Functor_with_unit::Functor_with_unit;
 
     /// Returns the new geometry of `h`, `t`, `tn` and `tp`.
     Flipped_geometry operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
     {
-      return Geometry::flip(*m_unit, h, hn, hp, t, tn, tp);
+      return Geometry::flip(this->unit(), h, hn, hp, t, tn, tp);
     }
-
-  private:
-    const Area_unit* m_unit;
   };
 
   /*!
@@ -385,14 +373,10 @@ public:
    * `angle_tolerance()`.
    * \throws Uncertain_conversion_exception if intervals do not determine the sign
    */
-  class Is_locally_delaunay
+  class Is_locally_delaunay : Functor_with_unit
   {
   public:
-    /// Constructs the functor with the unit of area of the traits, which must outlive it.
-    explicit Is_locally_delaunay(const Area_unit& unit)
-      : m_unit(&unit)
-    {
-    }
+    using Functor_with_unit::Functor_with_unit;
 
     /// Returns the result, which is certain unless an exception is thrown.
     Uncertain<bool> operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
@@ -402,7 +386,7 @@ public:
       const auto k = Geometry::corner(hn, hp, h), l = Geometry::corner(tn, tp, t);
       const NT y = NT(k.x * l.y + k.y * l.x);
       if constexpr(is_rounded) {
-        const NT x = NT(k.x * l.x) - m_unit->product(k.y, l.y);
+        const NT x = NT(k.x * l.x) - this->unit().product(k.y, l.y);
         const bool is_past_three_halves = k.x < 0 && l.x < 0 && x > 0;
         return !is_past_three_halves && -y <= NT(angle_tolerance()) * (x < 0 ? NT(-x) : x);
       } else {
@@ -415,9 +399,6 @@ public:
         return (sine != NEGATIVE).make_certain();
       }
     }
-
-  private:
-    const Area_unit* m_unit;
   };
 
   /// Determines whether a number is too inaccurate, which is possible only for intervals.

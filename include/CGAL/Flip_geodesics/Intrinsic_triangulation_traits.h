@@ -149,10 +149,9 @@ public:
       return operator()(internal::rounded_sides(p, q, r));
     }
 
-    /// Returns the face with these sides.
-    Face_geometry operator()(const internal::Rounded_sides& sides) const
+    /// Returns the face whose halfedges have the vectors `e` in space.
+    Face_geometry operator()(const std::array<std::array<double, 3>, 3>& e) const
     {
-      const std::array<Vector_3, 3>& e = sides.vectors;
       const double base = std::sqrt(dot(e[0], e[0]));
       const double height = doubled_area(e) / base;
       return {{{base, 0}, {dot(e[0], e[1]) / base, height}, {dot(e[0], e[2]) / base, -height}}};
@@ -196,9 +195,12 @@ public:
       return turned_to_first(face, a);
     }
 
-    /// Returns the face with these exact squared side lengths. Each coordinate is computed exactly and then rounded.
-    Face_geometry operator()(const internal::Squared_lengths& lengths) const
+    /// Returns the face whose halfedges have the exact squared lengths `squares[i] / denominator`. Each coordinate is
+    /// computed exactly and then rounded. \tparam Integer see `IntrinsicTriangulationTraits`
+    template <class Integer>
+    Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const
     {
+      const internal::Squared_lengths lengths = {squares, denominator};
       const double base = lengths.length(0).high, height = lengths.doubled_area().high / base;
       return {{{base, 0}, {lengths.dot(0).high / base, height}, {lengths.dot(2).high / base, -height}}};
     }

@@ -207,11 +207,12 @@ public:
   {
     using Construct = typename Traits::Construct_face_3;
     const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-    if constexpr(is_rational && std::is_invocable<const Construct&, const internal::Rounded_sides&>::value) {
-      const internal::Rounded_sides sides = {{vector(mesh, h), vector(mesh, hn), vector(mesh, hp)}};
-      check_length(mesh, h, sides.vectors[0]);
-      check_length(mesh, hn, sides.vectors[1]);
-      check_length(mesh, hp, sides.vectors[2]);
+    using Sides = std::array<std::array<double, 3>, 3>;
+    if constexpr(is_rational && std::is_invocable<const Construct&, const Sides&>::value) {
+      const Sides sides = {{vector(mesh, h), vector(mesh, hn), vector(mesh, hp)}};
+      check_length(mesh, h, sides[0]);
+      check_length(mesh, hn, sides[1]);
+      check_length(mesh, hp, sides[2]);
       return traits.construct_face_3_object()(sides);
     }
     for(Input_halfedge_index side : {h, hn, hp})

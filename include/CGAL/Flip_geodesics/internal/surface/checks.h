@@ -154,7 +154,7 @@ Squared_lengths squared_lengths(const Metric& metric, const Mesh& mesh, Input_ha
   return {squares.numerators, squares.denominator};
 }
 
-/* Returns the geometry of the face on the left of h, from rounded lengths for traits other than those of the package. */
+/* Returns the geometry of the face on the left of h, from rounded lengths if the traits take no exact squared ones. */
 template <class Metric, class Mesh, class Traits>
 typename Traits::Face_geometry face_geometry_from_squares(const Metric& metric, const Mesh& mesh,
                                                           Input_halfedge_index h, const Traits& traits)
@@ -165,8 +165,8 @@ typename Traits::Face_geometry face_geometry_from_squares(const Metric& metric, 
   if(!squares.satisfy_triangle_inequality())
     throw_triangle_inequality(mesh, h);
   const auto construct = traits.construct_face_from_lengths_object();
-  if constexpr(std::is_invocable<decltype(construct), const Squared_lengths&>::value)
-    return construct(squares);
+  if constexpr(std::is_invocable<decltype(construct), const std::array<Integer, 3>&, const Integer&>::value)
+    return construct(squares.numerators, squares.denominator);
   else
     return construct(a, b, c);
 }

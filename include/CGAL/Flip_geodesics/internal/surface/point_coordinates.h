@@ -150,15 +150,9 @@ std::array<double, 3> rounded_vector(const Precise_place& p, const Precise_place
   return result;
 }
 
-/* The sides of a triangle in space as vectors, each coordinate rounded once. */
-struct Rounded_sides
-{
-  std::array<std::array<double, 3>, 3> vectors;
-};
-
-/* Returns the vectors from p to q, to r, and back. */
+/* Returns the vectors from p to q, to r, and back, each coordinate rounded once. */
 template <class Point>
-Rounded_sides rounded_sides(const Point& p, const Point& q, const Point& r)
+std::array<std::array<double, 3>, 3> rounded_sides(const Point& p, const Point& q, const Point& r)
 {
   const auto side = [](const Point& a, const Point& b) {
     const auto [x, y, z] = precise_vector(a, b);

@@ -639,8 +639,9 @@ public:
       return assembled({{{a, 0}, {b, 0}, {c, 0}}}, {{dot(a, b, c), dot(b, c, a), dot(c, a, b)}}, doubled_area(a, b, c));
     }
 
-    Face_geometry operator()(const Squared_lengths& l) const
+    Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const
     {
+      const Squared_lengths l = {squares, denominator};
       return assembled({{l.length(0), l.length(1), l.length(2)}}, {{l.dot(0), l.dot(1), l.dot(2)}}, l.doubled_area());
     }
 
