@@ -341,7 +341,7 @@ namespace IO {
  * The file has a node `surface`, a node `curve_N` for each curve, and a node `points`. Coordinates are floats relative
  * to the center of the surface. With an `IO::Texture`, each face has three separate vertices with `TEXCOORD_0`.
  *
- * \param out a binary stream
+ * \param destination a binary stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`; the named parameters `use_binary_mode` and `stream_precision` are
  *        ignored. A mesh without faces is omitted
  *
@@ -350,18 +350,10 @@ namespace IO {
  *         represent
  * \throws Invalid_mesh_error as `write_VTP()` does
  */
-template <class... Parts>
-void write_GLB(std::ostream& out, const Parts&... parts)
+template <class Destination, class... Parts>
+void write_GLB(Destination&& destination, const Parts&... parts)
 {
-  internal::write_parts<internal::Glb_writer>(out, parts...);
-}
-
-/// \ingroup PkgFlipGeodesicsIO
-/// Writes surfaces, curves and points to a file in binary glTF 2.0; an existing file is replaced.
-template <class... Parts>
-void write_GLB(const std::string& file, const Parts&... parts)
-{
-  internal::write_parts<internal::Glb_writer>(file, parts...);
+  internal::write_parts<internal::Glb_writer>(destination, parts...);
 }
 
 } // namespace IO

@@ -115,25 +115,17 @@ namespace IO {
  * have texture coordinates, `vt`, if these are finite. If `IO::Colors` names a material library, objects have
  * materials.
  *
- * \param out a stream
+ * \param destination a stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`; the named parameter `use_binary_mode` is ignored
  *
  * \throws File_write_error as `write_VTP()` does
  * \throws Invalid_coordinate_error as `write_VTP()` does
  * \throws Invalid_mesh_error as `write_VTP()` does
  */
-template <class... Parts>
-void write_OBJ(std::ostream& out, const Parts&... parts)
+template <class Destination, class... Parts>
+void write_OBJ(Destination&& destination, const Parts&... parts)
 {
-  internal::write_parts<internal::Obj_writer>(out, parts...);
-}
-
-/// \ingroup PkgFlipGeodesicsIO
-/// Writes surfaces, curves and points to a file in the OBJ format; an existing file is replaced.
-template <class... Parts>
-void write_OBJ(const std::string& file, const Parts&... parts)
-{
-  internal::write_parts<internal::Obj_writer>(file, parts...);
+  internal::write_parts<internal::Obj_writer>(destination, parts...);
 }
 
 /// \ingroup PkgFlipGeodesicsIO

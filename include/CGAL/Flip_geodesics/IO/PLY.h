@@ -163,7 +163,7 @@ namespace IO {
  * names. A vector has three properties, whose names end in `_x`, `_y` and `_z`, and an array has one property for each
  * position. MeshLab colors a surface by the property `quality`. With `IO::Colors`, vertices and edges have colors.
  *
- * \param out a stream
+ * \param destination a stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`
  *
  * \throws File_write_error as `write_VTP()` does, and if the data have more than 2147483647 points
@@ -172,18 +172,10 @@ namespace IO {
  * \throws Invalid_parameter_error as `write_VTP()` does, and if values have the name of a coordinate or, with
  *         `IO::Colors`, of a color
  */
-template <class... Parts>
-void write_PLY(std::ostream& out, const Parts&... parts)
+template <class Destination, class... Parts>
+void write_PLY(Destination&& destination, const Parts&... parts)
 {
-  internal::write_parts<internal::Ply_writer>(out, parts...);
-}
-
-/// \ingroup PkgFlipGeodesicsIO
-/// Writes surfaces, curves and points to a file in the PLY format; an existing file is replaced.
-template <class... Parts>
-void write_PLY(const std::string& file, const Parts&... parts)
-{
-  internal::write_parts<internal::Ply_writer>(file, parts...);
+  internal::write_parts<internal::Ply_writer>(destination, parts...);
 }
 
 } // namespace IO

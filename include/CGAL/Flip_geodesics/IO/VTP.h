@@ -235,8 +235,8 @@ namespace IO {
  * have an array for each `Vertex_values`. If an exception is thrown because of the data, nothing is written. The data
  * are not copied, but tubes are kept until they are written, and a mesh other than a `Surface_mesh` is numbered.
  *
- * \param out a stream, opened in binary mode on systems that distinguish it from text; its locale and format settings
- *        have no effect
+ * \param destination the name of a file, which is replaced if it exists, or a stream, opened in binary mode on systems
+ *        that distinguish it from text; its locale and format settings have no effect
  * \param parts the data, one or several of:
  *        - a triangle mesh, a model of `FaceListGraph`;
  *        - a range of points, with `x()`, `y()` and `z()`;
@@ -275,18 +275,10 @@ namespace IO {
  *
  * Complexity: linear in the size of the data.
  */
-template <class... Parts>
-void write_VTP(std::ostream& out, const Parts&... parts)
+template <class Destination, class... Parts>
+void write_VTP(Destination&& destination, const Parts&... parts)
 {
-  internal::write_parts<internal::Vtp_writer>(out, parts...);
-}
-
-/// \ingroup PkgFlipGeodesicsIO
-/// Writes surfaces, curves and points to a file in the PolyData format of VTK; an existing file is replaced.
-template <class... Parts>
-void write_VTP(const std::string& file, const Parts&... parts)
-{
-  internal::write_parts<internal::Vtp_writer>(file, parts...);
+  internal::write_parts<internal::Vtp_writer>(destination, parts...);
 }
 
 } // namespace IO

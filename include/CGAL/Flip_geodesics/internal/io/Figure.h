@@ -778,13 +778,17 @@ void write_to(const std::string& name, const Writer& writer, const Number_format
 template <class Writer, class Destination, class... Parts>
 void write_parts(Destination& destination, const Parts&... parts)
 {
+  constexpr bool is_destination =
+      std::is_convertible<Destination&, std::ostream&>::value || std::is_convertible<Destination&, std::string>::value;
+  static_assert(is_destination, "the first argument is neither a stream nor the name of a file");
   const auto& np = named_parameters_of(parts...);
   Number_format format;
   format.precision =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::stream_precision), format.precision);
   format.is_binary = parameters::choose_parameter(parameters::get_parameter(np, internal_np::use_binary_mode), true);
   const Figure figure = figure_of_parts(np, parts...);
-  write_to(destination, Writer(figure, format), format);
+  if constexpr(is_destination) // avoids another error message
+    write_to(destination, Writer(figure, format), format);
 }
 
 } // namespace internal
