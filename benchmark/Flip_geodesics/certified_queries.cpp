@@ -82,7 +82,8 @@ template <class Triangulation>
 void query(const Mesh& mesh, const Ends& ends, std::size_t& flips, FG::Decision_statistics& decisions)
 {
   Triangulation triangulation(mesh);
-  FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::LOOK_BACK);
+  FG::Shortest_edge_path<Triangulation> search(triangulation,
+                                               CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   FG::Edge_path_network<Triangulation> network(triangulation);
   flips += FG::add_straightened_path(network, search(ends[0], ends[1]));
   flips += FG::shorten(network).flips;
@@ -266,7 +267,8 @@ private:
     const Vertex source = vertex();
     const std::vector<Vertex> targets = {other_vertex(source), other_vertex(source), other_vertex(source)};
     call("network", [&] {
-      FG::Shortest_edge_path<Certified> search(m_triangulation, FG::Search_method::DIJKSTRA);
+      FG::Shortest_edge_path<Certified> search(m_triangulation,
+                                               CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
       std::vector<std::vector<Vertex>> curves;
       for(Vertex target : targets) {
         curves.emplace_back(1, source);

@@ -231,7 +231,7 @@ private:
   {
     m_network.clear();
     m_triangulation.rollback();
-    m_network.add_curve(chain, false);
+    m_network.add_curve(chain);
     FG::shorten(m_network);
     m_row.uncertified += FG::certify(m_network).is_locally_shortest() ? 0 : 1;
     return m_network.length(only_curve);

@@ -151,7 +151,7 @@ void compare(const std::string& name, const Mesh& mesh, int paths, double angle,
   for(int i = 0; i < paths; ++i) {
     const FG::Vertex_index target(static_cast<FG::Index>(random() % n));
     if(target != source)
-      network.add_curve(search(source, target), false);
+      network.add_curve(search(source, target));
   }
   FG::order_overlapping_curves(network);
   FG::shorten(network);

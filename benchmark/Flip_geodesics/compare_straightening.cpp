@@ -156,7 +156,7 @@ private:
     Polyline result = {0, {}};
     {
       Network network(m_triangulation);
-      const FG::Curve_index curve = network.add_curve(halfedges, false);
+      const FG::Curve_index curve = network.add_curve(halfedges);
       flips = FG::shorten(network).flips;
       FG::Curve_extractor<Network> extractor(network);
       for(const FG::Surface_point& p : extractor.surface_points(curve)) {

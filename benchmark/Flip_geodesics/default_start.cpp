@@ -68,7 +68,8 @@ public:
     , m_plain(m_triangulation)
   {
     for(const std::string& search : searches)
-      m_contenders.push_back({search, Search(m_triangulation, search_methods.at(search)), {}, {}});
+      m_contenders.push_back(
+          {search, Search(m_triangulation, CGAL::parameters::search_method(search_methods.at(search))), {}, {}});
   }
 
   void run(std::size_t pairs)

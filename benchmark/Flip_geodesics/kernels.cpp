@@ -34,15 +34,15 @@ public:
   Setting()
     : m_mesh(benchmark_meshes::torus(20000))
     , m_triangulation(m_mesh)
-    , m_search(m_triangulation, FG::Search_method::LOOK_BACK)
+    , m_search(m_triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK))
     , m_target(static_cast<FG::Index>(m_mesh.number_of_vertices() / 2 + 35))
     , m_path(m_search(m_source, m_target))
     , m_untouched(m_triangulation)
     , m_tight_triangulation(m_mesh)
     , m_tight(m_tight_triangulation)
   {
-    m_untouched.add_curve(m_path, false);
-    m_tight.add_curve(m_path, false);
+    m_untouched.add_curve(m_path);
+    m_tight.add_curve(m_path);
     FG::shorten(m_tight);
     m_tight.for_each_segment(m_curve, [&](FG::Segment_index s) {
       const FG::Halfedge_index h = m_tight.halfedge(s);
@@ -112,7 +112,7 @@ private:
     const std::size_t flips = FG::shorten(m_untouched).flips;
     m_untouched.clear();
     triangulation.rollback();
-    m_untouched.add_curve(m_path, false);
+    m_untouched.add_curve(m_path);
     return flips;
   }
 

@@ -72,7 +72,7 @@ struct Workspace
 
   explicit Workspace(const Mesh& mesh)
     : triangulation(mesh)
-    , search(triangulation, FG::Search_method::LOOK_BACK)
+    , search(triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK))
   {
   }
 

@@ -115,7 +115,7 @@ private:
   {
     constexpr double limit = 5;
     FG::Edge_path_network<Triangulation> network(m_triangulation);
-    network.add_curve(path, false);
+    network.add_curve(path);
     const double start = seconds();
     try {
       const FG::Shortening_report report = FG::shorten(network, CGAL::parameters::visitor(Time_limit_visitor(limit)));

@@ -110,12 +110,12 @@ public:
     , m_name(benchmark_meshes::short_name(name))
     , m_mesh(benchmark_meshes::make_mesh(name))
     , m_triangulation(m_mesh)
-    , m_search(m_triangulation, search_methods.at(options.search))
+    , m_search(m_triangulation, CGAL::parameters::search_method(search_methods.at(options.search)))
     , m_dijkstra(m_mesh)
   {
     if(options.search == "landmarks") {
       m_landmarks = std::make_unique<FG::Landmark_distances>(m_search);
-      m_search = Search(m_triangulation, *m_landmarks);
+      m_search = Search(m_triangulation, CGAL::parameters::landmarks(*m_landmarks));
     }
   }
 
@@ -187,7 +187,7 @@ private:
   {
     if(m_options.search != "astar" && m_options.search != "dijkstra")
       return FG::add_straightened_path(network, start);
-    network.add_curve(start, false);
+    network.add_curve(start);
     return 0;
   }
 

@@ -117,7 +117,8 @@ public:
       return {};
     try {
       const std::array<Vertex_index, 3> stops = {ends[0], ends[1], w};
-      return {{CGAL::Flip_geodesics::shortest_halfedges_through(m_search, stops, true)}, true};
+      return {{CGAL::Flip_geodesics::shortest_halfedges_through(m_search, stops, CGAL::parameters::is_closed(true))},
+              true};
     } catch(const CGAL::Flip_geodesics::Disconnected_endpoints_error&) {
       return {};
     }
@@ -167,7 +168,7 @@ template <class Network>
 bool add(Network& network, const Curves& curves)
 {
   for(const Chain& chain : curves.chains)
-    network.add_curve(chain, curves.are_closed);
+    network.add_curve(chain, CGAL::parameters::is_closed(curves.are_closed));
   if(curves.chains.size() == 1 && !curves.are_closed)
     return true;
   try {

@@ -56,7 +56,7 @@ class Pairs
 public:
   Pairs(const Triangulation& triangulation, std::size_t number)
   {
-    Search plain(triangulation, FG::Search_method::DIJKSTRA);
+    Search plain(triangulation, CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
     std::mt19937 random(1);
     const auto vertex = [&] {
       return FG::Vertex_index(
@@ -111,7 +111,7 @@ void measure(const std::string& name, std::size_t number)
 {
   const Mesh mesh = benchmark_meshes::make_mesh(name);
   Triangulation triangulation(mesh);
-  Search search(triangulation, FG::Search_method::LOOK_BACK);
+  Search search(triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   const Pairs pairs(triangulation, number);
   std::vector<double> shortest;
   for(std::size_t i = 0; i < pairs.size(); ++i) {
@@ -136,7 +136,7 @@ void measure_landmarks(const std::string& name, std::size_t number, std::size_t 
   const std::string shown = benchmark_meshes::short_name(name);
   std::optional<FG::Geodesic_landmarks> landmarks;
   const double making = seconds([&] { landmarks.emplace(triangulation, number_of_landmarks); });
-  Search search(triangulation, FG::Search_method::LOOK_BACK);
+  Search search(triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   const Pairs pairs(triangulation, number);
   std::vector<double> shortest, directed;
   for(std::size_t i = 0; i < pairs.size(); ++i) {

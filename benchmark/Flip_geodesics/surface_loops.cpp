@@ -79,12 +79,14 @@ void measure(const std::string& name)
     basis_length += basis->length(i);
   const double tight_time = seconds([&] {
     for(FG::Index i = 0; i < basis->number_of_loops(); ++i)
-      tight += tight_length(triangulation, [&](Network& network) { network.add_curve(basis->cycle(i), true); });
+      tight += tight_length(triangulation, [&](Network& network) {
+        network.add_curve(basis->cycle(i), CGAL::parameters::is_closed(true));
+      });
   });
   const double network_time = seconds([&] {
     tight_length(triangulation, [&](Network& network) {
       for(FG::Index i = 0; i < basis->number_of_loops(); ++i)
-        network.add_curve(basis->loop(i), false);
+        network.add_curve(basis->loop(i));
       FG::order_overlapping_curves(network);
     });
   });

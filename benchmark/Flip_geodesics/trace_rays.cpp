@@ -53,12 +53,12 @@ void measure(const std::string& name, std::size_t rays, std::size_t edges)
   const Triangulation triangulation(mesh);
   const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
   const std::vector<Start> starts = random_starts(triangulation, rays);
-  FG::Trace_limits<> limits{1e100};
-  limits.most_crossings = edges;
   FG::Trace_report sum;
   const double time = seconds([&] {
     for(const Start& start : starts) {
-      const FG::Trace_report trace = tracer.trace(start.location, start.location.halfedge, start.angle, limits);
+      const FG::Trace_report trace =
+          tracer.trace(start.location, FG::Surface_direction{start.location.halfedge, start.angle}, 1e100,
+                       CGAL::Emptyset_iterator(), CGAL::parameters::number_of_iterations(edges));
       sum.edges += trace.edges;
       sum.vertices += trace.vertices;
       sum.statistics.by_precision += trace.statistics.by_precision + trace.statistics.by_roots;

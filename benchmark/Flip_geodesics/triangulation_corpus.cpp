@@ -133,7 +133,7 @@ public:
     if(source.is_empty())
       return m_rows.refuse("nothing to join");
     for(int i = 0; i < m_options.curves; ++i) { // those that cross the others are left out
-      m_network.add_curve(source.path().chains.front(), false);
+      m_network.add_curve(source.path().chains.front());
       try {
         FG::order_overlapping_curves(m_network);
       } catch(const FG::Error&) {

@@ -54,7 +54,7 @@ try {
   search.shortest_path_sequence_to_source_points(Mesh::Face_index(mesh.number_of_faces() / 2), weights, places);
 
   //! [Certify]
-  const auto certificate = FG::certify_curve(mesh, places.path, false);
+  const auto certificate = FG::certify_curve(mesh, places.path);
   std::cout << "path of " << places.path.size() << " places: " << FG::to_string(certificate.verdict);
   //! [Certify]
   if(!certificate.is_locally_shortest()) {

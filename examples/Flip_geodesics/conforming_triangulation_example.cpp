@@ -42,7 +42,7 @@ try {
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
   const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
-  const FG::Curve_index curve = network.add_curve(search(source, target), false);
+  const FG::Curve_index curve = network.add_curve(search(source, target));
   FG::shorten(network);
   //! [Faces]
   std::vector<FG::Intrinsic_face> faces;

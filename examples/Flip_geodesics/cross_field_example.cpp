@@ -63,7 +63,7 @@ try {
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   FG::Edge_path_network<Triangulation> network(triangulation);
-  network.add_curve(search(FG::Vertex_index(number(argv[2])), FG::Vertex_index(number(argv[3]))), false);
+  network.add_curve(search(FG::Vertex_index(number(argv[2])), FG::Vertex_index(number(argv[3]))));
   FG::shorten(network);
   FG::flip_to_delaunay(triangulation); // all edges but those of the path
   Field field(triangulation);

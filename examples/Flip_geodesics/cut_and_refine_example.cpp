@@ -36,7 +36,7 @@ try {
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
   const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
-  network.add_curve(search(source, target), false);
+  network.add_curve(search(source, target));
   FG::shorten(network);
 
   //! [Cut]

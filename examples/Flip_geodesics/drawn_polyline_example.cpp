@@ -68,11 +68,12 @@ try {
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh");
   Triangulation triangulation(mesh);
-  const auto line = FG::complete_polyline(triangulation, pen_positions(triangulation, mesh), true);
+  const auto line =
+      FG::complete_polyline(triangulation, pen_positions(triangulation, mesh), CGAL::parameters::is_closed(true));
   std::vector<std::vector<Kernel::Point_3>> curves(3);
   Network network(triangulation);
   FG::Curve_extractor<Network> extractor(network);
-  const FG::Curve_index drawn = FG::draw_polyline(network, line, true);
+  const FG::Curve_index drawn = FG::draw_polyline(network, line, CGAL::parameters::is_closed(true));
   FG::order_overlapping_curves(network);
   FG::shorten(network); // to the polyline itself, since its points are fixed
   extractor.points(drawn, std::back_inserter(curves[0]));
@@ -83,8 +84,10 @@ try {
   std::cout << "drawn: " << drawn_length << ", shortened: " << network.length(drawn);
   network.clear();
   triangulation.rollback(); // the inserted points are gone, too
-  const auto path = FG::halfedges_through(triangulation, FG::snap_polyline(triangulation, line, true), true);
-  const FG::Curve_index snapped = network.add_curve(path, true);
+  const auto path =
+      FG::halfedges_through(triangulation, FG::snap_polyline(triangulation, line, CGAL::parameters::is_closed(true)),
+                            CGAL::parameters::is_closed(true));
+  const FG::Curve_index snapped = network.add_curve(path, CGAL::parameters::is_closed(true));
   extractor.points(snapped, std::back_inserter(curves[2]));
   std::cout << ", snapped to edges: " << network.length(snapped) << '\n';
   FG::IO::write_VTP("drawn_polyline.vtp", curves);

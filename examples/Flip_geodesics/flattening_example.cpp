@@ -62,7 +62,7 @@ try {
     FG::shorten_cut_graph(network);
   } else {
     FG::Shortest_edge_path<Triangulation> search(triangulation);
-    network.add_curve(FG::shortest_halfedges_through(search, way), false);
+    network.add_curve(FG::shortest_halfedges_through(search, way));
     network.fix_nodes_at(way.front());
     FG::order_overlapping_curves(network);
     FG::shorten(network);

@@ -52,7 +52,7 @@ try {
   const Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   std::vector<Mesh::Vertex_index> loop;
-  for(FG::Halfedge_index h : FG::shortest_halfedges_through(search, way_points, true))
+  for(FG::Halfedge_index h : FG::shortest_halfedges_through(search, way_points, CGAL::parameters::is_closed(true)))
     loop.push_back(triangulation.vertex(triangulation.tail(h)));
 
   std::vector<Kernel::Point_3> points;

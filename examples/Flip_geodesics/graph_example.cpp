@@ -69,7 +69,7 @@ try {
   Network network(triangulation);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   for(int i = 0; i < 3; ++i)
-    network.add_curve(search(corners[i], corners[(i + 1) % 3]), false);
+    network.add_curve(search(corners[i], corners[(i + 1) % 3]));
   FG::order_overlapping_curves(network);
   FG::shorten(network);
 

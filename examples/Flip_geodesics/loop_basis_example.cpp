@@ -49,7 +49,9 @@ void tell_class(Triangulation& triangulation, const FG::Loop_basis<Triangulation
 {
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   FG::Edge_path_network<Triangulation> network(triangulation);
-  const FG::Curve_index curve = network.add_curve(FG::shortest_halfedges_through(search, way_points, true), true);
+  const FG::Curve_index curve =
+      network.add_curve(FG::shortest_halfedges_through(search, way_points, CGAL::parameters::is_closed(true)),
+                        CGAL::parameters::is_closed(true));
   std::cout << "The curve has the class";
   for(std::int64_t i : basis.homology_class(network, curve))
     std::cout << ' ' << i;

@@ -54,7 +54,8 @@ try {
 
   const Triangulation triangulation(mesh);
   const FG::Surface_location source = {triangulation.input().index(mesh.halfedge(face)), {{1, 1, 1}}};
-  const FG::Logarithmic_map<Triangulation> logarithm(triangulation, mesh, source, limits);
+  const FG::Logarithmic_map<Triangulation> logarithm(triangulation, mesh, source,
+                                                     CGAL::parameters::search_limit(limits));
   const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
 
   std::vector<std::vector<Point_3>> arrows;
@@ -67,8 +68,10 @@ try {
     const FG::Surface_location here = triangulation.location(triangulation.index(v));
     const FG::Surface_direction carried = logarithm.transported(here, 0);
     arrows.emplace_back();
-    tracer.trace(here, carried.halfedge, carried.angle, FG::Trace_limits<>{0.05 * limits.radius},
-                 [&](const FG::Surface_point& q) { arrows.back().push_back(point_in_space(triangulation, q)); });
+    std::vector<FG::Surface_point> points;
+    tracer.trace(here, carried, 0.05 * limits.radius, std::back_inserter(points));
+    for(const FG::Surface_point& q : points)
+      arrows.back().push_back(point_in_space(triangulation, q));
   }
   FG::IO::write_VTP("arrows.vtp", mesh, arrows);
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;

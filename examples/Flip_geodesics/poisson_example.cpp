@@ -59,7 +59,7 @@ try {
   const FG::Vertex_index source(number(argv[2])), target(number(argv[3]));
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
-  const FG::Curve_index curve = network.add_curve(search(source, target), false);
+  const FG::Curve_index curve = network.add_curve(search(source, target));
   FG::shorten(network);
   //! [Steps]
   //! [Solve]

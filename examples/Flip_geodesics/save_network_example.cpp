@@ -51,7 +51,7 @@ try {
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
-  const FG::Curve_index curve = network.add_curve(search(source, target), false);
+  const FG::Curve_index curve = network.add_curve(search(source, target));
   FG::shorten(network, CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(10)));
   const double saved_length = network.length(curve);
   std::ofstream out("network.flips");

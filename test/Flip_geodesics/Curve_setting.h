@@ -54,12 +54,14 @@ struct Basic_curve_setting
   CGAL::Flip_geodesics::Curve_index add_path_through(const Vertex_sequence& way_points)
   {
     Search search(triangulation);
-    return network.add_curve(CGAL::Flip_geodesics::shortest_halfedges_through(search, way_points), false);
+    return network.add_curve(CGAL::Flip_geodesics::shortest_halfedges_through(search, way_points));
   }
 
   CGAL::Flip_geodesics::Curve_index add(const Vertex_sequence& vertices, bool is_closed)
   {
-    return network.add_curve(CGAL::Flip_geodesics::halfedges_through(triangulation, vertices, is_closed), is_closed);
+    return network.add_curve(
+        CGAL::Flip_geodesics::halfedges_through(triangulation, vertices, CGAL::parameters::is_closed(is_closed)),
+        CGAL::parameters::is_closed(is_closed));
   }
 
   template <class Stop = CGAL::Flip_geodesics::Never_stop_predicate>

@@ -123,8 +123,8 @@ std::size_t check_same_curves(Setting& setting, Reference& reference, int rounds
       const Halfedge_sequence walk = random_walk(reference.triangulation, 16, is_closed, random);
       if(walk.empty())
         continue;
-      reference.network.add_curve(walk, is_closed);
-      setting.network.add_curve(walk, is_closed);
+      reference.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
+      setting.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
     }
     if(reference.network.is_valid()) {
       const Outcome expected = outcome(reference);
@@ -354,7 +354,7 @@ void check_right_triangles(int n)
   Triangulation triangulation(mesh, Length_metric(mesh, Length_map(lengths)));
   CGAL::Flip_geodesics::Edge_path_network<Triangulation> network(triangulation);
   const Vertex_sequence path = vertex_path_on_grid(n, {{0, 0}, {n, 0}, {n, n - 1}});
-  network.add_curve(CGAL::Flip_geodesics::halfedges_through(triangulation, path, false), false);
+  network.add_curve(CGAL::Flip_geodesics::halfedges_through(triangulation, path));
   CGAL::Flip_geodesics::shorten(network);
   BOOST_TEST(network.halfedges(0_c).size() == 1u);
   const int x = 3 * n, y = 4 * (n - 1);

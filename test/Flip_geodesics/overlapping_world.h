@@ -43,7 +43,9 @@ struct Overlapping_world
 
   Curve_index add(const Vertex_sequence& vertices, bool is_closed = false)
   {
-    return network.add_curve(CGAL::Flip_geodesics::halfedges_through(triangulation, vertices, is_closed), is_closed);
+    return network.add_curve(
+        CGAL::Flip_geodesics::halfedges_through(triangulation, vertices, CGAL::parameters::is_closed(is_closed)),
+        CGAL::parameters::is_closed(is_closed));
   }
 
   void order()

@@ -55,7 +55,7 @@ std::string reading(const Surface& mesh)
   for(int i = 0; i < 4; ++i) {
     const Halfedge_sequence walk = random_walk(triangulation, 12, i % 2 == 1, random);
     if(!walk.empty())
-      network.add_curve(walk, i % 2 == 1);
+      network.add_curve(walk, CGAL::parameters::is_closed(i % 2 == 1));
     if(!network.is_valid())
       network.clear();
     record.network(window, mesh);
@@ -85,7 +85,7 @@ std::string without_mesh(const Surface& mesh)
   for(int i = 0; i < 6; ++i) {
     const Halfedge_sequence walk = random_walk(triangulation, 12, i % 2 == 1, random);
     if(!walk.empty())
-      network.add_curve(walk, i % 2 == 1);
+      network.add_curve(walk, CGAL::parameters::is_closed(i % 2 == 1));
     if(!network.is_valid())
       network.clear();
     record.report(FG::shorten(network));

@@ -194,7 +194,7 @@ bool add_segment(Setting& setting, int inserted, Vertex_index from, Vertex_index
       return false;
     ends[k] = setting.network.insert(middle);
   }
-  setting.network.add_curve(FG::shortest_intrinsic_edge_path(setting.triangulation, ends[0], ends[1]), false);
+  setting.network.add_curve(FG::shortest_intrinsic_edge_path(setting.triangulation, ends[0], ends[1]));
   setting.pull();
   return setting.network.halfedges(0_c).size() == 1;
 }
@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(a_word_between_points_changed_by_a_letter_is_found)
     }
     if(ends[0] == ends[1])
       continue;
-    setting.network.add_curve(FG::shortest_intrinsic_edge_path(setting.triangulation, ends[0], ends[1]), false);
+    setting.network.add_curve(FG::shortest_intrinsic_edge_path(setting.triangulation, ends[0], ends[1]));
     setting.pull();
     if(FG::certify(setting.network).is_locally_shortest())
       falsehoods += plant_falsehoods(setting, random);
@@ -411,7 +411,7 @@ FG::Curve_certificate verdict_on_joint(const Mesh_soup& soup, const FG::Surface_
                                       FG::internal::halfedge_between(setting.triangulation, x, 3_v)};
   if(is_reversed)
     path = {Planted_triangulation::twin(path[1]), Planted_triangulation::twin(path[0])};
-  setting.network.add_curve(path, false);
+  setting.network.add_curve(path);
   return FG::certify(setting.network).curves[0];
 }
 
@@ -458,8 +458,7 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_point_of_a_face_bent_by_a_unit_is_found)
         const Vertex_index y = setting.network.insert({h, {{0.25, moved_by_units(0.375, units), 0.375}}});
         setting.network.add_curve(
             std::vector<Halfedge_index>{FG::internal::halfedge_between(setting.triangulation, start, x),
-                                        FG::internal::halfedge_between(setting.triangulation, x, y)},
-            false);
+                                        FG::internal::halfedge_between(setting.triangulation, x, y)});
         const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
         BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
         if(units != 0) // more of the next corner is on the right

@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(loops_and_networks_that_were_pulled_tight_are_prov
 
       const Halfedge_sequence loop = random_walk(setting.triangulation, 15, true, random);
       if(!loop.empty())
-        setting.network.add_curve(loop, true);
+        setting.network.add_curve(loop, CGAL::parameters::is_closed(true));
       if(!loop.empty() && order_at_random(setting.network, loop, 5, random)) {
         setting.pull();
         BOOST_TEST(checked_certificate(setting).is_locally_shortest());

@@ -181,7 +181,8 @@ BOOST_AUTO_TEST_CASE(flat_tori)
         continue;
       FG::Edge_path_network<Length_triangulation> network(triangulation);
       const Vertex_sequence loop = torus_loop(n, m, p, q);
-      network.add_curve(FG::halfedges_through(triangulation, loop, true), true);
+      network.add_curve(FG::halfedges_through(triangulation, loop, CGAL::parameters::is_closed(true)),
+                        CGAL::parameters::is_closed(true));
       FG::order_overlapping_curves(network);
       check_shortest(FG::shorten(network).curves[0], std::hypot(p * a, q * b));
       network.clear();
@@ -210,7 +211,7 @@ BOOST_AUTO_TEST_CASE(random_loops_on_the_tetrahedron)
       flip_at_random(setting.triangulation, random.below(40), random);
       const Halfedge_sequence walk = random_walk(setting.triangulation, 12, true, random);
       if(!walk.empty()) {
-        setting.network.add_curve(walk, true);
+        setting.network.add_curve(walk, CGAL::parameters::is_closed(true));
         if(order_at_random(setting.network, walk, 5, random)) {
           const FG::Curve_report report = setting.pull().curves[0];
           const double norm = std::pow(report.length / (2 * n * std::sqrt(8.0)), 2);
@@ -288,7 +289,7 @@ BOOST_AUTO_TEST_CASE(loops_contract_on_convex_surfaces)
       flip_at_random(setting.triangulation, random.below(200), random);
       const Halfedge_sequence walk = random_walk(setting.triangulation, 25, true, random);
       if(!walk.empty()) {
-        setting.network.add_curve(walk, true);
+        setting.network.add_curve(walk, CGAL::parameters::is_closed(true));
         if(order_at_random(setting.network, walk, 5, random))
           ++counts[FG::to_string(setting.pull().curves[0].status)];
         setting.network.clear();
@@ -480,8 +481,9 @@ BOOST_AUTO_TEST_CASE(weights_direct_searches)
       FG::Intrinsic_triangulation<Plane_mesh, FG::Intrinsic_triangulation_traits<Plane_metric::Kernel>,
                                   FG::Weighted_metric<Plane_metric>>;
   const Triangulation triangulation(mesh, metric);
-  FG::Shortest_edge_path<Triangulation> directed(triangulation, FG::Search_method::A_STAR),
-      plain(triangulation, FG::Search_method::DIJKSTRA);
+  FG::Shortest_edge_path<Triangulation> directed(triangulation,
+                                                 CGAL::parameters::search_method(FG::Search_method::A_STAR)),
+      plain(triangulation, CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
   const auto length = [&](const std::vector<FG::Halfedge_index>& path) {
     double sum = 0;
     for(FG::Halfedge_index h : path)

@@ -90,7 +90,7 @@ double largest_scale(const Flattening& flattening)
 FG::Curve_index add_path(Network& network, FG::Vertex_index s, FG::Vertex_index t)
 {
   FG::Shortest_edge_path<Triangulation> search(network.triangulation());
-  return network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{s, t}), false);
+  return network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{s, t}));
 }
 
 } // namespace
@@ -185,9 +185,11 @@ BOOST_AUTO_TEST_CASE(a_torus_is_flattened_along_two_loops)
     along.emplace_back(i);
   for(int j = 0; j < m; ++j)
     around.emplace_back(n * j);
-  network.add_curve(FG::halfedges_through(triangulation, along, true), true);
+  network.add_curve(FG::halfedges_through(triangulation, along, CGAL::parameters::is_closed(true)),
+                    CGAL::parameters::is_closed(true));
   BOOST_CHECK_THROW(Flattening{network}, FG::Flattening_error); // an annulus
-  network.add_curve(FG::halfedges_through(triangulation, around, true), true);
+  network.add_curve(FG::halfedges_through(triangulation, around, CGAL::parameters::is_closed(true)),
+                    CGAL::parameters::is_closed(true));
   const Flattening flattening(network); // as drawn: crossing curves are no obstacle to cutting
   BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-7);
   BOOST_TEST(flattening.layout_error() < 1e-7);
@@ -202,7 +204,8 @@ BOOST_AUTO_TEST_CASE(straightened_seams_are_refined_first)
   Network network(triangulation);
   const Vertex_sequence along = {0_v, 8_v, 16_v}, around = {0_v, FG::Vertex_index(4 * n), FG::Vertex_index(8 * n)};
   for(const Vertex_sequence& way : {along, around})
-    network.add_curve(FG::shortest_halfedges_through(search, way, true), true);
+    network.add_curve(FG::shortest_halfedges_through(search, way, CGAL::parameters::is_closed(true)),
+                      CGAL::parameters::is_closed(true));
   network.fix_nodes_at(0_v);
   FG::order_overlapping_curves(network);
   FG::shorten(network);

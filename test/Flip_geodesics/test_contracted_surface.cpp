@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(curves_are_proven_on_the_surface_that_is_left)
     if(ends[0] == ends[1])
       continue;
     Network network(triangulation);
-    network.add_curve(FG::shortest_halfedges_through(search, ends), false);
+    network.add_curve(FG::shortest_halfedges_through(search, ends));
     BOOST_CHECK(FG::shorten(network).is_complete());
     BOOST_CHECK(FG::certify(network).curves.front().verdict == FG::Verdict::PROVEN);
     for(const FG::Surface_point& p : FG::Curve_extractor<Network>(network).surface_points(0_c))

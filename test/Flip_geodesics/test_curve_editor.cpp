@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(way_points_on_developable_surfaces)
       Random_numbers random(7);
       Triangulation t(surface.bent);
       std::vector<Flat_point> points = {{1.2, 1.1}, {6.3, 1.8}, {6.9, 6.4}, {1.3, 7.1}};
-      Editor editor(t, locations(t, surface, points), is_closed);
+      Editor editor(t, locations(t, surface, points), CGAL::parameters::is_closed(is_closed));
       BOOST_TEST(editor.number_of_legs() == (is_closed ? 4u : 3u));
       for(int move = 0; move < 60; ++move) {
         const auto i = static_cast<std::size_t>(random.below(4));
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(way_points_on_developable_surfaces)
       std::vector<Surface_location> places;
       for(std::size_t i = 0; i < 4; ++i)
         places.push_back(editor.point(i));
-      const Editor fresh(t, places, is_closed);
+      const Editor fresh(t, places, CGAL::parameters::is_closed(is_closed));
       for(std::size_t l = 0; l < fresh.number_of_legs(); ++l)
         BOOST_TEST(std::abs(fresh.length(l) - editor.length(l)) < 1e-12);
     }
@@ -567,7 +567,7 @@ BOOST_AUTO_TEST_CASE(no_move_after_bad_input)
   BOOST_TEST(is_unchanged());
   {
     FG::Edge_path_network<Triangulation> network(t);
-    network.add_curve(std::vector<FG::Halfedge_index>{0_h}, false);
+    network.add_curve(std::vector<FG::Halfedge_index>{0_h});
     BOOST_CHECK_THROW(editor.move(2, at(3.4, 3.3)), FG::Occupied_triangulation_error);
     BOOST_CHECK_THROW(Editor(t, {at(0.4, 0.3), at(2.1, 1.7)}), FG::Occupied_triangulation_error);
     BOOST_TEST(is_unchanged());

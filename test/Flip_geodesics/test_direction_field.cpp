@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(the_field_runs_along_the_curves_it_is_aligned_to)
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
-  network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{0_v, 150_v}), false);
+  network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{0_v, 150_v}));
   FG::shorten(network);
   Field field(triangulation);
   field.align(network);
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(curves_have_a_direction)
   const Mesh mesh = to_mesh<Mesh>(jittered_grid(6, 6, Diagonal_rule::RISING, 0.2, 3));
   Triangulation triangulation(mesh);
   Network network(triangulation);
-  network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{16_v, 17_v, 18_v}, false), false);
+  network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{16_v, 17_v, 18_v}));
   Field field(triangulation, 1);
   field.align(network);
   field.compute();

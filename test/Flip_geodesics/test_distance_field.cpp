@@ -15,7 +15,7 @@ BOOST_AUTO_TEST_CASE(distances_of_vertices_are_those_of_the_window_search)
       FG::internal::Window_search<Triangulation> search(s.triangulation, faces, Vertex_index(v));
       search.run(infinity);
       for(const auto extent : {FG::Distance_field_extent::EVERYWHERE, FG::Distance_field_extent::VERTICES_ONLY}) {
-        Field field(s.triangulation, s.mesh, extent);
+        Field field(s.triangulation, s.mesh, CGAL::parameters::extent(extent));
         BOOST_TEST(field.add_source(Vertex_index(v)) == 0u);
         const auto report = field.compute();
         BOOST_TEST((report.status == FG::Distance_field_status::COMPLETE));

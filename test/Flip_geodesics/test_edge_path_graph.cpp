@@ -166,7 +166,7 @@ int add_random_curves(Network& network, int number, int steps, int percentage_cl
   const auto rebuild = [&] {
     network.clear();
     for(const auto& [walk, is_closed] : accepted)
-      network.add_curve(walk, is_closed);
+      network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
   };
   for(int i = 0; i < number; ++i) {
     const bool is_closed = random.below(100) < percentage_closed;
@@ -203,7 +203,7 @@ void add_parallel_copy(Network& network, FG::Curve_index curve)
   network.for_each_segment(curve, [&](FG::Segment_index s) { segments.push_back(s); });
   const Halfedge_sequence halfedges = network.halfedges(curve);
   FG::Segment_index copy(network.end_of_segment_ids());
-  network.add_curve(halfedges, network.is_closed(curve));
+  network.add_curve(halfedges, CGAL::parameters::is_closed(network.is_closed(curve)));
   for(FG::Segment_index s : segments) {
     copy_of[s] = copy;
     ++copy;
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(stacked_walks)
       const bool is_closed = random.below(2) == 0;
       const Halfedge_sequence walk = random_walk(network.triangulation(), 14, is_closed, random);
       if(!walk.empty())
-        network.add_curve(walk, is_closed);
+        network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
     }
     try {
       FG::order_overlapping_curves(network);
@@ -315,7 +315,8 @@ BOOST_AUTO_TEST_CASE(the_signature_tells_classes_apart)
     Triangulation triangulation(mesh);
     Network network(triangulation);
     for(const Vertex_sequence& loop : loops)
-      network.add_curve(FG::halfedges_through(triangulation, loop, true), true);
+      network.add_curve(FG::halfedges_through(triangulation, loop, CGAL::parameters::is_closed(true)),
+                        CGAL::parameters::is_closed(true));
     std::vector<int> result;
     const Topological_signature signature{Curve_system(network)};
     for(const Topological_signature::Region& region : signature.regions())
@@ -336,7 +337,9 @@ BOOST_AUTO_TEST_CASE(the_signature_tells_classes_apart)
   Triangulation triangulation(mesh);
   Network network(triangulation);
   for(int c = 0; c < 3; ++c)
-    network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0_v, 2_v, 1_v, 3_v}, true), true);
+    network.add_curve(
+        FG::halfedges_through(triangulation, Vertex_sequence{0_v, 2_v, 1_v, 3_v}, CGAL::parameters::is_closed(true)),
+        CGAL::parameters::is_closed(true));
   const Topological_signature before{Curve_system(network)};
   BOOST_TEST(!before.has_disk_inside(1));
   BOOST_TEST(before.has_disk_inside(2));
@@ -361,7 +364,7 @@ BOOST_AUTO_TEST_CASE(a_cancelled_spur_keeps_its_fixed_node)
     return FG::internal::halfedge_between(triangulation, from, to);
   };
   Network network(triangulation);
-  network.add_curve(Halfedge_sequence{to(u, v), to(v, b), to(b, p), to(p, t)}, false);
+  network.add_curve(Halfedge_sequence{to(u, v), to(v, b), to(b, p), to(p, t)});
   network.fix_nodes_at(p);
 
   std::vector<FG::Joint> affected;

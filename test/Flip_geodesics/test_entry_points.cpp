@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(chains_that_are_none_are_refused)
       {Chain{}, Chain{FG::null_index}, Chain{end}, Chain{0_h, 7_h}, Chain{0_h, beyond}, Chain{12_h, 0_h, 31_h}})
   {
     Network network(triangulation);
-    BOOST_CHECK_THROW(network.add_curve(chain, false), FG::Invalid_curve_error);
+    BOOST_CHECK_THROW(network.add_curve(chain), FG::Invalid_curve_error);
     BOOST_CHECK_THROW(FG::add_straightened_path(network, chain), FG::Invalid_curve_error);
     BOOST_TEST(network.number_of_curves() == 0);
   }
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(chains_that_are_none_are_refused)
     const auto is_named = [&](const FG::Invalid_curve_error& error) {
       return error.elements() == std::vector<std::size_t>{chain.size() == 4 ? 2 : chain.size() - 1};
     };
-    BOOST_CHECK_EXCEPTION(network.add_curve(chain, false), FG::Invalid_curve_error, is_named);
+    BOOST_CHECK_EXCEPTION(network.add_curve(chain), FG::Invalid_curve_error, is_named);
   }
 }
 

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(random_networks_with_ties_are_certified, NT, Numbe
       for(int c = 0; c <= i % 2; ++c) {
         const Halfedge_sequence walk = random_walk(setting.triangulation, 12, i % 4 < 2, random);
         if(!walk.empty())
-          setting.network.add_curve(walk, i % 4 < 2);
+          setting.network.add_curve(walk, CGAL::parameters::is_closed(i % 4 < 2));
       }
       if(setting.network.is_valid()) {
         BOOST_TEST(setting.pull().is_complete());
@@ -221,8 +221,7 @@ BOOST_AUTO_TEST_CASE(coordinates_need_not_be_doubles)
     mesh.point(v) = Kernel::Point_3(mesh.point(v).x() / 3, mesh.point(v).y() / 7, 0);
   Triangulation triangulation(mesh);
   FG::Edge_path_network<Triangulation> network(triangulation);
-  network.add_curve(FG::halfedges_through(triangulation, vertex_path_on_grid(5, {{0, 0}, {4, 0}, {4, 5}}), false),
-                    false);
+  network.add_curve(FG::halfedges_through(triangulation, vertex_path_on_grid(5, {{0, 0}, {4, 0}, {4, 5}})));
   FG::shorten(network);
   BOOST_TEST(network.halfedges(0_c).size() == 1u);
   BOOST_TEST((triangulation.squared_length(network.halfedges(0_c).front()) == Gmpq(16, 9) + Gmpq(25, 49)));

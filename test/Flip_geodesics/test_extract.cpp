@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(points_face_locations_and_crossed_halfedges_agree)
     if(s == t)
       continue;
     Network network(triangulation);
-    network.add_curve(search(s, t), false);
+    network.add_curve(search(s, t));
     const FG::Shortening_report report = FG::shorten(network);
     FG::Curve_extractor<Network> extractor(network);
     const std::vector<FG::Surface_point> on_surface = extractor.surface_points(0_c);
@@ -202,7 +202,8 @@ BOOST_AUTO_TEST_CASE(the_conforming_triangulation_keeps_euler_characteristic_and
   Network network(triangulation);
   const Mesh_soup soup = genus_3_plate(2);
   const Vertex_sequence loop = with_detours(soup, genus_3_loops(2).front(), true);
-  network.add_curve(FG::halfedges_through(triangulation, loop, true), true);
+  network.add_curve(FG::halfedges_through(triangulation, loop, CGAL::parameters::is_closed(true)),
+                    CGAL::parameters::is_closed(true));
   const FG::Shortening_report report = FG::shorten(network);
   BOOST_CHECK_GT(report.flips, 0u);
   FG::intrinsic_faces(triangulation, std::back_inserter(after));
@@ -252,7 +253,8 @@ BOOST_AUTO_TEST_CASE(way_points_are_passed_in_order)
   const int n = 10;
   const Mesh mesh = to_mesh<Mesh>(flat_grid(n, n, Diagonal_rule::RISING));
   Triangulation triangulation(mesh);
-  FG::Shortest_edge_path<Triangulation> search(triangulation), dijkstra(triangulation, FG::Search_method::DIJKSTRA);
+  FG::Shortest_edge_path<Triangulation> search(triangulation),
+      dijkstra(triangulation, CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
   const auto vertex = [](int i, int j) { return FG::Vertex_index(grid_vertex(n, i, j)); };
   const Vertex_sequence way_points = {vertex(0, 0), vertex(3, 9), vertex(9, 2)};
   const std::vector<FG::Halfedge_index> path = FG::shortest_halfedges_through(search, way_points);
@@ -282,7 +284,7 @@ BOOST_AUTO_TEST_CASE(a_mollified_metric_makes_edges_of_length_zero_usable)
   const Vertex_sequence over = vertex_path_on_grid(6, {{3, 1}, {3, 3}});
 
   Triangulation plain(mesh, embedded);
-  BOOST_CHECK_THROW(FG::halfedges_through(plain, over, false), FG::Degenerate_face_error);
+  BOOST_CHECK_THROW(FG::halfedges_through(plain, over), FG::Degenerate_face_error);
 
   const Mollified metric(mesh, embedded, 1e-4);
   BOOST_CHECK_GT(metric.added_length(), 0);
@@ -294,7 +296,7 @@ BOOST_AUTO_TEST_CASE(a_mollified_metric_makes_edges_of_length_zero_usable)
     BOOST_CHECK_CLOSE_FRACTION(metric.weight(input, h, tail, head), metric.weight(input, h), 1e-14);
   }
   FG::Edge_path_network<Mollified_triangulation> network(triangulation);
-  network.add_curve(FG::halfedges_through(triangulation, over, false), false);
+  network.add_curve(FG::halfedges_through(triangulation, over));
   BOOST_CHECK(FG::shorten(network).is_complete());
   BOOST_CHECK(FG::certify(network).is_locally_shortest());
   const Mesh regular = to_mesh<Mesh>(flat_grid(6, 6, Diagonal_rule::RISING));

@@ -264,7 +264,8 @@ BOOST_AUTO_TEST_CASE(ranges_of_given_landmarks)
 BOOST_AUTO_TEST_CASE(chosen_landmarks)
 {
   Setting setting(three_components());
-  FG::Shortest_edge_path<Setting::Triangulation> search(setting.triangulation, FG::Search_method::DIJKSTRA);
+  FG::Shortest_edge_path<Setting::Triangulation> search(setting.triangulation,
+                                                        CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
   const FG::internal::Landmark_choice choice(search);
   const int n = setting.triangulation.number_of_vertices();
   BOOST_TEST(choice.order().size() == static_cast<std::size_t>(n));

@@ -281,10 +281,11 @@ BOOST_AUTO_TEST_CASE(without_a_lower_bound_all_searches_are_one_and_landmarks_di
   using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>, Metric>;
   using Search = FG::Shortest_edge_path<Triangulation>;
   const Triangulation triangulation(mesh, Metric(mesh, lengths));
-  Search dijkstra(triangulation, FG::Search_method::DIJKSTRA), a_star(triangulation, FG::Search_method::A_STAR),
-      look_back(triangulation, FG::Search_method::LOOK_BACK);
+  Search dijkstra(triangulation, CGAL::parameters::search_method(FG::Search_method::DIJKSTRA)),
+      a_star(triangulation, CGAL::parameters::search_method(FG::Search_method::A_STAR)),
+      look_back(triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   const FG::Landmark_distances landmarks(dijkstra);
-  Search directed(triangulation, landmarks);
+  Search directed(triangulation, CGAL::parameters::landmarks(landmarks));
   const auto length_of = [&](const std::vector<FG::Halfedge_index>& path) {
     return std::accumulate(path.begin(), path.end(), 0.0,
                            [&](double sum, FG::Halfedge_index h) { return sum + triangulation.length(h); });
@@ -324,7 +325,8 @@ BOOST_AUTO_TEST_CASE(landmarks_bound_edge_paths_in_each_component)
   using Metric = FG::Edge_length_metric<Mesh, Lengths>;
   using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>, Metric>;
   const Triangulation triangulation(mesh, Metric(mesh, lengths));
-  FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::DIJKSTRA);
+  FG::Shortest_edge_path<Triangulation> search(triangulation,
+                                               CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
   const FG::Landmark_distances landmarks(search);
   for(Vertex v : mesh.vertices()) {
     const FG::Vertex_index source = triangulation.index(v);
@@ -354,9 +356,9 @@ BOOST_AUTO_TEST_CASE(landmarks_know_the_way_round)
   const Vertex alone = mesh.add_vertex(Kernel::Point_3(0, 0, 9)), source(41 * 2 + 5), target(41 * 2 + 35);
   const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
   using Search = FG::Shortest_edge_path<FG::Intrinsic_triangulation<Mesh>>;
-  Search look_back(triangulation, FG::Search_method::LOOK_BACK);
+  Search look_back(triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   const FG::Landmark_distances landmarks(look_back);
-  Search directed(triangulation, landmarks);
+  Search directed(triangulation, CGAL::parameters::landmarks(landmarks));
   look_back(triangulation.index(source), triangulation.index(target));
   directed(triangulation.index(source), triangulation.index(target));
   BOOST_TEST(2 * directed.settled_vertices() < look_back.settled_vertices());
@@ -372,7 +374,7 @@ BOOST_AUTO_TEST_CASE(landmarks_know_the_way_round)
   // Landmarks of another mesh have no distances of further vertices.
   mesh.add_vertex(Kernel::Point_3(0, 0, 9));
   const FG::Intrinsic_triangulation<Mesh> larger(mesh);
-  BOOST_CHECK_THROW(Search(larger, landmarks), FG::Input_mismatch_error);
+  BOOST_CHECK_THROW(Search(larger, CGAL::parameters::landmarks(landmarks)), FG::Input_mismatch_error);
   directed_paths.clear();
   FG::geodesic_paths(mesh, pairs, std::back_inserter(directed_paths), CGAL::parameters::landmarks(landmarks));
   BOOST_TEST(directed_paths.size() == pairs.size());
@@ -386,7 +388,8 @@ BOOST_AUTO_TEST_CASE(a_search_towards_a_point_that_is_no_number_says_so)
   mesh.point(Vertex(40)) = Kernel::Point_3(std::nan(""), 0, 0);
   const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
   for(auto method : {FG::Search_method::LOOK_BACK, FG::Search_method::A_STAR, FG::Search_method::DIJKSTRA}) {
-    FG::Shortest_edge_path<FG::Intrinsic_triangulation<Mesh>> search(triangulation, method);
+    FG::Shortest_edge_path<FG::Intrinsic_triangulation<Mesh>> search(triangulation,
+                                                                     CGAL::parameters::search_method(method));
     BOOST_CHECK_THROW(search(0_v, 40_v), FG::Invalid_coordinate_error);
     BOOST_CHECK_THROW(search(40_v, 0_v), FG::Invalid_coordinate_error);
     BOOST_TEST(search(0_v, 3_v).size() == 3u); // and what lies elsewhere is found

@@ -41,7 +41,8 @@ FG::Curve_index add_spline(Network& network, const std::vector<FG::Surface_locat
   FG::Geodesic_spline<typename Network::Triangulation> spline(network.triangulation(), points, kind);
   for(int round = 0; round < rounds; ++round)
     spline.refine();
-  return FG::add_curve_along(network, spline.finish(), kind == FG::Spline_kind::CLOSED_CUBIC_B_SPLINE);
+  return FG::add_curve_along(network, spline.finish(),
+                             CGAL::parameters::is_closed(kind == FG::Spline_kind::CLOSED_CUBIC_B_SPLINE));
 }
 
 // The vertices at which a curve is fixed, an open curve's ends included, in the plane.
@@ -294,7 +295,7 @@ BOOST_AUTO_TEST_CASE(polylines_are_drawn_by_insertion_or_snapped_to_edges)
     const auto path = FG::snap_polyline(input, polyline);
     BOOST_TEST(path.size() > 8);
     Network snapped(input);
-    snapped.add_curve(FG::halfedges_through(input, path, false), false);
+    snapped.add_curve(FG::halfedges_through(input, path));
     FG::order_overlapping_curves(snapped);
     BOOST_TEST(FG::shorten(snapped).is_complete());
     BOOST_TEST(std::abs(snapped.length(0_c) - distance(rolled_out(surface.flat, input, path.front()),
@@ -359,7 +360,7 @@ BOOST_AUTO_TEST_CASE(closed_polylines)
   }
   const double ring = n * polygon_side(n, 1);
   Network network(t);
-  const FG::Curve_index drawn = FG::draw_polyline(network, loop, true);
+  const FG::Curve_index drawn = FG::draw_polyline(network, loop, CGAL::parameters::is_closed(true));
   FG::shorten(network);
   BOOST_TEST(network.length(drawn) > ring * 1.01);
   network.free_nodes(drawn);
@@ -367,7 +368,9 @@ BOOST_AUTO_TEST_CASE(closed_polylines)
   BOOST_TEST(std::abs(network.length(drawn) - ring) < 1e-11);
   network.clear();
   t.rollback();
-  network.add_curve(FG::halfedges_through(t, FG::snap_polyline(t, loop, true), true), true);
+  network.add_curve(FG::halfedges_through(t, FG::snap_polyline(t, loop, CGAL::parameters::is_closed(true)),
+                                          CGAL::parameters::is_closed(true)),
+                    CGAL::parameters::is_closed(true));
   FG::order_overlapping_curves(network);
   BOOST_TEST(FG::shorten(network).is_complete());
   BOOST_TEST(std::abs(network.length(0_c) - ring) < 1e-11);
@@ -380,9 +383,9 @@ BOOST_AUTO_TEST_CASE(polylines_with_too_few_points_are_refused)
   Network network(t);
   const auto points = locations(t, surface, {{2.5, 2.25}, {2.75, 2.375}, {2.75, 2.5}});
   const std::vector<FG::Surface_location> two(points.begin(), points.begin() + 2);
-  BOOST_CHECK_THROW(FG::draw_polyline(network, two, true), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(FG::snap_polyline(t, two, true), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(FG::complete_polyline(t, two, true), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::draw_polyline(network, two, CGAL::parameters::is_closed(true)), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::snap_polyline(t, two, CGAL::parameters::is_closed(true)), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::complete_polyline(t, two, CGAL::parameters::is_closed(true)), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(FG::draw_polyline(network, {points.front()}), FG::Invalid_curve_error);
   BOOST_TEST(t.number_of_vertices() == static_cast<int>(surface.bent.number_of_vertices()));
 }
@@ -409,7 +412,7 @@ BOOST_AUTO_TEST_CASE(snapped_polylines_do_not_go_to_and_fro)
   const auto vertex = [](int i, int j) { return FG::Vertex_index(grid_vertex(size, i, j)); };
   using Path = std::vector<FG::Vertex_index>;
   const auto snapped = [&](const std::vector<Flat_point>& points, bool is_closed) {
-    return FG::snap_polyline(t, locations(t, surface, points), is_closed);
+    return FG::snap_polyline(t, locations(t, surface, points), CGAL::parameters::is_closed(is_closed));
   };
   BOOST_TEST(snapped({{2, 2}, {2.75, 2}, {2.25, 2}, {2.25, 2.25}, {2, 2.75}}, false) ==
                  (Path{vertex(2, 2), vertex(2, 3)}),
@@ -455,9 +458,9 @@ BOOST_AUTO_TEST_CASE(segments_that_share_an_edge_are_divided)
     const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::RISING));
     Triangulation t(mesh);
     Network network(t);
-    const auto there = FG::halfedges_through(t, std::vector<FG::Vertex_index>{5_v, 6_v}, false);
+    const auto there = FG::halfedges_through(t, std::vector<FG::Vertex_index>{5_v, 6_v});
     for(bool is_reversed : {false, true, false})
-      network.add_curve(std::vector<FG::Halfedge_index>{is_reversed ? t.twin(there[0]) : there[0]}, false);
+      network.add_curve(std::vector<FG::Halfedge_index>{is_reversed ? t.twin(there[0]) : there[0]});
     divide(network, network.halfedge(network.first_segment(divided)), 0.25);
     for(FG::Curve_index c : {0_c, 1_c, 2_c})
       BOOST_TEST(network.halfedges(c).size() == 2u);
@@ -476,7 +479,8 @@ BOOST_AUTO_TEST_CASE(a_loop_of_one_segment_is_divided)
   t.flip(h);
   BOOST_REQUIRE(t.tail(h) == t.head(h));
   Network network(t);
-  const FG::Curve_index curve = network.add_curve(std::vector<FG::Halfedge_index>{h}, true);
+  const FG::Curve_index curve =
+      network.add_curve(std::vector<FG::Halfedge_index>{h}, CGAL::parameters::is_closed(true));
   const double length = network.length(curve);
   divide(network, h, 0.3);
   const FG::Segment_index half = network.first_segment(curve);
@@ -498,7 +502,7 @@ BOOST_AUTO_TEST_CASE(a_division_on_a_crossed_edge_lies_inside_a_face)
   t.flip(h);
   BOOST_TEST((kind(FG::location_on_edge(t, h, 0.5)) == FG::Location_kind::FACE));
   Network network(t);
-  network.add_curve(std::vector<FG::Halfedge_index>{h}, false);
+  network.add_curve(std::vector<FG::Halfedge_index>{h});
   divide(network, h, 0.5);
   const FG::Surface_location middle = t.location(t.head(network.halfedge(network.first_segment(0_c))));
   BOOST_TEST((kind(middle) == FG::Location_kind::FACE));

@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(within_a_distance)
   const Mesh_soup soup = jittered_grid(40, 40, Diagonal_rule::RANDOM, 0.2, 2);
   Double_tree_setting setting(soup);
   const Vertex_index source(grid_vertex(40, 20, 20));
-  const FG::Geodesic_tree_report report = setting.tree.grow(source, 5);
+  const FG::Geodesic_tree_report report = setting.tree.grow(source, CGAL::parameters::max_distance(5));
   check_tree(setting, report);
   for(Vertex_index v : setting.vertices())
     BOOST_TEST(setting.tree.is_reached(v) == (distance(soup.points[v.idx()], soup.points[source.idx()]) <= 5));
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(within_a_distance)
 BOOST_AUTO_TEST_CASE(at_the_distance_exactly)
 {
   Double_tree_setting setting(flat_grid(6, 6, Diagonal_rule::RISING));
-  setting.tree.grow(Vertex_index(grid_vertex(6, 3, 3)), 2);
+  setting.tree.grow(Vertex_index(grid_vertex(6, 3, 3)), CGAL::parameters::max_distance(2));
   for(int v : {grid_vertex(6, 1, 3), grid_vertex(6, 5, 3), grid_vertex(6, 3, 1), grid_vertex(6, 3, 5)})
     BOOST_TEST(setting.tree.is_reached(Vertex_index(v)));
 }
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(interrupted)
 {
   Double_tree_setting setting(bumpy_sphere(8, 0.2, 4));
   Impatient visitor;
-  const auto report = setting.tree.grow(0_v, std::numeric_limits<double>::infinity(), visitor);
+  const auto report = setting.tree.grow(0_v, CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_TEST(FG::to_string(report.status) == "STOPPED_BY_VISITOR");
   BOOST_TEST(static_cast<std::size_t>(visitor.flips) == report.flips);
   BOOST_TEST(visitor.steps == 101);
@@ -400,6 +400,12 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
   const std::array<double, 3> inside = {{0.5, 0.3, 0.2}}, on_edge = {{0.6, 0.4, 0}};
   const std::vector<FG::Surface_location> sources = {{inner, inside}, {inner, on_edge}, {border, on_edge}};
   for(const FG::Surface_location& location : sources) {
+    Double_tree_setting direct(soup), inserted(soup);
+    direct.tree.grow(location);
+    inserted.tree.grow(inserted.triangulation.insert(location));
+    BOOST_TEST((direct.tree.source() == inserted.tree.source()));
+    for(Vertex_index v : FG::internal::descriptors<Vertex_index>(direct.triangulation.number_of_vertices()))
+      BOOST_TEST(direct.tree.distance(v) == inserted.tree.distance(v));
     Double_tree_setting setting(soup);
     Random_numbers random(2);
     setting.tree.grow(0_v); // before there were more vertices

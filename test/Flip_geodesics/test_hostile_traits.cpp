@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(loops_of_one_segment_on_random_triangulations)
           const Halfedge_sequence loop = random_loop_edge(setting.triangulation, random);
           if(loop.empty())
             continue;
-          setting.network.add_curve(loop, true);
+          setting.network.add_curve(loop, CGAL::parameters::is_closed(true));
           Watcher watcher(setting);
           is_lying = true;
           taken_back += check_shortening(setting, watcher);
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(loops_of_one_segment_are_shortened_on_the_other_side_to_the
     const Halfedge_sequence loop = random_loop_edge(setting.triangulation, random);
     if(loop.empty())
       continue;
-    setting.network.add_curve(loop, true);
+    setting.network.add_curve(loop, CGAL::parameters::is_closed(true));
     const auto is_free = [&](Segment_index s, FG::Side side) {
       return setting.network.wedge({s, side}).state == FG::Wedge_state::FREE;
     };

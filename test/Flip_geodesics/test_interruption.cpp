@@ -64,13 +64,13 @@ void stop_field(FG::Distance_field_extent extent)
   const Setting setting(bumpy_sphere(8, 0.2, 3));
   const std::vector<Vertex_index> all(descriptors<Vertex_index>(setting.triangulation.number_of_vertices()).begin(),
                                       descriptors<Vertex_index>(setting.triangulation.number_of_vertices()).end());
-  Field expected(setting.triangulation, setting.mesh, extent);
+  Field expected(setting.triangulation, setting.mesh, CGAL::parameters::extent(extent));
   expected.add_source(3_v);
   const auto complete = expected.compute();
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-    Field field(setting.triangulation, setting.mesh, extent);
+    Field field(setting.triangulation, setting.mesh, CGAL::parameters::extent(extent));
     field.add_source(3_v);
-    const auto report = field.compute<ConcurrencyTag>(FG::Distance_field_limits(), visitor);
+    const auto report = field.template compute<ConcurrencyTag>(CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(FG::to_string(report.status) == std::string(is_stopped ? "STOPPED_BY_VISITOR" : "COMPLETE"));
     BOOST_TEST((field.reach() < infinity) == is_stopped);
     for(const Vertex_index v : all)
@@ -110,9 +110,9 @@ BOOST_AUTO_TEST_CASE(a_distance_field_up_to_targets)
   stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
     Field field(setting.triangulation, setting.mesh);
     field.add_source(3_v);
-    const auto report = field.compute(limits, visitor);
+    const auto report = field.compute(CGAL::parameters::search_limit(limits).visitor(std::ref(visitor)));
     BOOST_TEST(FG::to_string(report.status) == std::string(is_stopped ? "STOPPED_BY_VISITOR" : "TARGETS_REACHED"));
-    const auto resumed = field.compute(limits).status;
+    const auto resumed = field.compute(CGAL::parameters::search_limit(limits)).status;
     BOOST_TEST(
         (resumed == FG::Distance_field_status::TARGETS_REACHED || resumed == FG::Distance_field_status::COMPLETE));
   });
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_logarithm)
   const FG::Surface_location source = setting.triangulation.location(3_v);
   const Logarithm expected(setting.triangulation, setting.mesh, source);
   stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-    const Logarithm logarithm(setting.triangulation, setting.mesh, source, FG::Distance_field_limits(),
+    const Logarithm logarithm(setting.triangulation, setting.mesh, source,
                               CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(FG::to_string(logarithm.report().status) == std::string(is_stopped ? "STOPPED_BY_VISITOR" : "COMPLETE"));
     for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices())) {
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_tree)
   Setting setting(rough_terrain());
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
     Tree tree(setting.triangulation);
-    BOOST_TEST(is_stopped_by_visitor(tree.grow(0_v, infinity, visitor)) == is_stopped);
+    BOOST_TEST(is_stopped_by_visitor(tree.grow(0_v, CGAL::parameters::visitor(std::ref(visitor)))) == is_stopped);
     BOOST_TEST((tree.grow(0_v).status == FG::Shortening_status::LOCALLY_SHORTEST));
     BOOST_TEST(tree.is_valid());
     setting.triangulation.rollback();

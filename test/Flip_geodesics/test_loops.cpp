@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(classes_stay_when_curves_are_pulled_tight)
     Setting s(soup);
     for(FG::Index i = 0; i < s.basis.number_of_loops(); ++i) {
       Network network(s.triangulation);
-      const FG::Curve_index c = network.add_curve(s.basis.cycle(i), true);
+      const FG::Curve_index c = network.add_curve(s.basis.cycle(i), CGAL::parameters::is_closed(true));
       const double before = network.length(c);
       if(i % 2 == 1) {
         const auto h = FG::internal::as_input(s.basis.cycle(i).front());
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(all_loops_in_one_network)
     Setting s(soup, {7_v});
     Network network(s.triangulation);
     for(FG::Index i = 0; i < s.basis.number_of_loops(); ++i)
-      network.add_curve(s.basis.loop(i), false);
+      network.add_curve(s.basis.loop(i));
     FG::order_overlapping_curves(network);
     BOOST_TEST(network.is_valid());
     FG::shorten(network);
@@ -315,7 +315,7 @@ BOOST_AUTO_TEST_CASE(classes_of_curves_through_inserted_points)
           polyline.push_back({g, is_right ? std::array<double, 3>{{1, 0, 0}} : std::array<double, 3>{{0, 1, 0}}});
         }
         Network network(s.triangulation);
-        const FG::Curve_index c = FG::draw_polyline(network, polyline, true);
+        const FG::Curve_index c = FG::draw_polyline(network, polyline, CGAL::parameters::is_closed(true));
         BOOST_TEST(s.basis.homology_class(network, c) == s.unit(i));
         network.clear();
         s.triangulation.rollback();
@@ -429,7 +429,7 @@ BOOST_AUTO_TEST_CASE(curves_that_contract)
   const FG::Curve_index c =
       network.add_curve(Chain{FG::internal::as_intrinsic(h), FG::internal::as_intrinsic(input.next(h)),
                               FG::internal::as_intrinsic(input.previous(h))},
-                        true);
+                        CGAL::parameters::is_closed(true));
   BOOST_TEST(s.basis.is_contractible(network, c));
   BOOST_TEST(FG::shorten(network).is_complete()); // nothing is shorter than a point
   BOOST_TEST(network.is_contracted(c));
@@ -471,7 +471,7 @@ BOOST_AUTO_TEST_CASE(bad_input)
   BOOST_CHECK_THROW(s.basis.is_contractible(Input_chain{0_input_h, s.triangulation.input().previous(0_input_h)}),
                     FG::Invalid_curve_error);
   Network network(s.triangulation);
-  network.add_curve(Chain{0_h}, false);
+  network.add_curve(Chain{0_h});
   BOOST_CHECK_THROW(s.basis.homology_class(network, 0_c), FG::Invalid_curve_error);
 
   // two triangles that share a vertex; a quadrilateral; a length that is no number

@@ -104,7 +104,7 @@ void check_bytes_per_flip(const Mesh_soup& soup, Vertex_index source, Vertex_ind
   const std::vector<Halfedge_index> path = Setting::Search(setting.triangulation)(source, target);
   const std::size_t before = bytes_in_use;
   most_bytes_in_use = before;
-  setting.network.add_curve(path, false);
+  setting.network.add_curve(path);
   const FG::Shortening_report report = setting.pull();
   BOOST_TEST((report.curves[0].status == Status::LOCALLY_SHORTEST));
 
@@ -358,7 +358,7 @@ BOOST_AUTO_TEST_CASE(a_field_goes_on_when_there_is_memory_again)
   const auto vertices = FG::internal::descriptors<Vertex_index>(triangulation.number_of_vertices());
   for(const auto extent : {FG::Distance_field_extent::EVERYWHERE, FG::Distance_field_extent::VERTICES_ONLY}) {
     const auto make_field = [&] {
-      Field field(triangulation, mesh, extent);
+      Field field(triangulation, mesh, CGAL::parameters::extent(extent));
       field.add_source(3_v);
       field.add_source(FG::Surface_location{FG::Input_halfedge_index(40), {{0.25, 0.5, 0.25}}}, 0.05);
       return field;

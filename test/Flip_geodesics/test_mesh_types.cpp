@@ -124,14 +124,14 @@ public:
 
   Curve loop(const Vertex_sequence& sequence)
   {
-    return pulled(FG::halfedges_through(m_triangulation, sequence, true), true);
+    return pulled(FG::halfedges_through(m_triangulation, sequence, CGAL::parameters::is_closed(true)), true);
   }
 
 private:
   Curve pulled(const std::vector<FG::Halfedge_index>& halfedges, bool is_closed)
   {
     Network network(m_triangulation);
-    network.add_curve(halfedges, is_closed);
+    network.add_curve(halfedges, CGAL::parameters::is_closed(is_closed));
     Curve result;
     result.report = FG::shorten(network).curves.front();
     std::vector<typename Metric::Point_3> points;
@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_same_source_does_the_rest, Type, Mesh_types)
   triangulation.rollback();
 
   Network network(triangulation);
-  network.add_curve(std::vector<FG::Halfedge_index>{triangulation.outgoing(0_v)}, false);
+  network.add_curve(std::vector<FG::Halfedge_index>{triangulation.outgoing(0_v)});
   FG::shorten(network);
   const auto subdivision =
       FG::insert_curves<CGAL::Surface_mesh<typename Triangulation::Metric::Point_3>>(network, curves.mesh());
@@ -299,7 +299,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_on_the_border_lie_in_faces, Type, Mesh_type
   using Network = FG::Edge_path_network<std::decay_t<decltype(triangulation)>>;
   Network network(triangulation);
   const Vertex_sequence around = {0_v, 1_v, 2_v, 5_v, 8_v, 7_v, 6_v, 3_v};
-  network.add_curve(FG::halfedges_through(triangulation, around, true), true);
+  network.add_curve(FG::halfedges_through(triangulation, around, CGAL::parameters::is_closed(true)),
+                    CGAL::parameters::is_closed(true));
   FG::Curve_extractor<Network> extractor(network);
   std::vector<std::pair<typename boost::graph_traits<std::decay_t<decltype(curves.mesh())>>::face_descriptor,
                         std::array<double, 3>>>

@@ -209,7 +209,8 @@ BOOST_AUTO_TEST_CASE(paths_with_fixed_nodes_and_contracted_loops)
   Curve_setting::Search search(setting.triangulation);
   const std::vector<Halfedge_index> outgoing_halfedge = search(3_v, 60_v);
   const Halfedge_index h = outgoing_halfedge.front();
-  setting.network.add_curve(std::vector<Halfedge_index>{h, setting.triangulation.twin(h)}, true); // to and fro
+  setting.network.add_curve(std::vector<Halfedge_index>{h, setting.triangulation.twin(h)},
+                            CGAL::parameters::is_closed(true)); // to and fro
   FG::order_overlapping_curves(setting.network);
   setting.pull();
   check_round_trip(setting, soup);
@@ -228,7 +229,7 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
         {FG::Input_halfedge_index(2 * random.below(setting.triangulation.input().number_of_halfedges() / 2)),
          {{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}}});
   const Vertex_index last(setting.triangulation.number_of_vertices() - 1);
-  setting.network.add_curve(std::vector<Halfedge_index>{setting.triangulation.outgoing(last)}, false);
+  setting.network.add_curve(std::vector<Halfedge_index>{setting.triangulation.outgoing(last)});
   check_round_trip(setting, soup);
 }
 
@@ -251,10 +252,10 @@ void add_random_curves(Setting& setting, Random_numbers& random)
     for(int copies = 0; copies <= i % 2; ++copies)
       setting.add_path(source, target);
   }
-  setting.network.add_curve(random_walk(setting.triangulation, 5, false, random), false);
+  setting.network.add_curve(random_walk(setting.triangulation, 5, false, random));
   const std::vector<Halfedge_index> loop = random_walk(setting.triangulation, 6, true, random);
   if(!loop.empty())
-    setting.network.add_curve(loop, true);
+    setting.network.add_curve(loop, CGAL::parameters::is_closed(true));
 }
 
 template <class Setting>
@@ -582,7 +583,7 @@ BOOST_AUTO_TEST_CASE(edges_that_are_not_there_are_refused)
   const Mesh_soup soup = cube(2);
   Curve_setting setting(soup);
   for(int i = 0; i < 2; ++i)
-    setting.network.add_curve(std::vector<Halfedge_index>{0_h}, false);
+    setting.network.add_curve(std::vector<Halfedge_index>{0_h});
   const std::string text = saved(setting);
   for(const char* edge : {"-1", "1000", "1073741824", "2147483647", "-2147483648"})
     check_throws<FG::File_format_error>(

@@ -188,7 +188,7 @@ private:
     call("geodesics_through",
          [](Setting& s) { return FG::geodesics_through(s.triangulation, locations(s)).report.curves[0].length; });
     call("draw_polyline", [](Setting& s) {
-      FG::draw_polyline(s.network, FG::complete_polyline(s.triangulation, locations(s), false), false);
+      FG::draw_polyline(s.network, FG::complete_polyline(s.triangulation, locations(s)));
       return pull(s);
     });
     call("Geodesic_spline", [](Setting& s) {

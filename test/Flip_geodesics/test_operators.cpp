@@ -277,7 +277,7 @@ std::vector<double> solutions(const Mesh& mesh)
 {
   Archetype triangulation(mesh);
   FG::Edge_path_network<Archetype> network(triangulation);
-  network.add_curve(FG::halfedges_through(triangulation, std::vector<FG::Vertex_index>{3_v, 10_v, 17_v}, false), false);
+  network.add_curve(FG::halfedges_through(triangulation, std::vector<FG::Vertex_index>{3_v, 10_v, 17_v}));
   for(int round = 0; round < 20; ++round)
     for(FG::Halfedge_index g : FG::internal::descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges()))
       if(triangulation.holds(Archetype::edge(g)) == 0 && !triangulation.is_locally_delaunay(g) &&

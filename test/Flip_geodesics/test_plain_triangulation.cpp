@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE(the_same_flips_come_out)
         const Halfedge_sequence walk = random_walk(fast.triangulation, 14, is_closed, random);
         if(walk.empty())
           continue;
-        plain.network.add_curve(walk, is_closed);
-        fast.network.add_curve(walk, is_closed);
+        plain.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
+        fast.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
       }
       BOOST_TEST(plain.network.is_valid() == fast.network.is_valid());
       if(fast.network.is_valid()) {
@@ -139,8 +139,8 @@ BOOST_AUTO_TEST_CASE(overlapping_curves_are_ordered_alike)
   World<Plain> plain(mesh);
   World<Fast> fast(mesh);
   for(const Vertex_sequence& path : overlapping_paths(6, 3)) {
-    plain.network.add_curve(FG::halfedges_through(plain.triangulation, path, false), false);
-    fast.network.add_curve(FG::halfedges_through(fast.triangulation, path, false), false);
+    plain.network.add_curve(FG::halfedges_through(plain.triangulation, path));
+    fast.network.add_curve(FG::halfedges_through(fast.triangulation, path));
   }
   FG::order_overlapping_curves(plain.network);
   FG::order_overlapping_curves(fast.network);
@@ -159,8 +159,8 @@ BOOST_AUTO_TEST_CASE(the_same_edges_are_delaunay)
     World<Plain> plain(mesh);
     World<Fast> fast(mesh);
     const Halfedge_sequence walk = {FG::Halfedge_index(4)};
-    plain.network.add_curve(walk, false);
-    fast.network.add_curve(walk, false);
+    plain.network.add_curve(walk);
+    fast.network.add_curve(walk);
     BOOST_TEST((FG::edges_near_curves(plain.network) == FG::edges_near_curves(fast.network)));
     FG::flip_to_delaunay(plain.triangulation, CGAL::parameters::number_of_iterations(100000),
                          CGAL::parameters::visitor(std::ref(plain.flips)));
@@ -177,8 +177,8 @@ BOOST_AUTO_TEST_CASE(several_networks_hold_edges)
   Plain plain(mesh);
   FG::Edge_path_network<Plain> one(plain), other(plain);
   const std::vector<FG::Halfedge_index> edge = {0_h};
-  one.add_curve(edge, false);
-  other.add_curve(edge, false);
+  one.add_curve(edge);
+  other.add_curve(edge);
   BOOST_TEST(plain.holds(0_e) == 2);
   one.clear();
   BOOST_TEST(plain.holds(0_e) == 1);
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(a_plain_network_makes_the_same_flips)
         const bool is_closed = i % 2 == 1;
         const Halfedge_sequence walk = random_walk(fast.triangulation, 12, is_closed, random);
         if(!walk.empty())
-          fast.network.add_curve(walk, is_closed);
+          fast.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
       }
       if(fast.network.is_valid()) {
         Plain_network<Plain> plain(triangulation, fast.network);

@@ -100,7 +100,7 @@ private:
         break;
     }
     const bool can_close = triangulation.head(walk.back()) == triangulation.tail(walk.front());
-    network().add_curve(walk, can_close && below(3) > 0);
+    network().add_curve(walk, CGAL::parameters::is_closed(can_close && below(3) > 0));
   }
 
   std::mt19937 m_engine;
@@ -312,7 +312,7 @@ void rebuild(Network& network)
       curves.push_back({network.halfedges(c), network.is_closed(c)});
   network.clear();
   for(const Saved_curve& curve : curves)
-    network.add_curve(curve.halfedges, curve.is_closed);
+    network.add_curve(curve.halfedges, CGAL::parameters::is_closed(curve.is_closed));
 }
 
 /// Random shortest edge paths through two or three vertices, as many out of `candidates` as do not cross.
@@ -327,10 +327,10 @@ void add_random_curves(Overlapping_world& world, std::mt19937& engine, int candi
     const Vertex_sequence points = {vertex(), vertex(), vertex()};
     if(points[0] == points[1] || points[1] == points[2] || points[2] == points[0])
       continue;
-    accepted.push_back({shortest_halfedges_through(search, points, is_closed), is_closed});
+    accepted.push_back({shortest_halfedges_through(search, points, CGAL::parameters::is_closed(is_closed)), is_closed});
     world.network.clear();
     for(const Saved_curve& curve : accepted)
-      world.network.add_curve(curve.halfedges, curve.is_closed);
+      world.network.add_curve(curve.halfedges, CGAL::parameters::is_closed(curve.is_closed));
     try {
       order_overlapping_curves(world.network);
     } catch(const Crossing_curves_error&) {
@@ -339,7 +339,7 @@ void add_random_curves(Overlapping_world& world, std::mt19937& engine, int candi
   }
   world.network.clear();
   for(const Saved_curve& curve : accepted)
-    world.network.add_curve(curve.halfedges, curve.is_closed);
+    world.network.add_curve(curve.halfedges, CGAL::parameters::is_closed(curve.is_closed));
 }
 
 } // namespace

@@ -50,7 +50,8 @@ BOOST_AUTO_TEST_CASE(loops)
       Setting<Certified>::Network network(s.triangulation);
       const Vertex_sequence way = {s.random_vertex(), s.random_vertex(), s.random_vertex()};
       summary.attempt([&] {
-        network.add_curve(FG::shortest_halfedges_through(search, way, true), true);
+        network.add_curve(FG::shortest_halfedges_through(search, way, CGAL::parameters::is_closed(true)),
+                          CGAL::parameters::is_closed(true));
         FG::order_overlapping_curves(network);
         if(i % 2 == 1)
           network.fix_nodes_at(way[0]);
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(curves_through_points)
                          summary.attempt([&] {
                            if(i % 2 == 1)
                              FG::flip_to_delaunay(s.triangulation);
-                           FG::add_curve_through(network, locations, i >= 5);
+                           FG::add_curve_through(network, locations, CGAL::parameters::is_closed(i >= 5));
                            FG::order_overlapping_curves(network);
                            shorten_and_add(network, summary);
                            std::vector<std::pair<Surface::Face_index, std::array<double, 3>>> in_faces;
@@ -122,14 +123,15 @@ BOOST_AUTO_TEST_CASE(polylines)
       const bool is_closed = i % 2 == 1;
       std::vector<FG::Surface_location> polyline;
       summary.attempt([&] {
-        polyline = FG::complete_polyline(s.triangulation, s.random_locations(4), is_closed);
+        polyline =
+            FG::complete_polyline(s.triangulation, s.random_locations(4), CGAL::parameters::is_closed(is_closed));
         summary.add(polyline);
-        const auto snapped = FG::snap_polyline(s.triangulation, polyline, is_closed);
+        const auto snapped = FG::snap_polyline(s.triangulation, polyline, CGAL::parameters::is_closed(is_closed));
         summary.results.add_all(snapped);
       });
       Setting<Certified>::Network network(s.triangulation);
       summary.attempt([&] {
-        FG::draw_polyline(network, polyline, is_closed);
+        FG::draw_polyline(network, polyline, CGAL::parameters::is_closed(is_closed));
         FG::order_overlapping_curves(network);
         summary.add_curves(network);
         shorten_and_add(network, summary);
@@ -172,7 +174,8 @@ BOOST_AUTO_TEST_CASE(drawn_splines)
       summary.attempt([&] {
         FG::Geodesic_spline<Certified> spline(s.triangulation, points, kind);
         spline.refine(0.02, 2);
-        FG::add_curve_along(network, spline.finish(), kind == FG::Spline_kind::CLOSED_CUBIC_B_SPLINE);
+        FG::add_curve_along(network, spline.finish(),
+                            CGAL::parameters::is_closed(kind == FG::Spline_kind::CLOSED_CUBIC_B_SPLINE));
         FG::order_overlapping_curves(network);
         summary.add_curves(network);
         shorten_and_add(network, summary);

@@ -74,7 +74,7 @@ Run run(const Mesh_soup& soup, double unit)
       setting.add_path(Vertex_index(u), Vertex_index(v));
     const Halfedge_sequence walk = random_walk(setting.triangulation, 15, true, random);
     if(i % 2 == 1 && !walk.empty()) {
-      setting.network.add_curve(walk, true);
+      setting.network.add_curve(walk, CGAL::parameters::is_closed(true));
       if(!order_at_random(setting.network, walk, 5, random))
         setting.network.clear();
     }
@@ -268,12 +268,14 @@ BOOST_AUTO_TEST_CASE(sequences_that_are_no_curves)
   BOOST_CHECK_THROW(setting.add({0_v, 1_v}, false), FG::Invalid_curve_error); // opposite vertices
   BOOST_CHECK_THROW(setting.add({0_v}, false), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(setting.add({0_v, 2_v, 9_v}, false), FG::Vertex_out_of_range_error);
-  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence(), false), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{0_h, 0_h}, false), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{0_h}, true), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{1000_h}, false), FG::Invalid_curve_error);
-  const auto chain = FG::halfedges_through(setting.triangulation, Vertex_sequence{0_v, 2_v, 1_v}, false);
-  BOOST_CHECK_THROW(setting.network.add_curve(chain, true), FG::Invalid_curve_error); // its ends are apart
+  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence()), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{0_h, 0_h}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{0_h}, CGAL::parameters::is_closed(true)),
+                    FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{1000_h}), FG::Invalid_curve_error);
+  const auto chain = FG::halfedges_through(setting.triangulation, Vertex_sequence{0_v, 2_v, 1_v});
+  BOOST_CHECK_THROW(setting.network.add_curve(chain, CGAL::parameters::is_closed(true)),
+                    FG::Invalid_curve_error); // its ends are apart
   BOOST_TEST(setting.network.number_of_curves() == 0);
   BOOST_TEST(setting.network.is_valid());
 }
@@ -324,7 +326,7 @@ BOOST_AUTO_TEST_CASE(a_curve_along_a_bad_face_is_not_added)
   // Each edge is at a bad face, or on the border.
   for(Halfedge_index h : descriptors<Halfedge_index>(setting.triangulation.number_of_halfedges()))
     try {
-      setting.network.add_curve(Halfedge_sequence{h}, false);
+      setting.network.add_curve(Halfedge_sequence{h});
       setting.network.clear();
     } catch(const FG::Invalid_coordinate_error&) {
       BOOST_TEST(setting.network.number_of_curves() == 0);

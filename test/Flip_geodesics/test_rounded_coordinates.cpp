@@ -126,9 +126,9 @@ void check_given_curve(const Mesh& mesh, bool is_certain)
 {
   using Vertex = typename Mesh::Vertex_index;
   const std::vector<Vertex> side = {Vertex(0), Vertex(1), Vertex(2)};
-  BOOST_TEST((FG::certify_curve(mesh, side, false).verdict == Verdict::PROVEN) == is_certain);
+  BOOST_TEST((FG::certify_curve(mesh, side).verdict == Verdict::PROVEN) == is_certain);
   const std::vector<Vertex> bent = {Vertex(0), Vertex(1), Vertex(cells + 2)};
-  BOOST_TEST((FG::certify_curve(mesh, bent, false).verdict == Verdict::UNDECIDED) == !is_certain);
+  BOOST_TEST((FG::certify_curve(mesh, bent).verdict == Verdict::UNDECIDED) == !is_certain);
 }
 
 template <class Mesh>
@@ -137,7 +137,7 @@ void check_edited_curve(const Mesh& mesh, bool is_certain)
   using Triangulation = FG::Intrinsic_triangulation<Mesh>;
   Triangulation triangulation(mesh);
   const auto at = [&](FG::Index v) { return triangulation.location(Vertex_index(v)); };
-  FG::Curve_editor<Triangulation> editor(triangulation, {at(0), at(8), at(22)}, false);
+  FG::Curve_editor<Triangulation> editor(triangulation, {at(0), at(8), at(22)});
   for(std::size_t i = 0; i < editor.number_of_legs(); ++i)
     BOOST_TEST((editor.verdict(i) == Verdict::UNDECIDED) == !is_certain);
 }
@@ -226,8 +226,7 @@ BOOST_AUTO_TEST_CASE(no_faces_are_called_flat_that_are_not)
       FG::Edge_path_network<Triangulation> network(triangulation);
       FG::Shortest_edge_path<Triangulation> search(triangulation);
       network.add_curve(
-          search(Vertex_index(static_cast<FG::Index>(ends.source)), Vertex_index(static_cast<FG::Index>(ends.target))),
-          false);
+          search(Vertex_index(static_cast<FG::Index>(ends.source)), Vertex_index(static_cast<FG::Index>(ends.target))));
       const FG::Curve_report report = FG::shorten(network).curves.front();
       BOOST_TEST(FG::to_string(report.status) == std::string("LOCALLY_SHORTEST"));
       BOOST_TEST((report.verdict == Verdict::PROVEN));
@@ -250,7 +249,7 @@ Verdict verdict_over_lengths(const Number& length)
   Triangulation triangulation(mesh, Metric(mesh, lengths));
   FG::Edge_path_network<Triangulation> network(triangulation);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
-  network.add_curve(search(Vertex_index(0), Vertex_index(9)), false);
+  network.add_curve(search(Vertex_index(0), Vertex_index(9)));
   return FG::shorten(network).curves.front().verdict;
 }
 

@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(limited_distance)
     distances.push_back(whole.distance(v));
   setting.triangulation.rollback();
   Tree part(setting.triangulation);
-  part.grow(11_v, 0.8);
+  part.grow(11_v, CGAL::parameters::max_distance(0.8));
   const auto report = FG::make_shortest(part);
   BOOST_TEST(report.longer == 0u);
   std::size_t reached = 0;
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(vertices_that_a_tree_missed_are_added)
       continue;
     setting.triangulation.rollback();
     Tree part(setting.triangulation);
-    part.grow(3_v, distances[last] * (1 + 1e-9));
+    part.grow(3_v, CGAL::parameters::max_distance(distances[last] * (1 + 1e-9)));
     if(part.is_reached(last))
       continue;
     ++missed;

@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(limits_that_are_met_but_for_rounding)
       setting.network.clear();
       setting.triangulation.rollback(start);
       for(const auto& [walk, is_closed] : curves)
-        setting.network.add_curve(walk, is_closed);
+        setting.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
       return setting.pull(stop);
     };
     for(const double ratio : ratios)

@@ -74,7 +74,7 @@ Outcome pulled_from_straightened(Setting& setting, const std::vector<Halfedge_in
 template <class Setting>
 Outcome pulled_from_straightened(Setting& setting, Vertex_index source, Vertex_index target)
 {
-  typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
+  typename Setting::Search search(setting.triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   return pulled_from_straightened(setting, search(source, target));
 }
 
@@ -173,13 +173,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(lengths_are_those_without_and_flips_are_fewer, Set
   double sum = 0, plain_sum = 0;
   std::size_t flips = 0, plain_flips = 0, segments = 0;
   for_random_pairs(setting.mesh, 20, [&](Vertex_index u, Vertex_index v) {
-    typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
+    typename Setting::Search search(setting.triangulation,
+                                    CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
     const std::vector<Halfedge_index> path = search(u, v);
     const Outcome outcome = pulled_from_straightened(setting, path);
     sum += outcome.report.curves[0].length;
     flips += outcome.first_flips + outcome.report.flips;
     segments += path.size();
-    setting.network.add_curve(path, false);
+    setting.network.add_curve(path);
     const FG::Shortening_report plain = setting.pull();
     plain_sum += plain.curves[0].length;
     plain_flips += plain.flips;
@@ -195,7 +196,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(lengths_are_those_without_and_flips_are_fewer, Set
 template <class Setting>
 std::pair<std::size_t, std::size_t> flips_and_crossings(Setting& setting, Vertex_index source, Vertex_index target)
 {
-  typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
+  typename Setting::Search search(setting.triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   const std::size_t flips = FG::add_straightened_path(setting.network, search(source, target));
   std::size_t crossings = 0;
   for(Halfedge_index h : setting.network.halfedges(0_c))
@@ -320,7 +321,7 @@ BOOST_AUTO_TEST_CASE(paths_that_wind_about_a_tube)
             if(row < m)
               way.emplace_back(column + n * (row + 1));
           }
-          const std::vector<Halfedge_index> path = FG::halfedges_through(setting.triangulation, way, false);
+          const std::vector<Halfedge_index> path = FG::halfedges_through(setting.triangulation, way);
           const Outcome outcome = pulled_from_straightened(setting, path);
           (outcome.first_length < outcome.report.curves[0].initial_length * (1 - 1e-9) ? inserted : given_up) += 1;
         }
@@ -338,7 +339,7 @@ BOOST_AUTO_TEST_CASE(a_leg_along_an_edge_that_another_leg_crosses)
           {8, 7}, {8, 8}, {7, 8}, {6, 8}, {5, 8}, {4, 8}, {3, 8}, {2, 8}, {1, 7}, {0, 6}, {0, 5}, {1, 5}})
     way.emplace_back(index_of(soup, {double(p[0]), double(p[1]), 0}));
   Curve_setting setting(soup);
-  const std::vector<Halfedge_index> path = FG::halfedges_through(setting.triangulation, way, false);
+  const std::vector<Halfedge_index> path = FG::halfedges_through(setting.triangulation, way);
   const Outcome outcome = pulled_from_straightened(setting, path);
   BOOST_TEST(outcome.first_length == outcome.report.curves[0].initial_length);
   BOOST_TEST(outcome.first_flips > 0u); // which were taken back
@@ -355,7 +356,7 @@ BOOST_AUTO_TEST_CASE(a_path_is_straightened_on_the_input_alone)
   setting.triangulation.flip(h);
   BOOST_CHECK_THROW(FG::add_straightened_path(setting.network, path), CGAL::Precondition_exception);
   setting.triangulation.rollback();
-  setting.network.add_curve(path, false);
+  setting.network.add_curve(path);
   BOOST_CHECK_THROW(FG::add_straightened_path(setting.network, path), CGAL::Precondition_exception);
 }
 #endif
@@ -406,7 +407,7 @@ BOOST_AUTO_TEST_CASE(shortest_edge_paths_are_as_long_as_edges_relaxed_again_and_
           }
       }
       for(FG::Search_method method : {FG::Search_method::A_STAR, FG::Search_method::DIJKSTRA}) {
-        FG::Shortest_edge_path<Curve_setting::Triangulation> search(t, method);
+        FG::Shortest_edge_path<Curve_setting::Triangulation> search(t, CGAL::parameters::search_method(method));
         for(Vertex_index target : descriptors<Vertex_index>(t.number_of_vertices())) {
           double length = 0;
           Vertex_index at = source;
@@ -434,7 +435,7 @@ BOOST_AUTO_TEST_CASE(paths_over_a_vertex_of_large_angle_stay)
       way.emplace_back(disk_vertex(k, r, i));
     for(int r = 1; r <= 5; ++r)
       way.emplace_back(disk_vertex(k, r, i + k / 2));
-    const auto path = FG::halfedges_through(setting.triangulation, way, false);
+    const auto path = FG::halfedges_through(setting.triangulation, way);
     BOOST_TEST(FG::add_straightened_path(setting.network, path) == 0u);
     BOOST_TEST(setting.network.length(0_c) == 10, boost::test_tools::tolerance(1e-12));
     setting.network.clear();

@@ -60,7 +60,7 @@ double length(const Triangulation& triangulation, const std::vector<FG::Halfedge
 void compare_on(const Mesh& mesh, int pairs, double tolerance)
 {
   Triangulation triangulation(mesh);
-  Search astar(triangulation), look_back(triangulation, FG::Search_method::LOOK_BACK);
+  Search astar(triangulation), look_back(triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   Edge_dijkstra<Mesh> dijkstra(mesh);
   opponents::Surface_geometry<Mesh> geometry(mesh);
   std::mt19937 random(1);
@@ -88,7 +88,7 @@ void compare_on(const Mesh& mesh, int pairs, double tolerance)
     double shortest = 0;
     {
       FG::Edge_path_network<Triangulation> network(triangulation);
-      network.add_curve(start, false);
+      network.add_curve(start);
       shortest = FG::shorten(network).curves.front().length;
     }
     triangulation.rollback();

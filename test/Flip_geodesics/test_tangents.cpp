@@ -37,13 +37,14 @@ struct Traced
 Traced trace(const Triangulation& t, const FG::Surface_location& from, const FG::Surface_direction& d, double length)
 {
   Traced result;
-  result.trace = FG::Geodesic_tracer<Triangulation>(t).trace(
-      from, d.halfedge, d.angle, FG::Trace_limits<>{length}, [&](const FG::Surface_point& p) {
-        result.locations.push_back(p.is_inside_face() || p.is_vertex() ? FG::Surface_location()
-                                                                       : FG::internal::surface_location(t, p));
-        if(p.is_vertex())
-          result.locations.back() = t.location(p.a);
-      });
+  std::vector<FG::Surface_point> points;
+  result.trace = FG::Geodesic_tracer<Triangulation>(t).trace(from, d, length, std::back_inserter(points));
+  for(const FG::Surface_point& p : points) {
+    result.locations.push_back(p.is_inside_face() || p.is_vertex() ? FG::Surface_location()
+                                                                   : FG::internal::surface_location(t, p));
+    if(p.is_vertex())
+      result.locations.back() = t.location(p.a);
+  }
   result.locations.front() = from;
   result.locations.back() = result.trace.location;
   return result;
@@ -367,7 +368,7 @@ BOOST_AUTO_TEST_CASE(mistakes_are_refused)
   BOOST_TEST(std::isnan(logarithm(here).angle));
   FG::Distance_field_limits limits;
   limits.radius = 1;
-  const FG::Logarithmic_map<Triangulation> near(t, mesh, here, limits);
+  const FG::Logarithmic_map<Triangulation> near(t, mesh, here, CGAL::parameters::search_limit(limits));
   BOOST_TEST(std::isinf(near(there).radius));
   BOOST_TEST(std::isnan(near.transported(there, 0).angle));
 }

@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(each_thread_has_a_triangulation_of_its_own)
     Triangulation t(mesh);
     FG::Edge_path_network<Triangulation> network(t);
     FG::Shortest_edge_path<Triangulation> search(t);
-    network.add_curve(search(FG::Vertex_index(0), FG::Vertex_index(100)), false);
+    network.add_curve(search(FG::Vertex_index(0), FG::Vertex_index(100)));
     FG::shorten(network);
     lengths[static_cast<std::size_t>(thread)] = network.length(FG::Curve_index(0));
   });

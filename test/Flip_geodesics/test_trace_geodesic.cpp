@@ -363,16 +363,18 @@ BOOST_AUTO_TEST_CASE(along_the_border_it_stays_on_the_border)
     const double corner = std::acos((p - q) * (r - q) / (distance(p, q) * distance(r, q)));
     const double to_edge = (told_from == edge ? 0 : corner - pi) + 2 * pi * (i % 3) + (i % 5 < 2 ? pi : 0);
     const double length = 0.05 * distance(p, q);
-    const FG::Trace_report t =
-        tracer.trace(at, triangulation.input().index(told_from), to_edge, FG::Trace_limits<>{length});
+    const FG::Trace_report t = tracer.trace(at, FG::Surface_direction{triangulation.input().index(told_from), to_edge},
+                                            length, CGAL::Emptyset_iterator());
     BOOST_TEST((t.status == Trace_status::LENGTH));
     BOOST_TEST(std::abs(t.length - length) < 1e-14);
-    const FG::Trace_report on = tracer.trace(t.location, t.halfedge, t.angle, FG::Trace_limits<>{length});
+    const FG::Trace_report on =
+        tracer.trace(t.location, FG::Surface_direction{t.halfedge, t.angle}, length, CGAL::Emptyset_iterator());
     BOOST_TEST((on.status == Trace_status::LENGTH));
     // What does not run along it does leave the surface.
     for(double outward : {1e-9, -1e-9}) {
       const FG::Trace_report none =
-          tracer.trace(at, triangulation.input().index(told_from), to_edge + outward, FG::Trace_limits<>{length});
+          tracer.trace(at, FG::Surface_direction{triangulation.input().index(told_from), to_edge + outward}, length,
+                       CGAL::Emptyset_iterator());
       const bool leads_out = (i % 5 < 2) == (outward > 0);
       BOOST_TEST((none.status == (leads_out ? Trace_status::BORDER : Trace_status::LENGTH)));
     }

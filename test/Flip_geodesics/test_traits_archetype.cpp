@@ -80,8 +80,8 @@ BOOST_AUTO_TEST_CASE(the_same_words_come_out)
       const Halfedge_sequence walk = random_walk(usual.triangulation, 20, is_closed, random);
       if(walk.empty())
         continue;
-      archetype.network.add_curve(walk, is_closed);
-      usual.network.add_curve(walk, is_closed);
+      archetype.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
+      usual.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
       if(usual.network.is_valid()) {
         const Curve a = pulled(archetype), b = pulled(usual);
         BOOST_TEST(a.status == b.status);

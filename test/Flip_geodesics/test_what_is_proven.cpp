@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(paths_of_a_tree)
     BOOST_TEST((tree.grow(44_v).status == FG::Shortening_status::LOCALLY_SHORTEST));
     for(FG::Vertex_index v : FG::internal::descriptors<FG::Vertex_index>(100))
       if(v != 44_v) {
-        s.network.add_curve(tree.path(v), false);
+        s.network.add_curve(tree.path(v));
         check_curves(s);
         s.network.clear();
       }

@@ -66,7 +66,7 @@ public:
     , m_progress(progress)
     , m_zero_length_edges(zero_length_edges)
     , m_triangulation(mesh, metric, Traits(), zero_length_edges)
-    , m_search(m_triangulation, options.search)
+    , m_search(m_triangulation, CGAL::parameters::search_method(options.search))
   {
   }
 
@@ -261,7 +261,8 @@ private:
       if(!request.curves[c].points.empty()) {
         const auto curve = request.curves[c].spline
                                ? add_spline(network, request.curves[c], results[c])
-                               : add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
+                               : add_curve_through(network, request.curves[c].points,
+                                                   CGAL::parameters::is_closed(request.curves[c].is_closed));
         results[c].search_s = stopwatch.seconds();
         results[c].initial_segments = network.halfedges(curve).size();
         continue;
@@ -275,7 +276,7 @@ private:
         m_progress.add_flips(results[c].flips);
         results[c].shorten_s = stopwatch.seconds() - results[c].search_s;
       } else {
-        network.add_curve(halfedges, request.curves[c].is_closed);
+        network.add_curve(halfedges, CGAL::parameters::is_closed(request.curves[c].is_closed));
       }
     }
     for(Vertex_index v : request.fixed_vertices)
@@ -408,7 +409,7 @@ private:
   void record_straightening(Network& network, const Network_request& request)
   {
     const std::vector<Halfedge_index> halfedges = initial_halfedges(request.curves.front());
-    network.add_curve(halfedges, false);
+    network.add_curve(halfedges);
     Recorder recorder;
     recorder.emplace(network, m_most_recorded_points);
     network.clear();
@@ -471,7 +472,7 @@ private:
   Curve_index add_spline(Network& network, const Curve_request& request, Curve_result& result)
   {
     const CGAL::Flip_geodesics::Free_legs pieces = spline(request);
-    const Curve_index curve = add_curve_along(network, pieces.legs, request.is_closed);
+    const Curve_index curve = add_curve_along(network, pieces.legs, CGAL::parameters::is_closed(request.is_closed));
     network.set_initial_length(curve, pieces.report.curves.front().initial_length);
     result.flips = pieces.report.flips;
     return curve;
@@ -497,13 +498,17 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
-    const auto polyline = FG::complete_polyline(m_triangulation, request.points, request.is_closed);
+    const auto polyline =
+        FG::complete_polyline(m_triangulation, request.points, CGAL::parameters::is_closed(request.is_closed));
     Curve_index curve;
     if(m_options.is_snapped) {
-      const std::vector<Vertex_index> path = FG::snap_polyline(m_triangulation, polyline, request.is_closed);
-      curve = network.add_curve(FG::halfedges_through(m_triangulation, path, request.is_closed), request.is_closed);
+      const std::vector<Vertex_index> path =
+          FG::snap_polyline(m_triangulation, polyline, CGAL::parameters::is_closed(request.is_closed));
+      curve = network.add_curve(
+          FG::halfedges_through(m_triangulation, path, CGAL::parameters::is_closed(request.is_closed)),
+          CGAL::parameters::is_closed(request.is_closed));
     } else {
-      curve = FG::draw_polyline(network, polyline, request.is_closed);
+      curve = FG::draw_polyline(network, polyline, CGAL::parameters::is_closed(request.is_closed));
       FG::order_overlapping_curves(network);
       FG::shorten(network, CGAL::parameters::stop_predicate(memory_limit()));
       network.reset_initial_length(curve);
@@ -522,7 +527,7 @@ private:
     Progress_visitor visitor(m_progress);
     FG::Geodesic_tree<Triangulation> tree(m_triangulation);
     const FG::Geodesic_tree_report report =
-        tree.grow(network.insert(source), std::numeric_limits<double>::infinity(), visitor);
+        tree.grow(network.insert(source), CGAL::parameters::visitor(std::ref(visitor)));
     FG::Distances_report shortest;
     shortest.status = report.status;
     if(m_options.is_shortest) {
@@ -551,7 +556,7 @@ private:
       const Halfedge_index h = tree.incoming(v);
       if(!h.is_valid())
         continue;
-      network.add_curve(std::vector<Halfedge_index>{h}, false);
+      network.add_curve(std::vector<Halfedge_index>{h});
       results.push_back(common);
       results.back().is_of_tree = true;
       results.back().name = "to vertex " + std::to_string(v.idx());

@@ -160,7 +160,7 @@ Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progre
   const bool is_field_needed = request.is_map || has_boundaries || !request.levels.empty() || request.spacing > 0;
   Progress_visitor visitor(progress);
   if(is_field_needed &&
-     field.compute(FG::Distance_field_limits(), visitor).status != FG::Distance_field_status::COMPLETE)
+     field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
     throw std::runtime_error("--source: the distances of so large a mesh were given up");
 
   Field_curves result;

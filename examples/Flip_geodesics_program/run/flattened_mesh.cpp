@@ -40,7 +40,9 @@ void cut_open(Network& network, const Network_request& cut, Progress_visitor& vi
     return;
   }
   for(const Curve_request& curve : cut.curves)
-    network.add_curve(FG::halfedges_through(network.triangulation(), curve.vertices, curve.is_closed), curve.is_closed);
+    network.add_curve(
+        FG::halfedges_through(network.triangulation(), curve.vertices, CGAL::parameters::is_closed(curve.is_closed)),
+        CGAL::parameters::is_closed(curve.is_closed));
   for(const Vertex_index v : cut.fixed_vertices)
     network.fix_nodes_at(v);
   FG::order_overlapping_curves(network);

@@ -62,15 +62,16 @@ Curve_result result_along(const Triangulation& triangulation, const Curve_reques
 
 Curve_result drawn_curve(Triangulation& triangulation, const Curve_request& request)
 {
-  Curve_result result =
-      result_along(triangulation, request, FG::complete_polyline(triangulation, request.points, request.is_closed));
+  Curve_result result = result_along(
+      triangulation, request,
+      FG::complete_polyline(triangulation, request.points, CGAL::parameters::is_closed(request.is_closed)));
   result.status = "DRAWN";
   return result;
 }
 
 Curve_result certified_curve(const Mesh& mesh, const Triangulation& triangulation, const Curve_request& request)
 {
-  const auto certificate = FG::certify_curve(mesh, request.points, request.is_closed);
+  const auto certificate = FG::certify_curve(mesh, request.points, CGAL::parameters::is_closed(request.is_closed));
   Curve_result result = result_along(triangulation, request, request.points);
   result.status = "GIVEN";
   result.certificate = to_string(certificate.verdict);

@@ -42,10 +42,11 @@ Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
     zero = zero_halfedge(triangulation, mesh, p.a);
   }
   try {
-    const FG::Trace_report trace = tracer.trace(
-        request.source.at, zero, request.angle, FG::Trace_limits<>{request.length}, [&](const FG::Surface_point& p) {
-          result.points.push_back({p, point_in_space(triangulation, p), p.is_inside_face()});
-        });
+    std::vector<FG::Surface_point> points;
+    const FG::Trace_report trace = tracer.trace(request.source.at, FG::Surface_direction{zero, request.angle},
+                                                request.length, std::back_inserter(points));
+    for(const FG::Surface_point& p : points)
+      result.points.push_back({p, point_in_space(triangulation, p), p.is_inside_face()});
     result.status = to_string(trace.status);
     result.length = trace.length;
     result.initial_length = trace.length;

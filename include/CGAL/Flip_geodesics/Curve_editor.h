@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
@@ -77,7 +78,8 @@ public:
    *        unchanged after each call
    * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts, of
    *        which no two consecutive ones coincide; a closed curve does not repeat the first
-   * \param is_closed whether a segment leads from the last point to the first
+   * \param np the named parameter `is_closed`, a `bool`: whether a segment leads from the last point to the first;
+   *        `false` by default
    * \throws Invalid_curve_error if there are fewer points, or two consecutive ones coincide
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
@@ -86,12 +88,12 @@ public:
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    */
-  template <class PointRange = std::vector<Surface_location>>
-  Curve_editor(Triangulation& triangulation, const PointRange& points, bool is_closed = false)
+  template <class PointRange = std::vector<Surface_location>, class... NamedParameters>
+  Curve_editor(Triangulation& triangulation, const PointRange& points, const NamedParameters&... np)
     : m_triangulation(triangulation)
-    , m_search(triangulation, Search_method::LOOK_BACK)
+    , m_search(triangulation, parameters::search_method(Search_method::LOOK_BACK))
     , m_mover(triangulation)
-    , m_is_closed(is_closed)
+    , m_is_closed(internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...)))
   {
     CGAL_precondition(triangulation.log_position() == 0);
     internal::check_has_no_curves(m_triangulation, "a curve cannot be edited");
@@ -182,18 +184,12 @@ public:
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    */
-  Move_report move(std::size_t i, const Surface_location& to)
-  {
-    CGAL_precondition(i < number_of_points());
-    const Surface_location place = placed(to);
-    return move(i, place, [&] { return way(m_points[i], place); });
-  }
-
-  /// Moves a point to a position of any other type that `surface_location()` accepts, as to a location.
-  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  template <class Point = Surface_location>
   Move_report move(std::size_t i, const Point& to)
   {
-    return move(i, internal::located_place(m_triangulation, to));
+    CGAL_precondition(i < number_of_points());
+    const Surface_location place = placed(internal::located_place(m_triangulation, to));
+    return move(i, place, [&] { return way(m_points[i], place); });
   }
 
   /*!

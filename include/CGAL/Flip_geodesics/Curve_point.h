@@ -269,6 +269,24 @@ private:
   const Mesh& m_mesh;
 };
 
+/* Writes the points of a curve in the form that the output accepts, with directions from each point to the next. */
+template <class Form, class Triangulation, class OutputIterator>
+OutputIterator write_points(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                            const std::vector<Surface_point>& points, OutputIterator out)
+{
+  std::vector<Form> forms;
+  const Form_converter<Triangulation, Form> convert(triangulation, mesh);
+  for(const Surface_point& p : points)
+    forms.push_back(convert(p));
+  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value &&
+               Has_points<typename Triangulation::Metric>::value)
+    for(std::size_t i = 0; i + 1 < forms.size(); ++i) {
+      set_tangent(forms[i], forms[i].point, forms[i + 1].point);
+      set_tangent(forms[i + 1], forms[i].point, forms[i + 1].point);
+    }
+  return std::move(forms.begin(), forms.end(), out);
+}
+
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL

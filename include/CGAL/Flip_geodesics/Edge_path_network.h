@@ -8,16 +8,20 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <type_traits>
@@ -119,16 +123,17 @@ public:
    * along its halfedge.
    *
    * \param halfedges a chain: the head of each halfedge is the tail of the next, and that of the last is the tail of
-   *        the first if `is_closed` is `true`
-   * \param is_closed whether the curve is a closed loop
+   *        the first if the curve is closed
+   * \param np the named parameter `is_closed`, a `bool`: whether the curve is a closed loop; `false` by default
    * \return the index of the curve; curves are numbered from 0
    * \throws Invalid_curve_error if the halfedges do not form a chain
    *
    * Complexity: linear in the number of halfedges.
    */
-  template <class HalfedgeRange>
-  Curve_index add_curve(const HalfedgeRange& halfedges, bool is_closed)
+  template <class HalfedgeRange, class... NamedParameters>
+  Curve_index add_curve(const HalfedgeRange& halfedges, const NamedParameters&... np)
   {
+    const bool is_closed = internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...));
     internal::check_chain(*m_triangulation, halfedges, is_closed);
     const Curve_index curve = m_segments.add_curve(halfedges, is_closed);
     reset_initial_length(curve);
@@ -482,16 +487,17 @@ struct Internals<Edge_path_network<Triangulation>>
  *
  * \param triangulation a triangulation
  * \param vertices a range of vertex indices; a closed curve does not repeat the first
- * \param is_closed whether the chain leads back to the first vertex
+ * \param np the named parameter `is_closed`, a `bool`: whether the chain leads back to the first vertex; `false` by
+ *        default
  * \throws Vertex_out_of_range_error if an index is not that of a vertex
  * \throws Invalid_curve_error if the range has fewer than two vertices, or two consecutive vertices do not share an
  *         edge
  *
  * Complexity: linear in the degrees of the vertices.
  */
-template <class Triangulation, class VertexRange>
+template <class Triangulation, class VertexRange, class... NamedParameters>
 std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation, const VertexRange& vertices,
-                                              bool is_closed)
+                                              const NamedParameters&... np)
 {
   static_assert(internal::is_range_of<VertexRange, Vertex_index>,
                 "the vertices are not a range of vertices of the triangulation, Vertex_index");
@@ -502,7 +508,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
   }
   if(v.size() < 2)
     throw Invalid_curve_error("a curve needs at least two vertices");
-  if(is_closed)
+  if(internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...)))
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
@@ -523,28 +529,49 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  * \param search a `Shortest_edge_path` over the triangulation of the network, whose edges are still those of the input
  * \param way_points at least two vertex indices; a vertex that equals the previous one is skipped. A closed curve need
  *        not repeat the first
- * \param is_closed whether the chain leads back to the first waypoint
- * \param visitor nothing, or a model of `FlipOutVisitor`, of which only `go_further()` is called, during the searches.
- *        If it returns `false`, no halfedges are returned
+ * \param np an optional sequence of named parameters among those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{is_closed}
+ *     \cgalParamDescription{whether the chain leads back to the first waypoint}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called during the searches. If it returns `false`, no
+ *       halfedges are returned}
+ *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
+ *     \cgalParamDefault{no visitor}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
  * \throws Invalid_curve_error if the range has fewer than two waypoints, or all of them are the same vertex
  * \throws Vertex_out_of_range_error if an index is not that of a vertex
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive waypoints
  *
  * Complexity: that of the searches of `Shortest_edge_path`.
  */
-template <class Search, class VertexRange, class... Visitor>
+template <class Search, class VertexRange, class... NamedParameters>
 std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const VertexRange& way_points,
-                                                       bool is_closed = false, Visitor&&... visitor)
+                                                       const NamedParameters&... np)
 {
+  const auto& options = internal::options_of<internal::Closed_parameter, internal_np::visitor_t>(np...);
+  auto visitor = internal::make_visitor(options);
+  const auto path = [&](Vertex_index source, Vertex_index target) {
+    if constexpr(internal::is_given<std::decay_t<decltype(options)>, internal_np::visitor_t>)
+      return search(source, target, parameters::visitor(std::ref(visitor.get())));
+    else
+      return search(source, target);
+  };
   std::vector<Vertex_index> v(std::begin(way_points), std::end(way_points));
   if(v.size() < 2)
     throw Invalid_curve_error("a curve needs at least two way points");
-  if(is_closed)
+  if(internal::is_closed_of(options))
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
-    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1], visitor...); // throws for invalid vertices, too
-    if(leg.empty() && v[i] != v[i + 1])                                         // stopped by the visitor
+    const std::vector<Halfedge_index> leg = path(v[i], v[i + 1]); // throws for invalid vertices, too
+    if(leg.empty() && v[i] != v[i + 1])                           // stopped by the visitor
       return {};
     result.insert(result.end(), leg.begin(), leg.end());
   }
@@ -617,10 +644,10 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
   return add_all_or_none(network, [&] {
     for(Halfedge_index h : descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
       if(is_open[Network::Triangulation::edge(h)] != 0 && is_node(triangulation.tail(h)))
-        network.add_curve(walk(h), false);
+        network.add_curve(walk(h));
     for(Edge_index e : descriptors<Edge_index>(triangulation.number_of_edges()))
       if(is_open[e] != 0)
-        network.add_curve(walk(first_side(e)), true);
+        network.add_curve(walk(first_side(e)), parameters::is_closed(true));
   });
 }
 

@@ -13,10 +13,12 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
@@ -75,6 +77,29 @@ inline const char* to_string(Distance_field_status status)
   }
   return "";
 }
+
+namespace internal {
+
+enum Extent_parameter { extent_parameter };
+
+} // namespace internal
+} // namespace Flip_geodesics
+
+namespace parameters {
+
+/*!
+ * \ingroup PkgFlipGeodesicsParameters
+ * Sets where a distance field can be evaluated.
+ */
+inline auto extent(Flip_geodesics::Distance_field_extent extent)
+{
+  return Named_function_parameters<Flip_geodesics::Distance_field_extent, Flip_geodesics::internal::Extent_parameter>(
+      extent);
+}
+
+} // namespace parameters
+
+namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDistances
 /// Limits the computation of a distance field.
@@ -145,69 +170,66 @@ public:
     std::size_t source = 0; ///< the number of that source, in the order of insertion; 0 if the distance is infinite
   };
 
-  /// Constructs a field without sources.
-  /// \param triangulation a triangulation of the mesh; both must outlive the field
-  /// \param mesh the mesh
-  /// \param extent where the field can be evaluated
-  Geodesic_distance_field(const Triangulation& triangulation, const Triangle_mesh& mesh,
-                          Distance_field_extent extent = Distance_field_extent::EVERYWHERE)
+  /*!
+   * Constructs a field without sources.
+   * \param triangulation a triangulation of the mesh; both must outlive the field
+   * \param mesh the mesh
+   * \param np an optional sequence of named parameters among those listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{extent}
+   *     \cgalParamDescription{where the field can be evaluated}
+   *     \cgalParamType{`Distance_field_extent`}
+   *     \cgalParamDefault{`Distance_field_extent::EVERYWHERE`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   */
+  template <class... NamedParameters>
+  Geodesic_distance_field(const Triangulation& triangulation, const Triangle_mesh& mesh, const NamedParameters&... np)
     : m_triangulation(triangulation)
     , m_mesh(mesh)
-    , m_extent(extent)
-    , m_propagation(triangulation, extent == Distance_field_extent::EVERYWHERE)
+    , m_extent(parameters::choose_parameter(
+          parameters::get_parameter(internal::options_of<internal::Extent_parameter>(np...),
+                                    internal::extent_parameter),
+          Distance_field_extent::EVERYWHERE))
+    , m_propagation(triangulation, m_extent == Distance_field_extent::EVERYWHERE)
   {
   }
   /// Is deleted, since a temporary triangulation would not outlive the field.
-  Geodesic_distance_field(const Triangulation&&, const Triangle_mesh&, Distance_field_extent = {}) = delete;
+  template <class... NamedParameters>
+  Geodesic_distance_field(const Triangulation&&, const Triangle_mesh&, const NamedParameters&...) = delete;
   /// Is deleted, since a temporary mesh would not outlive the field.
-  Geodesic_distance_field(const Triangulation&, const Triangle_mesh&&, Distance_field_extent = {}) = delete;
+  template <class... NamedParameters>
+  Geodesic_distance_field(const Triangulation&, const Triangle_mesh&&, const NamedParameters&...) = delete;
 
   /*!
-   * Adds a vertex of the mesh as a source and returns the number of the source. Constant time.
+   * Adds a point of the surface as a source and returns the number of the source. Constant time, unless the point is
+   * in space.
    *
-   * \param v a vertex of the input
+   * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
-   * \throws Vertex_out_of_range_error if `v` is not a vertex of the input
+   * \throws Vertex_out_of_range_error if `point` is an index of no vertex of the input
+   * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times as long as the
-   *         sides of a face of the vertex, so that the rounding errors of the distances exceed the size of the face
-   * \throws Degenerate_face_error for a face of the vertex, if the offset is not zero
-   * \throws Invalid_mesh_error for a face of the vertex, if the offset is not zero
+   *         sides of a face of the point, so that the rounding errors of the distances exceed the size of the face
+   * \throws Degenerate_face_error for the face of the point, unless it is a vertex without offset
+   * \throws Invalid_mesh_error for the face of the point, unless it is a vertex without offset
    */
-  std::size_t add_source(Vertex_index v, double offset = 0)
-  {
-    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
-    check_addition(offset, m_triangulation.input().outgoing(v));
-    m_propagation.add_vertex(v, offset, m_number_of_sources);
-    return m_number_of_sources++;
-  }
-
-  /*!
-   * Adds a point of the surface as a source and returns the number of the source. Constant time, unless the point is a
-   * vertex.
-   *
-   * \param location the point
-   * \param offset the number that is added to all distances from this source
-   * \pre nothing has been computed
-   * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Invalid_coordinate_error for the offset, as for vertices
-   * \throws Degenerate_face_error for the face of the point
-   * \throws Invalid_mesh_error for the face of the point
-   */
-  std::size_t add_source(const Surface_location& location, double offset = 0)
-  {
-    const Surface_location at = internal::canonical_location(m_triangulation.input(), location);
-    check_addition(offset, at.halfedge);
-    add_point(at, offset);
-    return m_number_of_sources++;
-  }
-
-  /// Adds a point, of any other type that `surface_location()` accepts, as a source and returns the number of the
-  /// source.
-  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  template <class Point = Surface_location>
   std::size_t add_source(const Point& point, double offset = 0)
   {
-    return add_source(internal::located_place(m_triangulation, m_mesh, point), offset);
+    if constexpr(std::is_convertible<const Point&, Vertex_index>::value) {
+      const Vertex_index v = point;
+      internal::check_vertex(v, m_triangulation.input().number_of_vertices());
+      check_addition(offset, m_triangulation.input().outgoing(v));
+      m_propagation.add_vertex(v, offset, m_number_of_sources);
+    } else {
+      const Surface_location at = canonical(point);
+      check_addition(offset, at.halfedge);
+      add_point(at, offset);
+    }
+    return m_number_of_sources++;
   }
 
   /*!
@@ -263,9 +285,22 @@ public:
    *
    * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; the results are the same
    *
-   * \param limits how far the field is computed
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals and from
-   *        the calling thread. If it returns `false`, the status is `Distance_field_status::STOPPED_BY_VISITOR`
+   * \param np an optional sequence of named parameters among those listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{search_limit}
+   *     \cgalParamDescription{how far the field is computed}
+   *     \cgalParamType{`Distance_field_limits`}
+   *     \cgalParamDefault{no limits}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{visitor}
+   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals and from the calling thread.
+   *       If it returns `false`, the status is `Distance_field_status::STOPPED_BY_VISITOR`}
+   *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
+   *     \cgalParamDefault{no visitor}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
    * \return a report on the distances that are known
    *
    * \pre the extent is `EVERYWHERE` if a target lies inside a face or on an edge
@@ -279,10 +314,12 @@ public:
    * up to some ten thousand faces have 10 to 25 windows per face, a number that grows like \f$\sqrt{n}\f$ with the
    * number \f$n\f$ of faces. The worst case is \f$O(n^2)\f$ windows in total.
    */
-  template <class ConcurrencyTag = Sequential_tag, class Visitor = Default_shortening_visitor>
-  Distance_field_report compute(const Distance_field_limits& limits = Distance_field_limits(),
-                                Visitor&& visitor = Visitor())
+  template <class ConcurrencyTag = Sequential_tag, class... NamedParameters>
+  Distance_field_report compute(const NamedParameters&... np)
   {
+    const auto& options = internal::options_of<internal::Limit_parameter, internal_np::visitor_t>(np...);
+    const auto limits = internal::search_limit_of<Distance_field_limits>(options);
+    auto visitor = internal::make_visitor(options);
     if(!(limits.radius >= 0)) {
       std::ostringstream number;
       number << limits.radius;
@@ -294,7 +331,7 @@ public:
     const std::size_t between_looks = 200 * limits.targets.size();
     m_parts_by_face = internal::parts_by_face(m_triangulation.input(), m_propagation.parts());
     const std::size_t most = limits.windows(static_cast<std::size_t>(m_triangulation.input().number_of_vertices()));
-    internal::Interruption interruption(visitor);
+    internal::Interruption interruption(visitor.get());
     Distance_field_report report;
     for(;;) {
       const double wanted = (std::min)(limits.radius, farthest(limits.targets));
@@ -320,54 +357,40 @@ public:
   /// 0 before anything is computed.
   double reach() const { return m_reach; }
 
-  /// Returns the distance of a vertex of the input in constant time. \throws Vertex_out_of_range_error if `v` is not a
-  /// vertex of the input
-  double distance(Vertex_index v) const
-  {
-    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
-    return is_known(m_propagation.distance(v)) ? m_propagation.distance(v) : std::numeric_limits<double>::infinity();
-  }
-
-  /// Returns the distance of a location, with the preconditions and exceptions of `answer()`.
-  double distance(const Surface_location& location) const { return answer(location).distance; }
-
-  /// Returns the distance of a point of any other type that `surface_location()` accepts.
-  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  /// Returns the distance of a point, with the preconditions and exceptions of `answer()`. Constant time for a
+  /// `Vertex_index`.
+  template <class Point = Surface_location>
   double distance(const Point& point) const
   {
-    return answer(point).distance;
-  }
-
-  /// Returns the distance of a vertex and its nearest source. Linear in the number of bends of the path. \throws
-  /// Vertex_out_of_range_error if `v` is not a vertex of the input
-  Answer answer(Vertex_index v) const
-  {
-    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
-    const double distance = m_propagation.distance(v);
-    return is_known(distance) ? Answer{distance, m_propagation.source(v.idx())} : Answer();
+    if constexpr(std::is_convertible<const Point&, Vertex_index>::value)
+      return distance_of_vertex(point);
+    else
+      return answer(point).distance;
   }
 
   /*!
-   * Returns the distance of a location and its nearest source. Linear in the number of windows on the sides of its
-   * face.
+   * Returns the distance of a point and its nearest source. Linear in the number of windows on the sides of its face,
+   * or in the number of bends of the path of a vertex.
    *
-   * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the location is not a vertex
+   * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
+   * \throws Vertex_out_of_range_error if `point` is an index of no vertex of the input
+   * \throws Invalid_location_error if `point` is not a point of the surface
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex
    */
-  Answer answer(const Surface_location& location) const
-  {
-    const Surface_location at = internal::canonical_location(m_triangulation.input(), location);
-    if(kind(at) == Location_kind::VERTEX)
-      return answer(m_triangulation.input().tail(at.halfedge));
-    const auto arrival = arrival_at(at);
-    return is_known(arrival.distance) ? Answer{arrival.distance, query().source(arrival)} : Answer();
-  }
-
-  /// Returns the distance and nearest source of a point of any other type that `surface_location()` accepts.
-  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  template <class Point = Surface_location>
   Answer answer(const Point& point) const
   {
-    return answer(internal::located_place(m_triangulation, m_mesh, point));
+    if constexpr(std::is_convertible<const Point&, Vertex_index>::value) {
+      const Vertex_index v = point;
+      const double distance = distance_of_vertex(v);
+      return is_known(distance) ? Answer{distance, m_propagation.source(v.idx())} : Answer();
+    } else {
+      const Surface_location at = canonical(point);
+      if(kind(at) == Location_kind::VERTEX)
+        return answer(m_triangulation.input().tail(at.halfedge));
+      const auto arrival = arrival_at(at);
+      return is_known(arrival.distance) ? Answer{arrival.distance, query().source(arrival)} : Answer();
+    }
   }
 
   /// Returns the distance and nearest source of a point with given barycentric weights in a face of the mesh. The
@@ -389,16 +412,18 @@ public:
   }
 
   /*!
-   * Returns the `Surface_point`s of a shortest path from a location to its nearest source, including both end points.
-   * The result is empty if the distance is infinite. Linear in the number of crossed edges and of windows on the sides
-   * of the face.
+   * Returns the `Surface_point`s of a shortest path from a point to its nearest source, including both end points. The
+   * result is empty if the distance is infinite. Linear in the number of crossed edges and of windows on the sides of
+   * the face.
    *
-   * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the location is not a vertex
+   * \param point a point of any type that `surface_location()` accepts
+   * \throws Invalid_location_error if `point` is not a point of the surface
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex
    */
-  std::vector<Surface_point> surface_points(const Surface_location& location) const
+  template <class Point = Surface_location>
+  std::vector<Surface_point> surface_points(const Point& point) const
   {
-    const Surface_location at = internal::canonical_location(m_triangulation.input(), location);
+    const Surface_location at = canonical(point);
     std::vector<Surface_point> result;
     if(!is_known(distance(at)))
       return result;
@@ -414,36 +439,20 @@ public:
   }
 
   /*!
-   * Writes a shortest path from a location to its nearest source, as points in space, `Face_location`s or
-   * `Curve_point`s in the form described at `geodesic_path()`.
+   * Writes a shortest path from a point to its nearest source, as points in space, `Face_location`s or `Curve_point`s
+   * in the form described at `geodesic_path()`.
    *
+   * \param point a point of any type that `surface_location()` accepts
+   * \param out the output iterator
    * \return the past-the-end output iterator
-   * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the location is not a vertex
+   * \throws Invalid_location_error if `point` is not a point of the surface
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex
    */
-  template <class OutputIterator>
-  OutputIterator path(const Surface_location& location, OutputIterator out) const
-  {
-    using Form = internal::Curve_form<Triangulation, OutputIterator>;
-    const internal::Form_converter<Triangulation, Form> convert(m_triangulation, m_mesh);
-    std::vector<Form> points;
-    for(const Surface_point& p : surface_points(location))
-      points.push_back(convert(p));
-    if constexpr(std::is_same<Form, typename internal::Curve_forms<Triangulation>::All>::value &&
-                 internal::Has_points<typename Triangulation::Metric>::value)
-      for(std::size_t i = 0; i < points.size(); ++i) {
-        const std::size_t from = i + 1 < points.size() ? i : i - 1;
-        internal::set_tangent(points[i], points[from].point, points[from + 1].point);
-      }
-    return std::move(points.begin(), points.end(), out);
-  }
-
-  /// Writes a shortest path from a point of any other type that `surface_location()` accepts to its nearest source.
-  template <class Point, class OutputIterator,
-            std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  template <class Point = Surface_location, class OutputIterator>
   OutputIterator path(const Point& point, OutputIterator out) const
   {
-    return path(internal::located_place(m_triangulation, m_mesh, point), out);
+    using Form = internal::Curve_form<Triangulation, OutputIterator>;
+    return internal::write_points<Form>(m_triangulation, m_mesh, surface_points(point), out);
   }
 
   /*!
@@ -490,6 +499,19 @@ public:
 
 private:
   friend struct internal::Internals<Geodesic_distance_field>;
+
+  template <class Point>
+  Surface_location canonical(const Point& point) const
+  {
+    return internal::canonical_location(m_triangulation.input(),
+                                        internal::located_place(m_triangulation, m_mesh, point));
+  }
+
+  double distance_of_vertex(Vertex_index v) const
+  {
+    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
+    return is_known(m_propagation.distance(v)) ? m_propagation.distance(v) : std::numeric_limits<double>::infinity();
+  }
 
   Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
 

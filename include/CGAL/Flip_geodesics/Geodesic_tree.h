@@ -8,12 +8,15 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortest/geodesic_tree_parts.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -24,9 +27,30 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+enum Distance_parameter { distance_parameter };
+
+} // namespace internal
+} // namespace Flip_geodesics
+
+namespace parameters {
+
+/// \ingroup PkgFlipGeodesicsParameters
+/// Sets the length of the longest path that a tree of geodesics needs to have.
+inline auto max_distance(double distance)
+{
+  return Named_function_parameters<double, Flip_geodesics::internal::Distance_parameter>(distance);
+}
+
+} // namespace parameters
+
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
@@ -48,7 +72,7 @@ struct Geodesic_tree_report
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Represents the tree of geodesics from a source vertex to all other vertices, or to those within a distance. Every
+ * Represents the tree of geodesics from a source to all vertices, or to those within a distance. Every
  * path consists of edges of one intrinsic triangulation [SC20, section 6.5].
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
@@ -89,13 +113,30 @@ public:
    * The result is deterministic: the nearest vertex is processed first, and ties are broken in favor of the smaller
    * index.
    *
-   * \param source a vertex
-   * \param max_distance the length of the longest path that is needed. A vertex within this distance is missed if the
-   *        search reaches it only through neighbors that are farther away, so choose a slightly larger value if all
-   *        vertices within a distance are required
-   * \param visitor a model of `FlipOutVisitor`, of which `on_flip()` and `go_further()` are called
+   * \param source a vertex of the triangulation, as a `Vertex_index`, or a point of any type that `surface_location()`
+   *        accepts, which becomes a vertex as by `Intrinsic_triangulation::insert()`. Other points to which paths are
+   *        needed have to be inserted before
+   * \param np an optional sequence of named parameters among those listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{max_distance}
+   *     \cgalParamDescription{the length of the longest path that is needed. A vertex within this distance is missed if
+   *       the search reaches it only through neighbors that are farther away, so choose a slightly larger value if all
+   *       vertices within a distance are required}
+   *     \cgalParamType{`double`}
+   *     \cgalParamDefault{infinity}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{visitor}
+   *     \cgalParamDescription{a visitor whose `on_flip()` and `go_further()` are called}
+   *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
+   *     \cgalParamDefault{no visitor}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
    * \return a report on the growth
-   * \throws Vertex_out_of_range_error if `source` is not a vertex of the triangulation
+   * \throws Vertex_out_of_range_error if `source` is an index of no vertex of the triangulation
+   * \throws Invalid_location_error if `source` is not a point of the surface
+   * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    * \throws Invalid_mesh_error if the connectivity of a visited face is invalid
@@ -103,14 +144,16 @@ public:
    *
    * Complexity: about \f$O(n \log n)\f$ for the \f$n\f$ vertices within `max_distance`, with constant time per flip.
    */
-  template <class Visitor = Default_shortening_visitor>
-  Geodesic_tree_report grow(Vertex_index source, double max_distance = std::numeric_limits<double>::infinity(),
-                            Visitor&& visitor = Visitor())
+  template <class Source = Surface_location, class... NamedParameters>
+  Geodesic_tree_report grow(const Source& source, const NamedParameters&... np)
   {
-    internal::check_vertex(source, m_triangulation->number_of_vertices());
+    const auto& options = internal::options_of<internal::Distance_parameter, internal_np::visitor_t>(np...);
     internal::check_has_no_curves(*m_triangulation, "a tree cannot be grown");
-    start(source, max_distance);
-    return run_to_the_end(visitor);
+    start(vertex_at(source),
+          parameters::choose_parameter(parameters::get_parameter(options, internal::distance_parameter),
+                                       std::numeric_limits<double>::infinity()));
+    auto visitor = internal::make_visitor(options);
+    return run_to_the_end(visitor.get());
   }
 
   /// Returns the triangulation whose edges form the paths.
@@ -224,6 +267,17 @@ public:
 private:
   using Walker = typename Triangulation::Walker;
   using Straightness = internal::Tree_straightness<Geodesic_tree>;
+
+  template <class Source>
+  Vertex_index vertex_at(const Source& source)
+  {
+    if constexpr(std::is_convertible<const Source&, Vertex_index>::value) {
+      internal::check_vertex(source, m_triangulation->number_of_vertices());
+      return source;
+    } else {
+      return m_triangulation->insert(internal::located_place(*m_triangulation, source));
+    }
+  }
 
   void start(Vertex_index source, double max_distance)
   {

@@ -325,9 +325,9 @@ private:
  *        is a passed vertex or a crossed edge, the latter given by a location with one weight of zero or by either
  *        halfedge of the edge. A segment that crosses nothing lies on the edge, or in the face, that contains both its
  *        ends
- * \param is_closed whether the curve continues from the last point to the first, which is then a vertex and not
- *        repeated
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \param np the named parameter `is_closed`, a `bool`: whether the curve continues from the last point to the first,
+ *        which is then a vertex and not repeated; `false` by default. Also `vertex_point_map` or `metric`, as for
+ *        `geodesic_path()`
  * \return the certificate of the curve
  * \throws Invalid_curve_error if the points do not form such a curve: there are too few, two consecutive ones are
  *         equal, one between the ends lies inside a face, or an edge is on the border or not adjacent to the point
@@ -344,10 +344,11 @@ private:
  * \sa `certify()`
  */
 template <class TriangleMesh, class PlaceRange, class... NamedParameters>
-Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, const PlaceRange& curve, bool is_closed,
+Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, const PlaceRange& curve,
                                                     const NamedParameters&... np)
 {
-  const auto& options = internal::surface_options(np...);
+  const auto& options = internal::surface_options<internal::Closed_parameter>(np...);
+  const bool is_closed = internal::is_closed_of(options);
   using Triangulation =
       typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
   using Place = std::decay_t<decltype(*std::begin(curve))>;

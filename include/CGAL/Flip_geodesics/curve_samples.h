@@ -31,26 +31,6 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from it.
- *
- * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is a side
- * of a face that contains the location, or starts there. The free functions pass both as a `std::pair` of a halfedge of
- * the mesh and an angle. A function that chooses the halfedge itself takes the halfedge of the location, or the twin if
- * that halfedge is on the border. It is `halfedge(face, mesh)` for a `Face_location` in the face, and starts at the
- * vertex for a location that was made from a vertex. Only two functions choose differently: a `Trace_report` refers to
- * the side over which the geodesic has entered its last face, and `logarithmic_map()` of a tree, at the border and at
- * inserted vertices, to a direction that its documentation states.
- */
-struct Surface_direction
-{
-  Input_halfedge_index halfedge = null_index; ///< a side of a face that contains the location, or a halfedge that
-                                              ///< starts there
-  double angle = 0; ///< measured counterclockwise from the halfedge, in radians; at a vertex over all incident faces
-};
-
-/*!
- * \ingroup PkgFlipGeodesicsTangents
- *
  * Transports tangent vectors along curves, parallel in the sense of the Levi-Civita connection.
  *
  * Within a face a vector does not change, and across an edge it does not change if both faces are unfolded into a

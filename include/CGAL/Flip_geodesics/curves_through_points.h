@@ -332,7 +332,7 @@ private:
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
  *        location that coincides with the previous one is skipped. A closed curve need not repeat the first
- * \param is_closed whether the curve is closed
+ * \param np the named parameter `is_closed`, a `bool`: whether the curve is closed; `false` by default
  * \return the index of the curve
  * \throws Invalid_curve_error if fewer than two points are given, or all points coincide
  * \throws Crossing_curves_error if segments cross each other between vertices; `elements()` are the ends of the crossed
@@ -344,9 +344,10 @@ private:
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  */
-template <class Network, class LocationRange>
-Curve_index add_curve_through(Network& network, const LocationRange& locations, bool is_closed = false)
+template <class Network, class LocationRange, class... NamedParameters>
+Curve_index add_curve_through(Network& network, const LocationRange& locations, const NamedParameters&... np)
 {
+  const bool is_closed = internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...));
   auto& triangulation = network.triangulation();
   std::vector<Vertex_index> way_points;
   for(const Surface_location& location : internal::located_places(triangulation, locations))
@@ -390,7 +391,8 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * \param network the network
  * \param legs the segments, each starting at the end of the previous one; two consecutive points lie in a common face
  *        of the input
- * \param is_closed whether the last segment ends where the first starts, and the curve is closed
+ * \param np the named parameter `is_closed`, a `bool`: whether the last segment ends where the first starts, and the
+ *        curve is closed; `false` by default
  * \return the index of the curve
  * \pre no edge of the triangulation in these faces crosses an input edge
  * \throws Invalid_curve_error if a segment has fewer than two points, consecutive points have no common face, or all
@@ -406,10 +408,11 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * \throws Invalid_coordinate_error as `shorten()` does
  * \sa `draw_polyline()`, which preserves a polyline that is not a geodesic
  */
-template <class Network>
+template <class Network, class... NamedParameters>
 Curve_index add_curve_along(Network& network, const std::vector<std::vector<Surface_location>>& legs,
-                            bool is_closed = false)
+                            const NamedParameters&... np)
 {
+  const bool is_closed = internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...));
   auto& triangulation = network.triangulation();
   std::vector<internal::Surface_polyline> polylines;
   std::vector<Vertex_index> starts, ends; // before any path is found, since an insertion can split its edges

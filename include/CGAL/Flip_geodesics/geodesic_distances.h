@@ -480,7 +480,7 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
 {
   Geodesic_tree<Triangulation> tree(triangulation);
   Computed_values<Value> result;
-  result.report.status = tree.grow(source, std::numeric_limits<double>::infinity(), visitor).status;
+  result.report.status = tree.grow(source, parameters::visitor(std::ref(visitor))).status;
   if(!is_stopped_by_visitor(result.report)) {
     Interruption interruption(visitor);
     result.report = make_shortest(tree, query_of(field).propagation(), true, most_windows, interruption);
@@ -512,7 +512,8 @@ Distances_report compute_from_sources(Geodesic_distance_field<Triangulation>& fi
 {
   Distance_field_limits limits;
   limits.windows = limit;
-  const Distance_field_report computed = field.compute(limits, visitor);
+  const Distance_field_report computed =
+      field.compute(parameters::search_limit(limits), parameters::visitor(std::ref(visitor)));
   Distances_report report;
   if(computed.status == Distance_field_status::STOPPED_BY_VISITOR)
     report.status = Shortening_status::STOPPED_BY_VISITOR;
@@ -737,7 +738,8 @@ Computed_values<double> compute_distances(const TriangleMesh& mesh,
   std::vector<Distance_source> given;
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
     const std::vector<Distance_source> sources = sources_on_surface(triangulation, locate, given);
-    Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
+    Geodesic_distance_field<Triangulation> field(triangulation, mesh,
+                                                 parameters::extent(Distance_field_extent::VERTICES_ONLY));
     auto result = field_distances(field, triangulation, mesh, sources, limit, visitor.get());
     if(nearest != nullptr)
       *nearest = nearest_sources(field, triangulation, mesh);
@@ -758,7 +760,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
   const auto limit = search_limit_of<Window_limit>(np);
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
     const Vertex_index s = triangulation.index(source);
-    Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
+    Geodesic_distance_field<Triangulation> field(triangulation, mesh,
+                                                 parameters::extent(Distance_field_extent::VERTICES_ONLY));
     auto result = field_coordinates(field, triangulation, mesh, s, limit, visitor.get());
     if(!result.report.is_confirmed() && !is_stopped_by_visitor(result.report))
       result = make_shortest_tree<Polar_coordinates>(
@@ -995,13 +998,14 @@ private:
 
   Distance_field_report compute_row(std::size_t i, Shared_interruption& shared, std::vector<double>& row) const
   {
-    Field field(m_triangulation, m_mesh, m_extent);
+    Field field(m_triangulation, m_mesh, parameters::extent(m_extent));
     field.add_source(m_points[i]);
     Distance_field_limits limits;
     limits.windows = m_limit;
     const auto next = m_points.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     limits.targets.assign(next, m_points.end());
-    const Distance_field_report report = field.compute(limits, shared);
+    const Distance_field_report report =
+        field.compute(parameters::search_limit(limits), parameters::visitor(std::ref(shared)));
     std::transform(next, m_points.end(), row.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                    [&](const Surface_location& at) { return field.distance(at); });
     return report;

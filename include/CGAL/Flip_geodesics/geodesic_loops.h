@@ -82,7 +82,7 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
     for(Index i = 0; i < basis.number_of_loops(); ++i) {
       {
         typename Types::Network network(triangulation);
-        const Curve_index curve = network.add_curve(basis.cycle(i), true);
+        const Curve_index curve = network.add_curve(basis.cycle(i), parameters::is_closed(true));
         internal::append_report(internal::shorten(network, internal::stop_predicate_of(options), remembering),
                                 result.report);
         result.values.push_back(internal::curve_forms<Form>(network, mesh, curve));

@@ -149,7 +149,16 @@ public:
    * Searches for a mean.
    *
    * \param start the point at which the search starts; it receives the point that has been found
-   * \param limits the limits at which the search ends
+   * \param np an optional sequence of named parameters among those listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{search_limit}
+   *     \cgalParamDescription{the limits at which the search ends}
+   *     \cgalParamType{`Mean_limits`}
+   *     \cgalParamDefault{`Mean_limits()`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
    * \return a report on the search
    * \throws Disconnected_endpoints_error if no path connects a point with positive weight and the start; `elements()`
    *         is the number of the point
@@ -162,8 +171,10 @@ public:
    *
    * Complexity: that of a `Geodesic_distance_field` up to the farthest point for each step that is tried.
    */
-  Mean_report operator()(Surface_location& start, const Mean_limits& limits = Mean_limits()) const
+  template <class... NamedParameters>
+  Mean_report operator()(Surface_location& start, const NamedParameters&... np) const
   {
+    const auto limits = internal::search_limit_of<Mean_limits>(internal::options_of<internal::Limit_parameter>(np...));
     if(!(limits.tolerance >= 0))
       throw Invalid_parameter_error("the tolerance of a mean is not a number of at least 0");
     Mean_report report;
@@ -209,7 +220,7 @@ private:
   {
     Distance_field_limits limits;
     limits.targets = m_points;
-    const Logarithmic_map<Triangulation> logarithm(m_triangulation, m_mesh, place, limits);
+    const Logarithmic_map<Triangulation> logarithm(m_triangulation, m_mesh, place, parameters::search_limit(limits));
     State result = {place, {}, 0, 0};
     std::array<double, 2> sum = {0, 0};
     for(std::size_t i = 0; i < m_points.size(); ++i) {
@@ -244,8 +255,7 @@ private:
   // Traces along a part of the vector, up to the border; the length is 0 if it leads out of the surface.
   Trace_report step_from(const State& here, double part) const
   {
-    const Trace_limits<> limits = {part * here.residual};
-    return m_tracer.trace(here.place, here.direction.halfedge, here.direction.angle, limits);
+    return m_tracer.trace(here.place, here.direction, part * here.residual, Emptyset_iterator());
   }
 
   const Triangulation& m_triangulation;
@@ -283,7 +293,7 @@ auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Tar
   const Surface_location end = internal::trace_start(surface, mesh, target);
   Distance_field_limits limits;
   limits.targets.push_back(end);
-  const Logarithmic_map<Surface> logarithm(surface, mesh, internal::trace_start(surface, mesh, source), limits);
+  const Logarithmic_map<Surface> logarithm(surface, mesh, source, parameters::search_limit(limits));
   return internal::face_location_of(surface, mesh, logarithm.between(end, 0.5));
 }
 
@@ -348,7 +358,7 @@ Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const
   Mean_limits limits;
   limits.most_iterations = internal::number_of_iterations(options, limits.most_iterations);
   Surface_location place = mean.heaviest();
-  const Mean_report report = mean(place, limits);
+  const Mean_report report = mean(place, parameters::search_limit(limits));
   return {internal::face_location_of(surface, mesh, place), report};
 }
 

@@ -125,9 +125,9 @@ private:
     std::optional<Search>& search =
         triangulation.input().is_contracted() ? m_memory->contracted_search : m_memory->search;
     if(!search && m_landmarks == nullptr)
-      search.emplace(triangulation, Search_method::LOOK_BACK);
+      search.emplace(triangulation, parameters::search_method(Search_method::LOOK_BACK));
     else if(!search)
-      search.emplace(triangulation, *m_landmarks);
+      search.emplace(triangulation, parameters::landmarks(*m_landmarks));
     return *search;
   }
 

@@ -28,6 +28,7 @@ enum Landmarks_parameter { landmarks_parameter };
 enum At_vertices_parameter { at_vertices_parameter };
 enum Nearest_source_parameter { nearest_source_parameter };
 enum Point_distance_parameter { point_distance_parameter };
+enum Closed_parameter { closed_parameter };
 
 template <class NamedParameters, class Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
@@ -125,6 +126,13 @@ Limit search_limit_of(const NamedParameters& np)
   }
 }
 
+/* Returns whether a curve is closed, which it is not by default. */
+template <class NamedParameters>
+bool is_closed_of(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, closed_parameter), false);
+}
+
 /* Returns the named parameter number_of_iterations, an integer of signed or unsigned type. */
 template <class NamedParameters>
 std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard)
@@ -206,7 +214,8 @@ auto stop_predicate(const StopPredicate& predicate)
 /*!
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the amount of work after which a search is aborted.
- * \param limit a `Window_limit`, or a `Covering_limit` for `shortest_paths_by_class()`
+ * \param limit a `Window_limit`; for `shortest_paths_by_class()` a `Covering_limit`, for distance fields and
+ *        logarithmic maps `Distance_field_limits`, and for `Geodesic_mean` `Mean_limits`
  */
 template <class Limit>
 auto search_limit(const Limit& limit)
@@ -216,8 +225,17 @@ auto search_limit(const Limit& limit)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
+ * Sets whether a curve is closed: it continues from its last element to the first.
+ */
+inline auto is_closed(bool is_closed)
+{
+  return Named_function_parameters<bool, Flip_geodesics::internal::Closed_parameter>(is_closed);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsParameters
  * Sets landmarks that guide searches; they pay off for many searches.
- * \param landmarks `Landmark_distances` for `geodesic_paths()`, `Geodesic_landmarks` for `shortest_path()`, computed
+ * \param landmarks `Landmark_distances` for `geodesic_paths()` and `Shortest_edge_path`, `Geodesic_landmarks` for `shortest_path()`, computed
  *        for the mesh and its metric; they are not copied and must outlive the call
  */
 template <class Landmarks>

@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -187,8 +188,9 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
   };
   internal::Region_boundaries<Triangulation, decltype(region)> boundaries(triangulation, region);
   return internal::add_all_or_none(network, [&] {
-    boundaries.for_each(
-        [&](const std::vector<Halfedge_index>& chain, bool is_closed) { network.add_curve(chain, is_closed); });
+    boundaries.for_each([&](const std::vector<Halfedge_index>& chain, bool is_closed) {
+      network.add_curve(chain, parameters::is_closed(is_closed));
+    });
     for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
     { // each segment on the side of its region
       std::vector<Segment_index> bundle = network.bundle(e);
@@ -239,7 +241,7 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
  *
  * \param triangulation a triangulation without flips, which is unchanged afterwards
  * \param polyline the points, a range of points of the surface, of any type that `surface_location()` accepts
- * \param is_closed whether the polyline is closed
+ * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the polyline, for `draw_polyline()` and `snap_polyline()`
  * \pre no edge of the triangulation has been flipped
  * \throws Occupied_triangulation_error if a network has curves in the triangulation, and a geodesic is needed
@@ -251,10 +253,11 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  */
-template <class Triangulation, class PointRange = std::vector<Surface_location>>
+template <class Triangulation, class PointRange = std::vector<Surface_location>, class... NamedParameters>
 std::vector<Surface_location> complete_polyline(Triangulation& triangulation, const PointRange& polyline,
-                                                bool is_closed = false)
+                                                const NamedParameters&... np)
 {
+  const bool is_closed = internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...));
   const auto& input = triangulation.input();
   const std::vector<Surface_location> given = internal::located_places(triangulation, polyline);
   if(given.size() < (is_closed ? 3u : 2u))
@@ -295,7 +298,7 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * \param polyline the points, of any type that `surface_location()` accepts; two consecutive ones lie in a common face
  *     or on a common edge of the input. A closed polyline does not repeat the first point. Points that equal the
  *     previous one are skipped
- * \param is_closed whether the polyline is closed
+ * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the index of the curve
  * \pre no edge of the triangulation in these faces crosses an input edge
  * \throws Invalid_curve_error if two consecutive points have no common face, or there are too few points
@@ -308,9 +311,10 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * \throws Degenerate_face_error as `Edge_path_network::insert()` does
  * \throws Invalid_coordinate_error as `Edge_path_network::insert()` does
  */
-template <class Network, class PointRange = std::vector<Surface_location>>
-Curve_index draw_polyline(Network& network, const PointRange& polyline, bool is_closed = false)
+template <class Network, class PointRange = std::vector<Surface_location>, class... NamedParameters>
+Curve_index draw_polyline(Network& network, const PointRange& polyline, const NamedParameters&... np)
 {
+  const bool is_closed = internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...));
   const auto& triangulation = network.triangulation();
   const auto points =
       internal::canonical_polyline(triangulation.input(), internal::located_places(triangulation, polyline), is_closed);
@@ -326,16 +330,17 @@ Curve_index draw_polyline(Network& network, const PointRange& polyline, bool is_
  *
  * \param triangulation the triangulation
  * \param polyline the points, as for `draw_polyline()`
- * \param is_closed whether the polyline is closed
+ * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the vertices of the path, for `halfedges_through()`; fewer than two if the polyline shrinks to a vertex. A
  *         closed path does not repeat the first vertex
  * \throws Invalid_curve_error as `draw_polyline()` does
  * \throws Invalid_location_error as `draw_polyline()` does
  */
-template <class Triangulation, class PointRange = std::vector<Surface_location>>
+template <class Triangulation, class PointRange = std::vector<Surface_location>, class... NamedParameters>
 std::vector<Vertex_index> snap_polyline(const Triangulation& triangulation, const PointRange& polyline,
-                                        bool is_closed = false)
+                                        const NamedParameters&... np)
 {
+  const bool is_closed = internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...));
   const auto& input = triangulation.input();
   const auto points = internal::canonical_polyline(input, internal::located_places(triangulation, polyline), is_closed);
   std::vector<Vertex_index> path;

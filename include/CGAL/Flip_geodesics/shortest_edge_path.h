@@ -11,7 +11,9 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -50,29 +52,21 @@ public:
    * \param search a `Shortest_edge_path`, which computes the distances. With `Search_method::DIJKSTRA` or
    *        `Search_method::A_STAR`, these are the lengths of shortest edge paths. With `Search_method::LOOK_BACK`, they
    *        are estimates of the distances on the surface, for landmarks that guide such searches
+   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called,
+   *        before each search and about once per thousand vertices. If it returns `false`, `is_complete()` returns
+   *        `false`, and all bounds are zero
    * \throws Invalid_coordinate_error as `Shortest_edge_path` does, for any edge
    *
    * Complexity: 17 searches over the whole mesh, \f$O(n \log n)\f$.
    */
-  template <class Search>
-  explicit Landmark_distances(Search& search)
+  template <class Search, class... NamedParameters>
+  explicit Landmark_distances(Search& search, const NamedParameters&... np)
   {
-    make(search, nullptr);
-  }
-
-  /*!
-   * Chooses the landmarks and computes the distances, unless a visitor stops the construction.
-   *
-   * \param search a `Shortest_edge_path`, as for the constructor without a visitor
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, before each search and about
-   *        once per thousand vertices. If it returns `false`, `is_complete()` returns `false`, and all bounds are zero
-   * \throws Invalid_coordinate_error as `Shortest_edge_path` does, for any edge
-   */
-  template <class Search, class Visitor>
-  Landmark_distances(Search& search, Visitor&& visitor)
-  {
-    internal::Interruption interruption(visitor);
-    make(search, &interruption);
+    m_is_complete = internal::result_unless_stopped(
+        internal::options_of<internal_np::visitor_t>(np...),
+        [&](internal::Interruption* interruption) { return make(search, interruption); });
+    if(!m_is_complete)
+      m_rows = internal::Landmark_rows(); // all bounds are zero
   }
 
   /// Returns whether the distances are known, that is, whether the construction was not stopped by a visitor.
@@ -94,19 +88,16 @@ public:
 private:
   static constexpr std::size_t number_of_landmarks = 16; // of a component
 
+  // \throws Interrupted
   template <class Search>
-  void make(Search& search, internal::Interruption* interruption)
+  bool make(Search& search, internal::Interruption* interruption)
   {
     m_number_of_vertices = static_cast<std::size_t>(search.triangulation().input().number_of_vertices());
-    m_is_complete = internal::result_unless_interrupted([&] {
-      const internal::Landmark_choice choice(search, interruption);
-      m_rows = internal::Landmark_rows(m_number_of_vertices, number_of_landmarks, choice.largest_distance());
-      choice.far_vertices(search, number_of_landmarks,
-                          [&](std::size_t i, Vertex_index v, double distance) { m_rows.set(v, i, distance); });
-      return true;
-    });
-    if(!m_is_complete)
-      m_rows = internal::Landmark_rows(); // all bounds are zero
+    const internal::Landmark_choice choice(search, interruption);
+    m_rows = internal::Landmark_rows(m_number_of_vertices, number_of_landmarks, choice.largest_distance());
+    choice.far_vertices(search, number_of_landmarks,
+                        [&](std::size_t i, Vertex_index v, double distance) { m_rows.set(v, i, distance); });
+    return true;
   }
 
   std::size_t m_number_of_vertices = 0;
@@ -134,6 +125,27 @@ enum class Search_method {
   DIJKSTRA ///< a shortest edge path, in all directions
 };
 
+namespace internal {
+
+enum Search_method_parameter { search_method_parameter };
+
+} // namespace internal
+} // namespace Flip_geodesics
+
+namespace parameters {
+
+/// \ingroup PkgFlipGeodesicsParameters
+/// Sets the method of a search for edge paths.
+inline auto search_method(Flip_geodesics::Search_method method)
+{
+  return Named_function_parameters<Flip_geodesics::Search_method, Flip_geodesics::internal::Search_method_parameter>(
+      method);
+}
+
+} // namespace parameters
+
+namespace Flip_geodesics {
+
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
@@ -149,87 +161,93 @@ template <class Triangulation>
 class Shortest_edge_path
 {
 public:
-  /// Constructs a search on the input of a triangulation, which must outlive the search, by a given method.
-  explicit Shortest_edge_path(const Triangulation& triangulation, Search_method method = Search_method::A_STAR)
+  /*!
+   * Constructs a search on the input of a triangulation, which must outlive the search.
+   *
+   * \param triangulation the triangulation
+   * \param np an optional sequence of named parameters among those listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{search_method}
+   *     \cgalParamDescription{the method of the search}
+   *     \cgalParamType{`Search_method`}
+   *     \cgalParamDefault{`Search_method::A_STAR`, or `Search_method::LOOK_BACK` if landmarks are given}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{landmarks}
+   *     \cgalParamDescription{landmarks that guide the search; the lower bound is then multiplied by only 1.02, since it
+   *       is nearly attained}
+   *     \cgalParamType{`Landmark_distances`}
+   *     \cgalParamDefault{no landmarks}
+   *     \cgalParamPrecondition{the landmarks were computed for this mesh, and the method is `Search_method::LOOK_BACK`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws Input_mismatch_error if the landmarks were computed for another number of vertices
+   */
+  template <class... NamedParameters>
+  explicit Shortest_edge_path(const Triangulation& triangulation, const NamedParameters&... np)
     : m_triangulation(&triangulation)
-    , m_method(method)
-    , m_looks_back(has_bound && method == Search_method::LOOK_BACK)
-    , m_haste(method == Search_method::LOOK_BACK ? haste : 1)
     , m_search(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
   {
-  }
-
-  /// Constructs a search by `Search_method::LOOK_BACK` that is guided by landmarks, which must outlive the search. The
-  /// bound is multiplied by only 1.02, since it is nearly attained. \pre the landmarks were computed for this mesh
-  /// \throws Input_mismatch_error if the number of vertices differs
-  Shortest_edge_path(const Triangulation& triangulation, const Landmark_distances& landmarks)
-    : Shortest_edge_path(triangulation, Search_method::LOOK_BACK)
-  {
-    const std::size_t expected = landmarks.number_of_vertices();
+    const auto& options = internal::options_of<internal::Search_method_parameter, internal::Landmarks_parameter>(np...);
+    m_landmarks = internal::landmarks_of<Landmark_distances>(options);
+    const Search_method standard = m_landmarks != nullptr ? Search_method::LOOK_BACK : Search_method::A_STAR;
+    m_method =
+        parameters::choose_parameter(parameters::get_parameter(options, internal::search_method_parameter), standard);
+    m_looks_back = has_bound && m_method == Search_method::LOOK_BACK;
+    m_haste = m_method != Search_method::LOOK_BACK ? 1 : (m_landmarks != nullptr ? haste_with_landmarks : haste);
+    if(m_landmarks == nullptr)
+      return;
+    CGAL_precondition(m_method == Search_method::LOOK_BACK);
+    const std::size_t expected = m_landmarks->number_of_vertices();
     const std::size_t number = static_cast<std::size_t>(triangulation.input().number_of_vertices());
     if(expected != number)
       throw Input_mismatch_error("the landmarks were made for a mesh of " + std::to_string(expected) +
                                  " vertices, not of " + std::to_string(number));
-    m_landmarks = &landmarks;
-    m_haste = haste_with_landmarks;
   }
 
   /*!
    * Returns the halfedges of an edge path from `source` to `target`, or no halfedges if the two vertices are equal.
+   *
+   * \param source, target vertices of the input
+   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called,
+   *        about once per thousand vertices. If it returns `false`, the search ends and returns no halfedges
    * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the input
    * \throws Disconnected_endpoints_error if no edge path connects the vertices
    * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN. Edges of
    *         length zero are accepted here, and rejected when the curve is shortened across them
    */
-  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target) { return path(source, target); }
-
-  /*!
-   * Returns the halfedges of an edge path from `source` to `target`, unless a visitor stops the search. The exceptions
-   * are those of the overload without a visitor.
-   * \param source, target vertices of the input
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, about once per thousand
-   *        vertices. If it returns `false`, the search ends and returns no halfedges
-   */
-  template <class Visitor>
-  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target, Visitor&& visitor)
+  template <class... NamedParameters>
+  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target, const NamedParameters&... np)
   {
-    internal::Interruption interruption(visitor);
-    return path(source, target, &interruption);
+    return internal::result_unless_stopped(internal::options_of<internal_np::visitor_t>(np...),
+                                           [&](auto* interruption) { return path(source, target, interruption); });
   }
 
   /*!
    * Calls `visit(v, distance)` for each vertex that is reachable from `source`, with its distance as measured by this
    * search, in order of increasing distance.
+   *
+   * \param source a vertex of the input
+   * \param visit a function object
+   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called,
+   *        about once per thousand vertices. If it returns `false`, the remaining vertices are not visited
+   * \return whether all vertices have been visited
    * \throws Vertex_out_of_range_error if `source` is not a vertex of the input
    * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN
    */
-  template <class Visit>
-  void visit_all(Vertex_index source, const Visit& visit)
+  template <class Visit, class... NamedParameters>
+  bool visit_all(Vertex_index source, const Visit& visit, const NamedParameters&... np)
   {
-    visit_vertices(source, visit);
-  }
-
-  /*!
-   * Calls `visit(v, distance)` for each vertex that is reachable from `source`, unless a visitor stops the search. The
-   * exceptions are those of the overload without a visitor.
-   * \param source a vertex of the input
-   * \param visit a function object, called in order of increasing distance
-   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, about once per thousand
-   *        vertices. If it returns `false`, the remaining vertices are not visited
-   * \return whether all vertices have been visited
-   */
-  template <class Visit, class Visitor>
-  bool visit_all(Vertex_index source, const Visit& visit, Visitor&& visitor)
-  {
-    internal::Interruption interruption(visitor);
-    return visit_vertices(source, visit, &interruption);
+    return internal::result_unless_stopped(
+        internal::options_of<internal_np::visitor_t>(np...),
+        [&](auto* interruption) { return visit_vertices(source, visit, interruption); });
   }
 
 #ifndef DOXYGEN_RUNNING
-  // For searches that are parts of a computation, with its `internal::Interruption*`, which may be null, or without.
+  // For searches that are parts of a computation, with its interruption.
 
-  template <class... Interruptions>
-  std::vector<Halfedge_index> path(Vertex_index source, Vertex_index target, Interruptions*... interruption)
+  std::vector<Halfedge_index> path(Vertex_index source, Vertex_index target, internal::Interruption* interruption)
   {
     internal::check_vertex(source, m_triangulation->input().number_of_vertices());
     internal::check_vertex(target, m_triangulation->input().number_of_vertices());
@@ -238,7 +256,7 @@ public:
     bool is_found = false;
     const bool is_complete = run([&](Vertex_index v) {
       is_found = v == target;
-      return !is_found && !internal::is_interrupted(interruption...);
+      return !is_found && !internal::is_interrupted(interruption);
     });
     if(is_found)
       return path_to(target);
@@ -247,14 +265,14 @@ public:
     internal::throw_disconnected(source, target);
   }
 
-  template <class Visit, class... Interruptions>
-  bool visit_vertices(Vertex_index source, const Visit& visit, Interruptions*... interruption)
+  template <class Visit>
+  bool visit_vertices(Vertex_index source, const Visit& visit, internal::Interruption* interruption)
   {
     internal::check_vertex(source, m_triangulation->input().number_of_vertices());
     start(source);
     return run([&](Vertex_index v) {
       visit(v, m_search[v].distance);
-      return !internal::is_interrupted(interruption...);
+      return !internal::is_interrupted(interruption);
     });
   }
 #endif // DOXYGEN_RUNNING
@@ -464,9 +482,9 @@ private:
   }
 
   const Triangulation* m_triangulation;
-  Search_method m_method;
-  bool m_looks_back;
-  double m_haste;
+  Search_method m_method = Search_method::A_STAR;
+  bool m_looks_back = false;
+  double m_haste = 1;
   internal::Label_setting_search<Search_labels> m_search;
   const Landmark_distances* m_landmarks = nullptr;
   Vertex_index m_target = null_index; // null if the search proceeds in all directions

@@ -206,7 +206,7 @@ private:
     m_number_of_halfedges = triangulation.input().number_of_halfedges();
     m_number_of_faces = triangulation.input().number_of_faces();
     note_borders(triangulation);
-    Shortest_edge_path<Triangulation> search(triangulation, Search_method::DIJKSTRA);
+    Shortest_edge_path<Triangulation> search(triangulation, parameters::search_method(Search_method::DIJKSTRA));
     const Choice choice(search, &interruption);
     const std::vector<Choice::Set> sets = choose(choice, search);
     for(std::size_t i = 0; i < sets.size(); ++i)
@@ -385,7 +385,7 @@ std::vector<Halfedge_index> insert_path_in_tree(Triangulation& triangulation,
 {
   constexpr double tolerance = Shortest_path_report::tolerance();
   Geodesic_tree<Triangulation> tree(triangulation);
-  flips += tree.grow(source, search.distance(target)).flips;
+  flips += tree.grow(source, parameters::max_distance(search.distance(target))).flips;
   std::vector<Vertex_index> longer;
   for(Vertex_index v = target; v != source; v = search.leg(v).from)
     if(!tree.is_reached(v) || tree.distance(v) > search.distance(v) * (1 + tolerance))
@@ -576,7 +576,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
       path = insert_path_in_tree(triangulation, windows, source, target, flips);
     }
     if(is_found()) {
-      network.add_curve(path, false);
+      network.add_curve(path);
       report.shortening = internal::shorten(network, Never_stop_predicate(), visitor);
     } else {
       triangulation.rollback(0);
@@ -621,7 +621,9 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param search an edge path search over that triangulation; `Search_method::LOOK_BACK` is fastest
- * \param source, target different vertices in the same connected component
+ * \param source, target different vertices of the mesh in the same connected component. Inserted vertices are not
+ *        accepted, since windows are propagated over the faces of the mesh; `shortest_path()` takes any points of the
+ *        surface, by computing on a mesh that is divided at these points
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -694,7 +696,7 @@ template <class Whole, class Triangulation, class NamedParameters, class Write>
 Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& triangulation, Vertex_index source,
                                         Vertex_index target, const NamedParameters& np, const Write& write)
 {
-  Shortest_edge_path<Triangulation> search(triangulation, Search_method::LOOK_BACK);
+  Shortest_edge_path<Triangulation> search(triangulation, parameters::search_method(Search_method::LOOK_BACK));
   Edge_path_network<Triangulation> network(triangulation);
   auto visitor = make_visitor(np);
   Shortest_path_report report = add_shortest_path(network, search, checked_landmarks(whole, np), source, target,
@@ -914,7 +916,7 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParam
  */
 template <
     class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-    class VertexRange = std::vector<internal::Vertex_in<TriangleMesh>>, class... NamedParameters,
+    class VertexRange = std::vector<Mesh_vertex<TriangleMesh>>, class... NamedParameters,
     std::enable_if_t<
         !std::is_convertible<VertexRange, std::size_t>::value && !internal::is_named_parameters<VertexRange>, int> = 0>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRange& landmarks,

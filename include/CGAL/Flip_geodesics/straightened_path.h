@@ -271,11 +271,11 @@ std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_i
      internal::length_of(triangulation, straight) > straightener.path_length())
   {
     triangulation.rollback(0);
-    network.add_curve(path, false);
+    network.add_curve(path);
     guard.dismiss();
     return flips;
   }
-  network.add_curve(straight, false);
+  network.add_curve(straight);
   network.set_initial_length(Curve_index(0), straightener.path_length());
   guard.dismiss();
   return flips;

@@ -49,7 +49,8 @@ namespace Flip_geodesics {
  * \code
  * const Logarithmic_map<Triangulation> logarithm(triangulation, mesh, source);
  * const Polar_coordinates p = logarithm(target);
- * Geodesic_tracer<Triangulation>(triangulation).trace(source, logarithm.halfedge(), p.angle, Trace_limits<>{p.radius});
+ * Geodesic_tracer<Triangulation>(triangulation).trace(source, Surface_direction{logarithm.halfedge(), p.angle}, p.radius,
+ *                                             CGAL::Emptyset_iterator());
  * \endcode
  *
  * This code arrives at the target unless the shortest path bends at a vertex, as straightest geodesics never do. A
@@ -78,11 +79,15 @@ public:
    *
    * \param triangulation a triangulation of the mesh; both must outlive the map
    * \param mesh the mesh
-   * \param source any location
-   * \param limits the extent to which the map is needed
+   * \param source a point of any type that `surface_location()` accepts
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{search_limit}
+   *     \cgalParamDescription{the extent to which the map is needed}
+   *     \cgalParamType{`Distance_field_limits`}
+   *     \cgalParamDefault{no limits}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
    *     \cgalParamDescription{a visitor, as for `Geodesic_distance_field::compute()`. If it stops the computation,
    *     `report()`
@@ -101,27 +106,12 @@ public:
    *
    * Complexity: that of `Geodesic_distance_field::compute()`.
    */
-  template <class... NamedParameters>
-  Logarithmic_map(const Triangulation& triangulation, const Triangle_mesh& mesh, const Surface_location& source,
-                  const Distance_field_limits& limits = Distance_field_limits(), const NamedParameters&... np)
-    : m_triangulation(triangulation)
-    , m_place(internal::canonical_location(triangulation.input(), source))
-    , m_frame(triangulation, m_place)
-    , m_halfedge(m_frame.reference(source))
-    , m_field(triangulation, mesh)
-  {
-    m_field.add_source(source);
-    auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
-    m_report = m_field.compute(limits, visitor.get());
-  }
-
-  /// Computes the map for a source of any other type that `surface_location()` accepts.
-  template <class Source, class... NamedParameters,
-            std::enable_if_t<internal::is_other_place<Triangulation, Source>, int> = 0>
+  template <class Source = Surface_location, class... NamedParameters>
   Logarithmic_map(const Triangulation& triangulation, const Triangle_mesh& mesh, const Source& source,
-                  const Distance_field_limits& limits = Distance_field_limits(), const NamedParameters&... np)
-    : Logarithmic_map(triangulation, mesh, internal::trace_start(triangulation, mesh, source), limits, np...)
+                  const NamedParameters&... np)
+    : Logarithmic_map(internal::trace_start(triangulation, mesh, source), triangulation, mesh)
   {
+    m_report = m_field.compute(np...);
   }
 
   /// Returns the halfedge from which angles are measured, by the rule of `Surface_direction`.
@@ -141,43 +131,37 @@ public:
   const Distance_field_report& report() const { return m_report; }
 
   /*!
-   * Returns the length of a shortest path to a location, and the angle of its direction at the source, counterclockwise
+   * Returns the length of a shortest path to a point, and the angle of its direction at the source, counterclockwise
    * from `halfedge()`. The radius is infinite if no path exists within the limits.
    *
    * If the path bends at vertices, the angle is that of the path to the first of them, so all points in the shadow of a
    * vertex have the same angle.
    *
-   * \throws Invalid_location_error if `location` is not a point of the surface
+   * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
+   * \throws Vertex_out_of_range_error if `point` is an index of no vertex of the input
+   * \throws Invalid_location_error if `point` is not a point of the surface
    *
    * Complexity: linear in the number of edges that the path crosses and of the windows on these edges.
    */
-  Polar_coordinates operator()(const Surface_location& location) const
-  {
-    const std::optional<Transport_sleeve> path = path_to(location);
-    if(!path)
-      return {};
-    if(path->legs().empty())
-      return {0, std::numeric_limits<double>::quiet_NaN()};
-    const double position = m_frame.position(path->legs().front().face, path->start(0).unit());
-    return {path_length(*path), m_frame.angle(position, m_halfedge)};
-  }
-
-  /// Returns the polar coordinates of a vertex of the input. \throws Vertex_out_of_range_error if `v` is not a vertex
-  /// of the input
-  Polar_coordinates operator()(Vertex_index v) const
-  {
-    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
-    if(m_triangulation.input().outgoing(v) == null_index)
-      return {};
-    return (*this)(internal::canonical_location(m_triangulation.input(), m_triangulation.location(v)));
-  }
-
-  /// Returns the polar coordinates of a point of any other type that `surface_location()` accepts.
-  template <class Point, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
+  template <class Point = Surface_location>
   Polar_coordinates operator()(const Point& point) const
   {
-    const auto& mesh = m_triangulation.input().uncontracted().mesh();
-    return (*this)(internal::trace_start(m_triangulation, mesh, point));
+    if constexpr(std::is_convertible<const Point&, Vertex_index>::value) {
+      const Vertex_index v = point;
+      internal::check_vertex(v, m_triangulation.input().number_of_vertices());
+      if(m_triangulation.input().outgoing(v) == null_index)
+        return {};
+      return (*this)(internal::canonical_location(m_triangulation.input(), m_triangulation.location(v)));
+    } else {
+      const auto& mesh = m_triangulation.input().uncontracted().mesh();
+      const std::optional<Transport_sleeve> path = path_to(internal::trace_start(m_triangulation, mesh, point));
+      if(!path)
+        return {};
+      if(path->legs().empty())
+        return {0, std::numeric_limits<double>::quiet_NaN()};
+      const double position = m_frame.position(path->legs().front().face, path->start(0).unit());
+      return {path_length(*path), m_frame.angle(position, m_halfedge)};
+    }
   }
 
   /// Converts polar coordinates to Cartesian coordinates in the plane in which `halfedge()` is the positive first axis.
@@ -248,6 +232,16 @@ public:
   }
 
 private:
+  Logarithmic_map(const Surface_location& source, const Triangulation& triangulation, const Triangle_mesh& mesh)
+    : m_triangulation(triangulation)
+    , m_place(internal::canonical_location(triangulation.input(), source))
+    , m_frame(triangulation, m_place)
+    , m_halfedge(m_frame.reference(source))
+    , m_field(triangulation, mesh)
+  {
+    m_field.add_source(source);
+  }
+
   static double path_length(const Transport_sleeve& path)
   {
     double length = 0;
@@ -263,9 +257,9 @@ private:
     const Input_halfedge_index face = path.legs()[leg].face;
     const auto frame = path.frame(leg, face);
     const Input_halfedge_index from = frame.has(place.halfedge) ? place.halfedge : face;
-    const Trace_limits<> limits = {length, At_vertices::GO_STRAIGHT, (std::numeric_limits<std::size_t>::max)(), {}};
     return Geodesic_tracer<Triangulation>(m_triangulation)
-        .trace(place, from, frame.angle(position, from), limits)
+        .trace(place, Surface_direction{from, frame.angle(position, from)}, length, Emptyset_iterator(),
+               parameters::number_of_iterations((std::numeric_limits<std::size_t>::max)()))
         .location;
   }
 

@@ -212,7 +212,7 @@ Texture_report texture_coordinates(
   const Surface_location middle = internal::trace_start(surface, mesh, source);
   Distance_field_limits limits;
   limits.radius = std::sqrt(0.5) * size + internal::longest_side(surface);
-  const Logarithmic_map<Surface> logarithm(surface, mesh, middle, limits);
+  const Logarithmic_map<Surface> logarithm(surface, mesh, middle, parameters::search_limit(limits));
   const double angle =
       angle_between(surface, middle, {logarithm.halfedge(), 0}, {input.index(right.first), right.second});
   const auto [x, y] = logarithm.in_plane({1, angle});

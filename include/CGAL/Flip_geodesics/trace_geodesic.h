@@ -30,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -90,26 +91,6 @@ inline auto at_vertices(Flip_geodesics::At_vertices rule)
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTracing
-/// Lets straightest geodesics cross all edges.
-struct No_edge_is_constrained
-{
-  /// Returns `false`.
-  bool operator()(Input_halfedge_index) const { return false; }
-};
-
-/// \ingroup PkgFlipGeodesicsTracing
-/// Limits the length of a straightest geodesic and the edges that it may cross.
-template <class IsConstrained = No_edge_is_constrained>
-struct Trace_limits
-{
-  double length;                                      ///< the maximal length, a finite number
-  At_vertices at_vertices = At_vertices::GO_STRAIGHT; ///< the behavior at vertices
-  std::size_t most_crossings = 1000000;               ///< the maximal number of edges and vertices passed
-  IsConstrained is_constrained = IsConstrained();     ///< returns for an `Input_halfedge_index` whether its edge ends
-                                                      ///< the geodesic
-};
-
-/// \ingroup PkgFlipGeodesicsTracing
 /// Describes a straightest geodesic that has been traced: its length, and where and why it ends.
 struct Trace_report
 {
@@ -126,24 +107,34 @@ struct Trace_report
 
 namespace internal {
 
-/* Traces one straightest geodesic and records its report. */
-template <class Triangulation, class Limits, class Visitor>
+/* Limits the length of a straightest geodesic and the edges that it may cross. */
+template <class IsConstrained>
+struct Trace_limits
+{
+  double length;
+  At_vertices at_vertices;
+  std::size_t most_crossings;
+  const IsConstrained& is_constrained;
+};
+
+/* Traces one straightest geodesic, writes its points, and records its report. */
+template <class Triangulation, class Limits, class OutputIterator>
 class Trace_walk
 {
 public:
   Trace_walk(const Triangulation& triangulation, const Exact_input_faces<Triangulation>& exact_faces,
-             const Limits& limits, Visitor& visitor)
+             const Limits& limits, OutputIterator out)
     : m_triangulation(triangulation)
     , m_exact_faces(exact_faces)
     , m_directions(triangulation)
     , m_limits(limits)
-    , m_visitor(visitor)
+    , m_out(out)
   {
   }
 
   Trace_report operator()(Ray_start start)
   {
-    m_visitor(surface_point(m_triangulation, start.place));
+    *m_out++ = surface_point(m_triangulation, start.place);
     if(start.is_outward) {
       end_at_corner(start.place.halfedge, start.angle);
       m_trace.status = Trace_status::BORDER;
@@ -174,7 +165,7 @@ private:
       if(ends_at_corner(ray))
         return false;
       ++m_trace.vertices;
-      m_visitor(surface_point(m_triangulation, {ray.corner(), {{1, 0, 0}}}));
+      *m_out++ = surface_point(m_triangulation, {ray.corner(), {{1, 0, 0}}});
       if(!is_flat(ray.corner())) {
         m_trace.length += ray.distance_of_corner();
         start = m_directions.at_vertex(ray.corner(), straight_on(ray));
@@ -196,7 +187,7 @@ private:
     if(m_trace.edges + m_trace.vertices >= m_limits.most_crossings)
       return end_on_portal(ray, length, Trace_status::CROSSING_LIMIT);
     if(!ray.starts_on_portal())
-      m_visitor(surface_point_on_edge(m_triangulation, h, ray.place_on_portal()));
+      *m_out++ = surface_point_on_edge(m_triangulation, h, ray.place_on_portal());
     return false;
   }
 
@@ -215,7 +206,7 @@ private:
 
   bool finish(const Ray& ray, double length, Trace_status end)
   {
-    m_visitor(surface_point(m_triangulation, m_trace.location));
+    *m_out++ = surface_point(m_triangulation, m_trace.location);
     m_trace.length = length;
     m_trace.status = end;
     m_trace.halfedge = ray.halfedge();
@@ -273,7 +264,7 @@ private:
     m_trace.location = {h, {{1, 0, 0}}};
     m_trace.halfedge = h;
     m_trace.angle = angle;
-    m_visitor(surface_point(m_triangulation, m_trace.location));
+    *m_out++ = surface_point(m_triangulation, m_trace.location);
   }
 
   bool has_constrained_edge(Input_halfedge_index first) const
@@ -291,14 +282,60 @@ private:
   const Exact_input_faces<Triangulation>& m_exact_faces;
   Direction_finder<Triangulation> m_directions;
   const Limits& m_limits;
-  Visitor& m_visitor;
+  OutputIterator m_out;
   Trace_report m_trace;
 };
 
-struct No_visitor_of_points
+/* Returns the start of a ray in a direction given by an angle or by coordinates in a face. */
+template <class Finder>
+Ray_start start_of(const Finder& finder, const Surface_location& source, const Surface_direction& direction)
 {
-  void operator()(const Surface_point&) const {}
+  return finder.by_angle(source, direction.halfedge, direction.angle);
+}
+
+template <class Finder>
+Ray_start start_of(const Finder& finder, const Surface_location& source, const std::array<double, 2>& direction)
+{
+  return finder.by_direction(source, direction);
+}
+
+/* Returns whether an edge ends a geodesic, by the map of the named parameters. */
+template <class Triangulation, class Map>
+struct Is_constrained
+{
+  const Triangulation& triangulation;
+  Map map;
+
+  bool operator()(Input_halfedge_index h) const
+  {
+    const auto& input = triangulation.input();
+    return get(map, edge(input.halfedge(h), input.uncontracted().mesh()));
+  }
 };
+
+/* Traces a geodesic with the named parameters of `trace_geodesic()`. */
+template <class Triangulation, class Direction, class OutputIterator, class NamedParameters>
+Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_input_faces<Triangulation>& exact_faces,
+                             const Surface_location& source, const Direction& direction, double length,
+                             OutputIterator out, const NamedParameters& np)
+{
+  if(!(length >= 0 && std::isfinite(length)))
+    throw Invalid_parameter_error("the length of a geodesic to be traced is negative or no finite number");
+  const Direction_finder<Triangulation> finder(triangulation);
+  const auto walk = [&](const auto& is_constrained) {
+    const Trace_limits<std::decay_t<decltype(is_constrained)>> limits = {
+        length,
+        parameters::choose_parameter(parameters::get_parameter(np, at_vertices_parameter), At_vertices::GO_STRAIGHT),
+        number_of_iterations(np, 1000000), is_constrained};
+    return Trace_walk(triangulation, exact_faces, limits, out)(start_of(finder, source, direction));
+  };
+  if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
+    const auto map = parameters::get_parameter(np, internal_np::edge_is_constrained);
+    return walk(Is_constrained<Triangulation, std::decay_t<decltype(map)>>{triangulation, map});
+  } else {
+    return walk([](Input_halfedge_index) { return false; });
+  }
+}
 
 } // namespace internal
 
@@ -330,83 +367,50 @@ public:
   }
 
   /*!
-   * Traces a geodesic from a location in the direction of an angle.
+   * Traces a geodesic from a point in a given direction.
    *
-   * \param location the start
-   * \param halfedge the halfedge from which the direction is measured: a side of a face that contains the location, or
-   *        a halfedge that starts there
-   * \param angle the angle from `halfedge` to the direction, in radians, counterclockwise on the surface. At a vertex
-   *        the angle extends over all incident faces, so a full turn is the sum of their angles
-   * \param limits a `Trace_limits`
-   * \param visitor a function object that is called with a `Surface_point` for the start, each crossed edge, each
-   *        vertex, and the end
-   * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Invalid_parameter_error if the angle is not finite, `halfedge` does not satisfy the condition above, or the
-   *         length is negative or not finite
+   * \param source the start, a point of any type that `surface_location()` accepts. A `Face_location` is not moved to a
+   *        nearby edge or vertex, so that tracing can continue from the end of any geodesic
+   * \param direction a `Surface_direction`, whose angle at a vertex extends over all incident faces, so that a full turn
+   *        is the sum of their angles; or a `std::array<double, 2>` of coordinates in the face of the halfedge of the
+   *        start, a `Surface_location`: the coefficients of the vectors from the tail of that halfedge to its head and
+   *        to the third corner. Coordinates are not rounded, unless the start is a vertex and the direction points out
+   *        of the face, or one coefficient is 1e100 times the other
+   * \param length the maximal length, in the unit of the coordinates
+   * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and the
+   *        end; `CGAL::Emptyset_iterator()` if they are not needed
+   * \param np an optional sequence of the named parameters `edge_is_constrained_map`, `number_of_iterations` and
+   *        `at_vertices` of `trace_geodesic()`
+   * \return a report with the end of the geodesic
+   * \throws Invalid_location_error if `source` is not a point of the surface
+   * \throws Invalid_parameter_error if the angle is not finite, its halfedge is neither a side of a face that contains
+   *         the source nor starts there, or the length is negative or not finite
    * \throws Degenerate_face_error if a face has a side of length zero, or the direction lies in a degenerate face
    * \throws Invalid_coordinate_error if a coordinate is not finite
    * \throws Invalid_mesh_error if a face is not a triangle
    *
    * Complexity: linear in the number of crossed edges if the floating-point filter suffices.
    */
-  template <class IsConstrained, class Visitor>
-  Trace_report trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
-                     const Trace_limits<IsConstrained>& limits, Visitor visitor) const
+  template <class Source = Surface_location, class Direction = Surface_direction, class OutputIterator,
+            class... NamedParameters>
+  Trace_report trace(const Source& source, const Direction& direction, double length, OutputIterator out,
+                     const NamedParameters&... np) const
   {
-    return walk(internal::Direction_finder<Triangulation>(m_triangulation).by_angle(location, halfedge, angle), limits,
-                visitor);
-  }
-
-  /// Traces a geodesic from a location in the direction of an angle, without a visitor.
-  template <class IsConstrained>
-  Trace_report trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
-                     const Trace_limits<IsConstrained>& limits) const
-  {
-    return trace(location, halfedge, angle, limits, internal::No_visitor_of_points());
-  }
-
-  /*!
-   * Traces a geodesic from a location in a direction that is given by coordinates in the face of `location.halfedge`:
-   * `direction[0]` is the coefficient of the vector from the tail of the halfedge to its head, and `direction[1]` that
-   * of the vector from its tail to the third corner. The direction is not rounded, unless the location is a vertex and
-   * the direction points out of the face, or one coefficient is 1e100 times the other.
-   */
-  template <class IsConstrained, class Visitor>
-  Trace_report trace(const Surface_location& location, const std::array<double, 2>& direction,
-                     const Trace_limits<IsConstrained>& limits, Visitor visitor) const
-  {
-    return walk(internal::Direction_finder<Triangulation>(m_triangulation).by_direction(location, direction), limits,
-                visitor);
-  }
-
-  /// Traces a geodesic from a location in a direction that is given by coordinates, without a visitor.
-  template <class IsConstrained>
-  Trace_report trace(const Surface_location& location, const std::array<double, 2>& direction,
-                     const Trace_limits<IsConstrained>& limits) const
-  {
-    return trace(location, direction, limits, internal::No_visitor_of_points());
-  }
-
-  /// Traces a geodesic from a point of any other type that `surface_location()` accepts. The other arguments are as for
-  /// a location. A `Face_location` is not moved to a nearby edge or vertex, so that tracing can continue from the end
-  /// of any geodesic.
-  template <class Point, class... Arguments, std::enable_if_t<internal::is_other_place<Triangulation, Point>, int> = 0>
-  Trace_report trace(const Point& point, const Arguments&... arguments) const
-  {
+    const auto& options = internal::options_of<internal_np::edge_is_constrained_t, internal_np::number_of_iterations_t,
+                                               internal::At_vertices_parameter>(np...);
+    constexpr bool is_direction = std::is_convertible<Direction, Surface_direction>::value ||
+                                  std::is_convertible<Direction, std::array<double, 2>>::value;
+    static_assert(is_direction, "a direction is a Surface_direction or an array of two coordinates in the face");
     const auto& mesh = m_triangulation.input().uncontracted().mesh();
-    return trace(internal::trace_start(m_triangulation, mesh, point), arguments...);
+    if constexpr(is_direction) // avoids another error message
+      return internal::traced_geodesic(m_triangulation, m_exact_faces,
+                                       internal::trace_start(m_triangulation, mesh, source), direction, length, out,
+                                       options);
+    else
+      return Trace_report();
   }
 
 private:
-  template <class IsConstrained, class Visitor>
-  Trace_report walk(const internal::Ray_start& start, const Trace_limits<IsConstrained>& limits, Visitor& visitor) const
-  {
-    if(!(limits.length >= 0 && std::isfinite(limits.length)))
-      throw Invalid_parameter_error("the length of a geodesic to be traced is negative or no finite number");
-    return internal::Trace_walk<Triangulation, Trace_limits<IsConstrained>, Visitor>(m_triangulation, m_exact_faces,
-                                                                                     limits, visitor)(start);
-  }
-
   const Triangulation& m_triangulation;
   internal::Exact_input_faces<Triangulation> m_exact_faces;
 };
@@ -437,7 +441,7 @@ constexpr bool
     is_vector_in_space<T, std::void_t<decltype(std::declval<T>().x(), std::declval<T>().y(), std::declval<T>().z())>> =
         true;
 
-/* Converts a direction given by the user, a vector in space or a halfedge and an angle, to the start of a ray. */
+/* Converts a direction given by the user, a vector in space or a halfedge and an angle, to one that is traced. */
 template <class Triangulation, class TriangleMesh>
 class Given_direction
 {
@@ -450,27 +454,20 @@ public:
   {
   }
 
-  template <class Limits, class Visitor>
-  Trace_report trace(const Surface_location& source, const std::pair<Halfedge, double>& direction, const Limits& limits,
-                     const Visitor& visitor) const
+  Surface_direction operator()(const Surface_location&, const std::pair<Halfedge, double>& direction) const
   {
-    return Geodesic_tracer<Triangulation>(m_triangulation)
-        .trace(source, m_triangulation.input().index(direction.first), direction.second, limits, visitor);
+    return {m_triangulation.input().index(direction.first), direction.second};
   }
 
-  template <class Direction, class Limits, class Visitor>
-  std::enable_if_t<is_vector_in_space<Direction>, Trace_report> trace(const Surface_location& source,
-                                                                      const Direction& direction, const Limits& limits,
-                                                                      const Visitor& visitor) const
+  template <class Direction>
+  std::enable_if_t<is_vector_in_space<Direction>, std::array<double, 2>> operator()(const Surface_location& source,
+                                                                                    const Direction& direction) const
   {
     static_assert(Has_points<typename Triangulation::Metric>::value,
                   "the metric has no points in space: give the direction as a halfedge and an angle");
     check_location(m_triangulation.input(), source);
-    return Geodesic_tracer<Triangulation>(m_triangulation)
-        .trace(source,
-               in_face(source.halfedge, {{CGAL::to_double(direction.x()), CGAL::to_double(direction.y()),
-                                          CGAL::to_double(direction.z())}}),
-               limits, visitor);
+    return in_face(source.halfedge,
+                   {{CGAL::to_double(direction.x()), CGAL::to_double(direction.y()), CGAL::to_double(direction.z())}});
   }
 
 private:
@@ -510,8 +507,6 @@ private:
     return {{std::scalbn(v[0], -exponent), std::scalbn(v[1], -exponent), std::scalbn(v[2], -exponent)}};
   }
 
-  static double dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
   static Vector cross(const Vector& u, const Vector& v)
   {
     const auto difference = [&](int i, int k) { // of products, accurately [Kahan]
@@ -523,52 +518,6 @@ private:
 
   const Triangulation& m_triangulation;
 };
-
-/* Returns whether an edge ends a geodesic, by the map of the named parameters. */
-template <class Triangulation, class TriangleMesh, class Map>
-struct Is_constrained
-{
-  const Triangulation* triangulation;
-  const TriangleMesh* mesh;
-  Map map;
-
-  bool operator()(Input_halfedge_index h) const { return get(map, edge(triangulation->input().halfedge(h), *mesh)); }
-};
-
-template <class Triangulation, class TriangleMesh, class NamedParameters>
-auto make_trace_limits(const Triangulation& triangulation, const TriangleMesh& mesh, double length,
-                       const NamedParameters& np)
-{
-  const At_vertices at_vertices =
-      parameters::choose_parameter(parameters::get_parameter(np, at_vertices_parameter), At_vertices::GO_STRAIGHT);
-  const std::size_t most = number_of_iterations(np, Trace_limits<>().most_crossings);
-  if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
-    const auto map = parameters::get_parameter(np, internal_np::edge_is_constrained);
-    using Map = std::decay_t<decltype(map)>;
-    using Test = Is_constrained<Triangulation, TriangleMesh, Map>;
-    return Trace_limits<Test>{length, at_vertices, most, Test{&triangulation, &mesh, map}};
-  } else {
-    return Trace_limits<>{length, at_vertices, most, {}};
-  }
-}
-
-/* Writes the points of a curve in the form that the output accepts, with directions from each point to the next. */
-template <class Form, class Triangulation, class TriangleMesh, class OutputIterator>
-OutputIterator write_points(const Triangulation& triangulation, const TriangleMesh& mesh,
-                            const std::vector<Surface_point>& points, OutputIterator out)
-{
-  std::vector<Form> forms;
-  const Form_converter<Triangulation, Form> convert(triangulation, mesh);
-  for(const Surface_point& p : points)
-    forms.push_back(convert(p));
-  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value &&
-               Has_points<typename Triangulation::Metric>::value)
-    for(std::size_t i = 0; i + 1 < forms.size(); ++i) {
-      set_tangent(forms[i], forms[i].point, forms[i + 1].point);
-      set_tangent(forms[i + 1], forms[i].point, forms[i + 1].point);
-    }
-  return std::move(forms.begin(), forms.end(), out);
-}
 
 } // namespace internal
 
@@ -648,9 +597,10 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   const Surface surface = internal::make_surface(mesh, options);
   const Surface_location place = internal::trace_start(surface, mesh, source);
   std::vector<Surface_point> points;
-  const Trace_report trace = internal::Given_direction<Surface, TriangleMesh>(surface).trace(
-      place, direction, internal::make_trace_limits(surface, mesh, length, options),
-      [&points](const Surface_point& p) { points.push_back(p); });
+  const Trace_report trace =
+      internal::traced_geodesic(surface, internal::Exact_input_faces<Surface>(surface), place,
+                                internal::Given_direction<Surface, TriangleMesh>(surface)(place, direction), length,
+                                std::back_inserter(points), options);
   return {internal::write_points<Form>(surface, mesh, points, out),
           trace,
           internal::face_location_of(surface, mesh, trace.location),

@@ -4,6 +4,7 @@
 // compiled together, and an instance has its error once: no two mistakes may have the same instances.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -68,9 +70,9 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 3
   FG::geodesic_loop(mesh, std::vector<Mesh::Halfedge_index>(), out);
 #elif MISTAKE == 4
-  network.add_curve(vertices, false);
+  network.add_curve(vertices);
 #elif MISTAKE == 5
-  FG::halfedges_through(triangulation, of_mesh, false);
+  FG::halfedges_through(triangulation, of_mesh);
 #elif MISTAKE == 6
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, 1000L);
 #elif MISTAKE == 7
@@ -144,6 +146,20 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::shortest_path(mesh, of_mesh[0], 1.5, out);
 #elif MISTAKE == 40
   FG::geodesic_paths(mesh, of_mesh, std::back_inserter(paths));
+#elif MISTAKE == 41
+  network.add_curve(halfedges, true);
+#elif MISTAKE == 42
+  FG::Geodesic_distance_field<Triangulation> wrong(triangulation, mesh, FG::Distance_field_extent::VERTICES_ONLY);
+#elif MISTAKE == 43
+  FG::Geodesic_distance_field<Triangulation>(triangulation, mesh).compute(FG::Distance_field_limits());
+#elif MISTAKE == 44
+  FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::DIJKSTRA);
+#elif MISTAKE == 45
+  FG::Geodesic_tree<Triangulation>(triangulation).grow(vertices[0], 0.5);
+#elif MISTAKE == 46
+  FG::Geodesic_tracer<Triangulation>(triangulation).trace(points[0], 0.5F, 1, out);
+#elif MISTAKE == 47
+  FG::IO::write_VTP(mesh, points);
 #else
   FG::insert_curves(changed, isolines,
                     CGAL::parameters::edge_is_constrained_map(boost::make_assoc_property_map(marks)));
@@ -165,9 +181,18 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::geodesic_landmarks(mesh, CGAL::parameters::visitor(visitor));
   const FG::Geodesic_landmarks landmarks(triangulation, vertices);
   FG::isolines(mesh, field, levels, std::back_inserter(isolines), 0.1);
-  network.add_curve(halfedges, false);
+  network.add_curve(halfedges);
   FG::shorten(network, CGAL::parameters::stop_predicate(stop), CGAL::parameters::visitor(visitor));
   FG::flip_to_delaunay(triangulation, CGAL::parameters::number_of_iterations(1000));
-  network.add_curve(FG::halfedges_through(triangulation, vertices, false), false);
+  network.add_curve(FG::halfedges_through(triangulation, vertices));
+  network.add_curve(halfedges, CGAL::parameters::is_closed(true));
+  FG::Geodesic_distance_field<Triangulation>(triangulation, mesh,
+                                             CGAL::parameters::extent(FG::Distance_field_extent::VERTICES_ONLY))
+      .compute(CGAL::parameters::search_limit(FG::Distance_field_limits()).visitor(visitor));
+  const FG::Shortest_edge_path<Triangulation> search(triangulation,
+                                                     CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
+  FG::Geodesic_tree<Triangulation>(triangulation).grow(vertices[0], CGAL::parameters::max_distance(0.5));
+  FG::Geodesic_tracer<Triangulation>(triangulation)
+      .trace(points[0], FG::Surface_direction(), 1, CGAL::Emptyset_iterator());
 #endif
 }

@@ -158,10 +158,10 @@ private:
     const Triangulation& triangulation = network.triangulation();
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     for(Vertex v : {Vertex(0), Vertex(m_last.idx() / 3)})
-      network.add_curve(search(v, m_last), false);
+      network.add_curve(search(v, m_last));
     const std::vector<Vertex> vertices = {triangulation.tail(FG::Halfedge_index(0)),
                                           triangulation.head(FG::Halfedge_index(0))};
-    network.add_curve(FG::halfedges_through(triangulation, vertices, false), false);
+    network.add_curve(FG::halfedges_through(triangulation, vertices));
   }
 
   void shortest(Network& network)
@@ -227,9 +227,10 @@ private:
 
   void searches(Triangulation& triangulation)
   {
-    FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::LOOK_BACK);
+    FG::Shortest_edge_path<Triangulation> search(triangulation,
+                                                 CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
     const FG::Landmark_distances landmarks(search);
-    FG::Shortest_edge_path<Triangulation> directed(triangulation, landmarks);
+    FG::Shortest_edge_path<Triangulation> directed(triangulation, CGAL::parameters::landmarks(landmarks));
     for(const auto& path :
         {directed(Vertex(0), m_last), FG::shortest_intrinsic_edge_path(triangulation, Vertex(0), m_last)})
       m_record.halfedges(path);
@@ -277,7 +278,7 @@ private:
   {
     FG::Geodesic_tree<Triangulation> tree(triangulation);
     Visitor_archetype visitor;
-    const FG::Geodesic_tree_report report = tree.grow(Vertex(0), std::numeric_limits<double>::infinity(), visitor);
+    const FG::Geodesic_tree_report report = tree.grow(Vertex(0), CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(static_cast<std::size_t>(visitor.flips()) == report.flips);
     m_record.tree(tree);
     m_record.report(FG::make_shortest(tree));
@@ -304,7 +305,8 @@ private:
     const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
     for(const FG::Surface_location& p : points(triangulation)) {
       BOOST_TEST(field.surface_points(p).size() >= 2u);
-      const FG::Trace_report trace = tracer.trace(p, p.halfedge, 0.5, FG::Trace_limits<>{1});
+      const FG::Trace_report trace =
+          tracer.trace(p, FG::Surface_direction{p.halfedge, 0.5}, 1, CGAL::Emptyset_iterator());
       BOOST_TEST(trace.length > 0);
       m_record.polyline({p, trace.location});
     }

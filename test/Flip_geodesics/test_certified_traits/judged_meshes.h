@@ -157,11 +157,11 @@ void work(Triangulation& triangulation, Random_numbers& random)
     return search(FG::Vertex_index(u), FG::Vertex_index((u + 1 + random.below(n - 1)) % n));
   };
   for(int i = 0; i < 4; ++i) {
-    network.add_curve(path(), false);
+    network.add_curve(path());
     pull(triangulation, network);
   }
   for(int i = 0; i < 3; ++i)
-    network.add_curve(path(), false);
+    network.add_curve(path());
   try {
     FG::order_overlapping_curves(network);
     pull(triangulation, network);
@@ -174,7 +174,7 @@ void work(Triangulation& triangulation, Random_numbers& random)
     const Halfedge_sequence loop = random_walk(triangulation, 12, true, random);
     if(loop.empty())
       continue;
-    network.add_curve(loop, true);
+    network.add_curve(loop, CGAL::parameters::is_closed(true));
     if(order_at_random(network, loop, 5, random))
       pull(triangulation, network);
     network.clear();

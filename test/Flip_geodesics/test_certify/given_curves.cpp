@@ -33,7 +33,7 @@ Place crossing(Halfedge h, double t = 0.5) { return std::make_pair(h, t); }
 
 Certificate certified(const Surface& mesh, const Places& places, bool is_closed = false)
 {
-  return FG::certify_curve(mesh, places, is_closed);
+  return FG::certify_curve(mesh, places, CGAL::parameters::is_closed(is_closed));
 }
 
 // An inserted point by its face, with the bits of its weights.
@@ -157,7 +157,7 @@ void check_written_curves(const Surface& mesh)
         FG::geodesic_path(mesh, vertex(random.below(n)), vertex(random.below(n)), std::back_inserter(curve));
     if(path.length() == 0)
       continue;
-    const Certificate certificate = FG::certify_curve(mesh, curve, false);
+    const Certificate certificate = FG::certify_curve(mesh, curve);
     BOOST_TEST((certificate.verdict == Verdict::PROVEN));
     BOOST_TEST(certificate.places.size() == curve.size());
     crossings += curve.size() - 2;
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(curves_that_were_not_pulled_tight_are_judged_as_in_a_networ
       for(const auto h : walk)
         vertices.insert(setting.triangulation.head(h));
       if(vertices.size() == walk.size() + 1) { // no strand is in the way of another
-        setting.network.add_curve(walk, false);
+        setting.network.add_curve(walk);
         const auto judged = FG::certify(setting.network).curves[0];
         const Certificate certificate = checked_places(setting, places_of(setting, 0_c, random));
         BOOST_TEST((certificate.verdict == judged.verdict));
@@ -361,7 +361,7 @@ BOOST_AUTO_TEST_CASE(a_touched_vertex_is_told)
 {
   const auto certified_by_lengths = [](const Surface& mesh, const Places& places, const auto& lengths) {
     const FG::Edge_length_metric metric(mesh, boost::make_assoc_property_map(lengths));
-    return FG::certify_curve(mesh, places, false, CGAL::parameters::metric(metric));
+    return FG::certify_curve(mesh, places, CGAL::parameters::metric(metric));
   };
   // 2 is on the edge from 0 to 1, and sees 4, on the other side, at less than a right angle from both.
   const auto flat_face = to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 1, 0}},

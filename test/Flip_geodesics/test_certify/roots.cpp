@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
       places.emplace_back(std::make_pair(many.triangulation.input().halfedge(c), 0.5));
     places.emplace_back(Surface::Vertex_index(static_cast<unsigned>(word.head.idx())));
   }
-  const auto given = FG::certify_curve(many.mesh, places, false);
+  const auto given = FG::certify_curve(many.mesh, places);
   BOOST_TEST((given.verdict == FG::Verdict::PROBABLE));
   BOOST_TEST(given.is_locally_shortest());
 

@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(segments_along_faces_without_area_are_proven, Sett
     const Halfedge_sequence walk = random_walk(setting.triangulation, 8, false, random);
     if(walk.empty())
       continue;
-    setting.network.add_curve(walk, false);
+    setting.network.add_curve(walk);
     if(setting.network.is_valid()) {
       const auto p = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.tail(walk.front()))),
                  q = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.head(walk.back())));
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(a_segment_that_touches_a_cone_is_bent)
     });
     Triangulation triangulation(mesh, Metric(mesh, boost::make_assoc_property_map(lengths)));
     FG::Edge_path_network<Triangulation> network(triangulation);
-    network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0_v, 1_v}, false), false);
+    network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0_v, 1_v}));
     const auto verdict = FG::certify(network).curves[0].verdict;
     BOOST_TEST((verdict == (far_side < std::sqrt(2.0) ? FG::Verdict::BENT_SEGMENT : FG::Verdict::PROVEN)));
   }
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_portal_has_a_full_angle_or
         const FG::Halfedge_index h = FG::internal::halfedge_between(triangulation, 2_v, 3_v);
         triangulation.flip(h);
         FG::Edge_path_network<Triangulation> network(triangulation);
-        network.add_curve(Halfedge_sequence{is_reversed ? Triangulation::twin(h) : h}, false);
+        network.add_curve(Halfedge_sequence{is_reversed ? Triangulation::twin(h) : h});
         const auto verdict = FG::certify(network).curves[0].verdict;
         BOOST_TEST((verdict == (has_border || far_side >= 5 ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
       }
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_segment_along_an_edge_that_it_crosses)
     triangulation.flip(h);
     for(FG::Halfedge_index side : {h, Triangulation::twin(h)}) {
       FG::Edge_path_network<Triangulation> network(triangulation);
-      network.add_curve(Halfedge_sequence{side}, false);
+      network.add_curve(Halfedge_sequence{side});
       BOOST_TEST((FG::certify(network).curves[0].verdict ==
                   (far_side > 3.1 ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
       network.clear();
@@ -190,7 +190,7 @@ private:
   static FG::Verdict verdict(Triangulation& triangulation, FG::Halfedge_index h)
   {
     FG::Edge_path_network<Triangulation> network(triangulation);
-    network.add_curve(Halfedge_sequence{h}, false);
+    network.add_curve(Halfedge_sequence{h});
     const auto result = FG::certify(network).curves[0].verdict;
     network.clear();
     return result;

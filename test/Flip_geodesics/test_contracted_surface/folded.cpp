@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(curves_that_are_bent_by_folded_faces_are_told)
   Network network(strict);
   const FG::Vertex_index v(grid.v), w(grid.w);
   strict.flip(FG::internal::halfedge_between(strict, FG::Vertex_index(grid.c), FG::Vertex_index(grid.d)));
-  network.add_curve(FG::halfedges_through(strict, Vertex_sequence{v, w}, false), false);
+  network.add_curve(FG::halfedges_through(strict, Vertex_sequence{v, w}));
   const FG::Shortening_report report = FG::shorten(network);
   BOOST_CHECK(report.curves[0].status == FG::Shortening_status::DEGENERATE_FACES);
   BOOST_CHECK(report.curves[0].verdict == FG::Verdict::BENT_SEGMENT);

@@ -41,7 +41,8 @@ std::vector<double> paths_over(const Triangulation& triangulation)
 {
   const Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
   std::vector<double> result;
-  FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::LOOK_BACK);
+  FG::Shortest_edge_path<Triangulation> search(triangulation,
+                                               CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   for(FG::Halfedge_index h : search(source, target))
     result.push_back(h.idx());
   const FG::Landmark_distances landmarks(search);

@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(limits_of_a_field)
   field.add_source(5_v);
   FG::Distance_field_limits limits;
   limits.radius = 0.7;
-  const auto near = field.compute(limits);
+  const auto near = field.compute(CGAL::parameters::search_limit(limits));
   BOOST_TEST((near.status == FG::Distance_field_status::RADIUS_REACHED));
   BOOST_TEST(near.windows < all.windows / 2);
   for(int i = 0; i < 500; ++i) {
@@ -37,20 +37,21 @@ BOOST_AUTO_TEST_CASE(limits_of_a_field)
       limits.targets = {s.vertex(0), in_face};
       if(is_vertex_last)
         std::swap(limits.targets[0], limits.targets[1]);
-      const auto targets = some.compute(limits);
+      const auto targets = some.compute(CGAL::parameters::search_limit(limits));
       BOOST_TEST((targets.status == FG::Distance_field_status::TARGETS_REACHED));
       for(const Location& target : limits.targets)
         BOOST_TEST(std::abs(whole.distance(target) - some.distance(target)) < 1e-12);
     }
   limits.radius = infinity;
-  field.compute(limits);
+  field.compute(CGAL::parameters::search_limit(limits));
   limits.targets.clear();
   limits.windows = FG::Window_limit(10);
   Field small(s.triangulation, s.mesh);
   small.add_source(5_v);
-  BOOST_TEST((small.compute(limits).status == FG::Distance_field_status::WINDOW_LIMIT_REACHED));
+  BOOST_TEST((small.compute(CGAL::parameters::search_limit(limits)).status ==
+              FG::Distance_field_status::WINDOW_LIMIT_REACHED));
   limits.windows = FG::Window_limit();
-  BOOST_TEST((small.compute(limits).status == FG::Distance_field_status::COMPLETE));
+  BOOST_TEST((small.compute(CGAL::parameters::search_limit(limits)).status == FG::Distance_field_status::COMPLETE));
   for(Vertex_index v : descriptors<Vertex_index>(s.triangulation.number_of_vertices())) {
     BOOST_TEST(small.distance(v) == whole.distance(v));
     BOOST_TEST((field.distance(v) == infinity || std::abs(field.distance(v) - whole.distance(v)) < 1e-12));
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(growing_radii)
     for(int i = 1; i < 100; ++i) {
       FG::Distance_field_limits limits;
       limits.radius = largest * i / 100;
-      field.compute(limits);
+      field.compute(CGAL::parameters::search_limit(limits));
       for(std::size_t k = 0; k < places.size(); ++k)
         if(distances[k] <= field.reach() && distances[k] > field.reach() - 0.2 * largest)
           BOOST_TEST(std::abs(distances[k] - field.distance(places[k])) < 1e-12);

@@ -167,9 +167,10 @@ BOOST_AUTO_TEST_CASE(threads_change_nothing)
       FG::Distance_field_limits limits;
       limits.windows = FG::Window_limit(windows / 2);
       const auto compute = [&] {
-        several.compute<CGAL::Parallel_if_available_tag>(limits);
+        several.compute<CGAL::Parallel_if_available_tag>(CGAL::parameters::search_limit(limits));
         limits.windows = FG::Window_limit();
-        BOOST_TEST(several.compute<CGAL::Parallel_if_available_tag>(limits).windows == windows);
+        BOOST_TEST(several.compute<CGAL::Parallel_if_available_tag>(CGAL::parameters::search_limit(limits)).windows ==
+                   windows);
       };
       run_by_four(compute);
       for(int i = 0; i < 100; ++i) {

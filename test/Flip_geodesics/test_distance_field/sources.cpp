@@ -132,8 +132,7 @@ BOOST_AUTO_TEST_CASE(distances_from_a_line_in_the_plane_are_exact)
   // A row of edges across a flat strip, and a geodesic of a network.
   Setting setting(flat_grid(8, 8, Diagonal_rule::RANDOM));
   const auto& mesh = setting.mesh;
-  setting.network.add_curve(
-      FG::halfedges_through(setting.triangulation, std::vector<Vertex_index>{36_v, 37_v, 38_v}, false), false);
+  setting.network.add_curve(FG::halfedges_through(setting.triangulation, std::vector<Vertex_index>{36_v, 37_v, 38_v}));
   Field field(setting.triangulation, mesh);
   field.add_curve(FG::Curve_extractor<Setting::Network>(setting.network).surface_locations(FG::Curve_index(0)));
   field.compute();
@@ -238,11 +237,11 @@ BOOST_AUTO_TEST_CASE(wrong_sources_are_refused)
   for(double radius : {nan, -1.0, -infinity}) {
     FG::Distance_field_limits limits;
     limits.radius = radius;
-    BOOST_CHECK_THROW(late.compute(limits), FG::Invalid_parameter_error);
+    BOOST_CHECK_THROW(late.compute(CGAL::parameters::search_limit(limits)), FG::Invalid_parameter_error);
   }
   BOOST_TEST(late.compute().windows < 1000u);
   BOOST_TEST(std::abs(late.distance(s.vertex(7)) - 1e9) < 10);
-  Field at_vertices(s.triangulation, s.mesh, FG::Distance_field_extent::VERTICES_ONLY);
+  Field at_vertices(s.triangulation, s.mesh, CGAL::parameters::extent(FG::Distance_field_extent::VERTICES_ONLY));
   at_vertices.add_source(0_v);
   at_vertices.compute();
   BOOST_TEST(at_vertices.distance(s.vertex(0)) == 0);

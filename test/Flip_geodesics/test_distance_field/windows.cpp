@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(the_default_limit_grows_like_the_windows)
   double windows = 0;
   for(int n : {40, 80}) { // four times the vertices have eight times the windows
     const Asked_surface s(torus(n, n, 2, 1));
-    Field field(s.triangulation, s.mesh, FG::Distance_field_extent::VERTICES_ONLY);
+    Field field(s.triangulation, s.mesh, CGAL::parameters::extent(FG::Distance_field_extent::VERTICES_ONLY));
     field.add_source(0_v);
     const double more = static_cast<double>(field.compute().windows);
     BOOST_TEST(more < 9 * (windows > 0 ? windows : more));

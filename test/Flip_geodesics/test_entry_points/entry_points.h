@@ -156,7 +156,7 @@ struct Setting
 inline void add_path(Network& network, const Setting& s)
 {
   FG::Shortest_edge_path<Triangulation> search(s.triangulation);
-  network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{s.v, s.w}), false);
+  network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{s.v, s.w}));
 }
 
 template <class Paths>
@@ -173,7 +173,8 @@ inline void compute_many(const Surface& mesh, Vertex v, Vertex w, bool has_landm
   std::vector<FG::Geodesic_path_result<Point>> paths;
   if(has_landmarks) {
     const Triangulation triangulation(mesh);
-    FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::LOOK_BACK);
+    FG::Shortest_edge_path<Triangulation> search(triangulation,
+                                                 CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
     const FG::Landmark_distances landmarks(search);
     FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::landmarks(landmarks));
   } else {
@@ -264,7 +265,7 @@ inline std::vector<Entry_point> building_blocks()
            })},
           {"halfedges_through", Reach::LOCAL, in_setting([](Setting& s) {
              const Vertex_sequence vertices = {s.v, s.triangulation.index(next_to(s.mesh, s.from))};
-             FG::halfedges_through(s.triangulation, vertices, false);
+             FG::halfedges_through(s.triangulation, vertices);
            })},
           {"shortest_intrinsic_edge_path", Reach::LOCAL,
            in_setting([](Setting& s) { FG::shortest_intrinsic_edge_path(s.triangulation, s.v, s.w); })},
@@ -304,7 +305,7 @@ inline std::vector<Entry_point> building_blocks()
            })},
           {"Geodesic_tree", Reach::LOCAL, in_setting([](Setting& s) {
              FG::Geodesic_tree<Triangulation> tree(s.triangulation);
-             tree.grow(s.v, 1.5);
+             tree.grow(s.v, CGAL::parameters::max_distance(1.5));
              FG::make_shortest(tree);
              FG::logarithmic_map(tree);
            })},

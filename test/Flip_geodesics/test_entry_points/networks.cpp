@@ -78,8 +78,7 @@ BOOST_AUTO_TEST_CASE(networks_side_by_side)
   const FG::Index n = t.number_of_vertices();
   std::vector<Network> networks;
   for(int i = 0; i < 6; ++i)
-    networks.emplace_back(t).add_curve(search(FG::Vertex_index((31 * i + 1) % n), FG::Vertex_index((57 * i + 40) % n)),
-                                       false);
+    networks.emplace_back(t).add_curve(search(FG::Vertex_index((31 * i + 1) % n), FG::Vertex_index((57 * i + 40) % n)));
   std::vector<const Network*> all;
   for(const Network& network : networks)
     all.push_back(&network);
@@ -107,7 +106,7 @@ BOOST_AUTO_TEST_CASE(a_curve_of_another_network_is_an_obstacle)
   const Surface mesh = to_mesh<Surface>(flat_grid(n, n, Diagonal_rule::RISING));
   Triangulation t(mesh);
   Network obstacle(t), network(t);
-  obstacle.add_curve(column(t, 4, n), false);
+  obstacle.add_curve(column(t, 4, n));
   const auto at = [&](int i, int j) { return FG::Vertex_index(j * (n + 1) + i); };
   // Around the column over the grid's side, where the column ends.
   std::vector<FG::Vertex_index> around;
@@ -116,7 +115,7 @@ BOOST_AUTO_TEST_CASE(a_curve_of_another_network_is_an_obstacle)
   around.push_back(at(4, n));
   for(int j = n; j >= 1; --j)
     around.push_back(at(5, j));
-  network.add_curve(edge_path(t, around), false);
+  network.add_curve(edge_path(t, around));
   const auto before = obstacle.halfedges(0_c);
   BOOST_TEST(FG::shorten(obstacle).curves[0].flips == 0u);
   const FG::Shortening_report blocked = FG::shorten(network);
@@ -160,8 +159,8 @@ BOOST_AUTO_TEST_CASE(points_on_curves_of_another_network_are_refused)
   Network one(t), other(t);
   const FG::Halfedge_index along = t.outgoing(16_v);
   const FG::Surface_location middle = {FG::internal::as_input(along), {{1, 1, 0}}};
-  one.add_curve(Halfedge_sequence{along}, false);
-  other.add_curve(Halfedge_sequence{along}, false);
+  one.add_curve(Halfedge_sequence{along});
+  other.add_curve(Halfedge_sequence{along});
   const auto position = t.log_position();
   BOOST_CHECK_THROW(one.insert(middle), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(one.split_edge(along, middle, 0), FG::Occupied_triangulation_error);
@@ -202,19 +201,19 @@ BOOST_AUTO_TEST_CASE(a_triangulation_and_its_network_are_moved)
   Triangulation other(mesh);
   {
     Network assigned(other);
-    assigned.add_curve(column(other, 2, 6), false);
+    assigned.add_curve(column(other, 2, 6));
     assigned = std::move(moved);
     BOOST_TEST(other.number_of_holds() == 0u);
     check_holds(t, {&assigned});
     moved.clear();
-    moved.add_curve(column(t, 0, 6), false);
+    moved.add_curve(column(t, 0, 6));
     check_holds(t, {&assigned, &moved});
     moved.clear();
   }
   BOOST_TEST(t.number_of_holds() == 0u);
   other = std::move(t);
   Network last(other);
-  last.add_curve(column(other, 0, 6), false);
+  last.add_curve(column(other, 0, 6));
   check_holds(other, {&last});
 }
 
@@ -245,7 +244,7 @@ BOOST_AUTO_TEST_CASE(what_disturbs_a_network_is_refused)
   t.rollback();
   BOOST_CHECK_NO_THROW(FG::geodesics_through(t, s.locations()));
   BOOST_CHECK_NO_THROW(tree.grow(3_v));
-  network.add_curve(tree.path(40_v), false);
+  network.add_curve(tree.path(40_v));
   BOOST_CHECK_THROW(FG::make_shortest(tree), FG::Occupied_triangulation_error);
 }
 
@@ -256,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_point_on_an_edge_under_a_curve_is_refused)
   Network network(t);
   const FG::Halfedge_index along = t.outgoing(16_v);
   const FG::Input_halfedge_index h = FG::internal::as_input(along);
-  network.add_curve(Halfedge_sequence{along}, false);
+  network.add_curve(Halfedge_sequence{along});
   const auto position = t.log_position();
   BOOST_CHECK_THROW(t.insert({h, {{1, 1, 0}}}), FG::Occupied_triangulation_error);
   BOOST_TEST(t.log_position() == position);
@@ -272,7 +271,7 @@ BOOST_AUTO_TEST_CASE(an_empty_network_can_outlive_its_triangulation)
   const Surface mesh = to_mesh<Surface>(octahedron(2));
   auto triangulation = std::make_unique<Triangulation>(mesh);
   Network network(*triangulation);
-  network.add_curve(Halfedge_sequence{0_h}, false);
+  network.add_curve(Halfedge_sequence{0_h});
   network.clear();
   triangulation.reset(); // nothing is written there any more
 }

@@ -179,7 +179,8 @@ inline Counts check_random_polylines(int size_of_lattice, int number, unsigned s
     {
       Network network(triangulation);
       try {
-        const FG::Curve_index curve = FG::draw_polyline(network, square.locations(triangulation, line), is_closed);
+        const FG::Curve_index curve =
+            FG::draw_polyline(network, square.locations(triangulation, line), CGAL::parameters::is_closed(is_closed));
         BOOST_TEST(is_drawn(network, curve, line, is_closed));
         FG::order_overlapping_curves(network);
         FG::shorten(network);

@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(legs_that_would_cross_another_curve_follow_edges)
   Network network(triangulation);
   const auto vertex = [](int x, int y) { return FG::Vertex_index(7 * y + x); };
   std::vector<FG::Vertex_index> there = {vertex(1, 3), vertex(1, 2), vertex(2, 2), vertex(2, 1)};
-  network.add_curve(FG::halfedges_through(triangulation, there, false), false);
+  network.add_curve(FG::halfedges_through(triangulation, there));
   std::vector<FG::Surface_location> points;
   for(FG::Vertex_index v : {vertex(1, 2), vertex(2, 1), vertex(5, 1)})
     points.push_back(triangulation.location(v));

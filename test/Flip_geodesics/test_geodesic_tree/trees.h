@@ -68,7 +68,7 @@ void check_tree(Setting& setting, const FG::Geodesic_tree_report& report)
       continue;
     BOOST_TEST(setting.triangulation.tail(path.front()) == setting.tree.source());
     BOOST_TEST(setting.triangulation.head(path.back()) == v);
-    const FG::Curve_index curve = setting.network.add_curve(path, false);
+    const FG::Curve_index curve = setting.network.add_curve(path);
     BOOST_TEST(is_close(setting.network.length(curve), setting.tree.distance(v), setting.tree.distance(v)));
   }
   const auto pulled = setting.pull();
@@ -94,7 +94,7 @@ inline bool is_same_angle(double a, double b, double total)
 // The edge from one vertex to another, before it is flipped.
 inline FG::Input_halfedge_index direction(const Double_tree_setting& setting, Vertex_index from, Vertex_index to)
 {
-  return FG::internal::as_input(FG::halfedges_through(setting.triangulation, Vertex_sequence{from, to}, false).front());
+  return FG::internal::as_input(FG::halfedges_through(setting.triangulation, Vertex_sequence{from, to}).front());
 }
 
 struct Impatient : FG::Default_shortening_visitor

@@ -38,11 +38,11 @@ BOOST_AUTO_TEST_CASE(one_edge_path)
   for(const FG::Search_method method :
       {FG::Search_method::DIJKSTRA, FG::Search_method::A_STAR, FG::Search_method::LOOK_BACK})
   {
-    Search search(setting.triangulation, method);
+    Search search(setting.triangulation, CGAL::parameters::search_method(method));
     const auto expected = search(0_v, strip_end());
     const std::size_t settled = search.settled_vertices();
     const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-      const auto path = search(0_v, strip_end(), visitor);
+      const auto path = search(0_v, strip_end(), CGAL::parameters::visitor(std::ref(visitor)));
       BOOST_TEST((path == (is_stopped ? std::vector<FG::Halfedge_index>() : expected)));
       BOOST_TEST(search.settled_vertices() == (is_stopped ? most_between_calls * visitor.calls : settled));
       BOOST_TEST((search(0_v, strip_end()) == expected));
@@ -59,7 +59,8 @@ BOOST_AUTO_TEST_CASE(all_vertices_from_one)
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
     std::size_t visited = 0;
     BOOST_TEST(search.visit_all(
-                   0_v, [&](Vertex_index, double) { ++visited; }, visitor) == !is_stopped);
+                   0_v, [&](Vertex_index, double) { ++visited; }, CGAL::parameters::visitor(std::ref(visitor))) ==
+               !is_stopped);
     BOOST_TEST(visited == (is_stopped ? most_between_calls * visitor.calls : num_vertices(setting.mesh)));
   });
   BOOST_TEST(calls == num_vertices(setting.mesh) / most_between_calls);
@@ -116,16 +117,16 @@ BOOST_AUTO_TEST_CASE(many_paths)
 BOOST_AUTO_TEST_CASE(landmarks_of_edge_paths)
 {
   const Setting setting(long_strip());
-  Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
+  Search search(setting.triangulation, CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
   const FG::Landmark_distances expected(search);
   BOOST_TEST(expected.is_complete());
   BOOST_TEST(expected.distance_lower_bound(0_v, strip_end()) > 0.9 * strip_length);
   const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
-    const FG::Landmark_distances landmarks(search, visitor);
+    const FG::Landmark_distances landmarks(search, CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(landmarks.is_complete() == !is_stopped);
     for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
       BOOST_TEST(landmarks.distance_lower_bound(0_v, v) == (is_stopped ? 0 : expected.distance_lower_bound(0_v, v)));
-    BOOST_TEST(!Search(setting.triangulation, landmarks)(0_v, strip_end()).empty());
+    BOOST_TEST(!Search(setting.triangulation, CGAL::parameters::landmarks(landmarks))(0_v, strip_end()).empty());
   });
   BOOST_TEST(calls > 50u); // 17 searches
 }

@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(needless_seams_of_a_sphere)
   BOOST_TEST_REQUIRE(equator.size() == 16u);
   for(std::size_t i : {0, 3, 9})
     network.add_curve(
-        FG::shortest_halfedges_through(search, std::vector<FG::Vertex_index>{poles[0], equator[i], poles[1]}), false);
+        FG::shortest_halfedges_through(search, std::vector<FG::Vertex_index>{poles[0], equator[i], poles[1]}));
   FG::order_overlapping_curves(network);
   const FG::Shortening_report report = FG::shorten_cut_graph(network);
   BOOST_TEST(network.number_of_curves() == 1);
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(seams_that_lead_to_nowhere_are_needless)
   FG::Shortest_edge_path<Triangulation> search(s.triangulation);
   for(const auto& [v, w] : std::vector<std::pair<FG::Vertex_index, FG::Vertex_index>>{
           {north, a}, {north, b}, {north, c}, {a, b}, {b, c}, {c, a}, {a, south}})
-    network.add_curve(search(v, w), false);
+    network.add_curve(search(v, w));
   FG::order_overlapping_curves(network);
   FG::shorten_cut_graph(network);
   BOOST_TEST(network.number_of_curves() == 1);

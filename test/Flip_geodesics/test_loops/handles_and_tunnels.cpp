@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(handle_and_tunnel_of_a_torus)
   BOOST_TEST(std::abs(length(s, loops.handles[0]) - 16 * std::sin(pi / 8)) < 1e-12); // a meridian
   {
     Network network(s.triangulation);
-    network.add_curve(loops.tunnels[0], true);
+    network.add_curve(loops.tunnels[0], CGAL::parameters::is_closed(true));
     FG::shorten(network);
     BOOST_TEST(std::abs(network.length(0_c) - 48 * std::sin(pi / 12)) < 1e-12); // the ring about the hole
   }
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(handles_and_tunnels_of_knots)
     BOOST_TEST(length(s, loops.handles[0]) < 2 * pi * radius * 1.5);
     for(const Chain& chain : {loops.handles[0], loops.tunnels[0]}) {
       Network network(s.triangulation);
-      network.add_curve(chain, true);
+      network.add_curve(chain, CGAL::parameters::is_closed(true));
       FG::order_overlapping_curves(network);
       const FG::Shortening_report report = FG::shorten(network);
       BOOST_TEST(report.is_complete());

@@ -84,7 +84,7 @@ struct Setting
 
   Input_chain through(const Vertex_sequence& vertices) const
   {
-    return input_chain(FG::halfedges_through(triangulation, vertices, true));
+    return input_chain(FG::halfedges_through(triangulation, vertices, CGAL::parameters::is_closed(true)));
   }
 
   static Input_chain input_chain(const Chain& chain)

@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(fields_of_a_matrix_end_at_the_last_point)
 {
   const Surface mesh = to_mesh<Surface>(torus(60, 40, 2, 1));
   const Triangulation triangulation(mesh);
-  Field field(triangulation, mesh, FG::Distance_field_extent::VERTICES_ONLY);
+  Field field(triangulation, mesh, CGAL::parameters::extent(FG::Distance_field_extent::VERTICES_ONLY));
   field.add_source(triangulation.index(Vertex(0)));
   const std::size_t all = field.compute().windows;
   const Halfedge h = mesh.halfedge(Vertex(0));

@@ -21,7 +21,8 @@ struct Add_paths
   template <class Triangulation>
   void operator()(Setting<Triangulation>& s, Summary& summary, Result& extra) const
   {
-    FG::Shortest_edge_path<Triangulation> search(s.triangulation, FG::Search_method::LOOK_BACK);
+    FG::Shortest_edge_path<Triangulation> search(s.triangulation,
+                                                 CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
     std::size_t settled = 0, beforehand = 0;
     for(int i = 0; i < n; ++i) {
       typename Setting<Triangulation>::Network network(s.triangulation);
@@ -48,12 +49,13 @@ struct Add_paths
 template <class Triangulation>
 void add_star(Setting<Triangulation>& s, typename Setting<Triangulation>::Network& network, int n)
 {
-  FG::Shortest_edge_path<Triangulation> search(s.triangulation, FG::Search_method::DIJKSTRA);
+  FG::Shortest_edge_path<Triangulation> search(s.triangulation,
+                                               CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
   const FG::Vertex_index v = s.random_vertex();
   for(int i = 0; i < n; ++i) {
     const auto path = search(v, s.random_vertex());
     if(!path.empty())
-      network.add_curve(path, false);
+      network.add_curve(path);
   }
   FG::order_overlapping_curves(network);
 }
@@ -116,9 +118,10 @@ struct Add_stopped_curves
   void operator()(Setting<Triangulation>& s, Summary& summary, Result& extra) const
   {
     using Network = typename Setting<Triangulation>::Network;
-    FG::Shortest_edge_path<Triangulation> measure(s.triangulation, FG::Search_method::LOOK_BACK);
+    FG::Shortest_edge_path<Triangulation> measure(s.triangulation,
+                                                  CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
     const FG::Landmark_distances landmarks(measure);
-    FG::Shortest_edge_path<Triangulation> search(s.triangulation, landmarks);
+    FG::Shortest_edge_path<Triangulation> search(s.triangulation, CGAL::parameters::landmarks(landmarks));
     std::size_t settled = 0;
     for(std::size_t i = 0; i < 2 * stops().size(); ++i) {
       Network network(s.triangulation);
@@ -128,7 +131,7 @@ struct Add_stopped_curves
           const FG::Vertex_index w = s.random_vertex();
           summary.lengths.add(landmarks.distance_lower_bound(v, w));
           if(const auto path = search(v, w); !path.empty())
-            network.add_curve(path, false);
+            network.add_curve(path);
           settled += search.settled_vertices();
         }
         FG::order_overlapping_curves(network);
@@ -204,7 +207,8 @@ struct Add_trees
     std::size_t reopened = 0, windows = 0, longer = 0, vertices = 0, mended = 0, confirmed = 0;
     FG::Geodesic_tree<Triangulation> tree(s.triangulation);
     for(int i = 0; i < n; ++i) {
-      const FG::Geodesic_tree_report report = i == 1 ? tree.grow(s.random_vertex(), 2.5) : tree.grow(s.random_vertex());
+      const FG::Geodesic_tree_report report =
+          i == 1 ? tree.grow(s.random_vertex(), CGAL::parameters::max_distance(2.5)) : tree.grow(s.random_vertex());
       summary.results.add(static_cast<long long>(report.status));
       summary.flips += report.flips;
       summary.steps += report.flip_outs;

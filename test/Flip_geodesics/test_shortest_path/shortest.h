@@ -88,7 +88,7 @@ void check_against(const char* name, const Mesh_soup& soup, const Distance& dist
       }
       for(Vertex_index v : descriptors<Vertex_index>(n))
         if(v != source)
-          setting.network.add_curve(tree.path(v), false);
+          setting.network.add_curve(tree.path(v));
       BOOST_TEST(setting.pull().flip_outs == 0u);
       setting.network.clear();
       setting.triangulation.rollback();

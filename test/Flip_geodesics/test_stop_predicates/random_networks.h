@@ -55,7 +55,7 @@ void for_random_networks(int number, unsigned seed, const Function& function)
         if(walk.empty())
           continue;
         const bool is_closed = setting.triangulation.head(walk.back()) == setting.triangulation.tail(walk.front());
-        setting.network.add_curve(walk, is_closed);
+        setting.network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
         if(!setting.network.is_valid()) {
           setting.network.clear(); // the first few are as good
           continue;

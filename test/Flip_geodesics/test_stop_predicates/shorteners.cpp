@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(runs_look_at_nothing_twice)
   for(bool is_at_once : {true, false}) {
     Network network(triangulation);
     for(int v = 0; v < 200; v += 10)
-      network.add_curve(search(Vertex_index(v), Vertex_index(479 - v)), false);
+      network.add_curve(search(Vertex_index(v), Vertex_index(479 - v)));
     FG::Shortener<Network> shortener(network);
     const std::size_t looked_at_first = network.wedges, traversals = network.traversals, sums = network.sums;
     while(!shortener.run(FG::Iteration_stop_predicate(is_at_once ? static_cast<std::size_t>(-1) : 1))) {
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(a_shortener_knows_the_length_of_loops_of_one_segment)
       const Halfedge_sequence loop = random_loop_edge(setting.triangulation, random);
       if(loop.empty())
         continue;
-      setting.network.add_curve(loop, true);
+      setting.network.add_curve(loop, CGAL::parameters::is_closed(true));
       const double before = setting.network.length(0_c);
       FG::Shortener<Curve_setting::Network> shortener(setting.network);
       shortener.run();

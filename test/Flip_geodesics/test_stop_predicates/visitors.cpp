@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_no_curve_longer)
       const Halfedge_sequence loop = random_loop_edge(setting.triangulation, random);
       if(loop.empty())
         continue;
-      setting.network.add_curve(loop, true);
+      setting.network.add_curve(loop, CGAL::parameters::is_closed(true));
       throw_at(setting, random.below(6));
     }
   BOOST_TEST(thrown > 100);

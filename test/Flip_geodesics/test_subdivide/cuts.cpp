@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_opens)
     for(FG::Index i = 0; i < static_cast<FG::Index>(plain.number_of_edges()); i += 3) {
       const Halfedge_index first = FG::internal::first_side(Edge_index(i));
       Curve_setting s(soup);
-      s.network.add_curve(Halfedge_sequence{first}, false);
+      s.network.add_curve(Halfedge_sequence{first});
       check_inserted(s);
       const Subdivision slit = cut_open(s);
       const auto is_at_border = [&](Vertex_index v) { return plain.is_border(s.triangulation.vertex(v)); };
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_inside_a_face_opens)
     for(int i = 0; i < 10 && s.triangulation.head(g) != to; ++i)
       g = s.triangulation.clockwise(g);
     BOOST_REQUIRE_EQUAL(s.triangulation.head(g), to);
-    s.network.add_curve(Halfedge_sequence{g}, false);
+    s.network.add_curve(Halfedge_sequence{g});
     check_inserted(s);
     const Subdivision slit = cut_open(s);
     BOOST_CHECK_EQUAL(number_of_borders(slit.mesh()), 2);
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(short_loops_are_cut)
       continue;
     s.triangulation.flip(h);
     BOOST_CHECK_EQUAL(s.triangulation.tail(h), s.triangulation.head(h));
-    s.network.add_curve(Halfedge_sequence{h}, true);
+    s.network.add_curve(Halfedge_sequence{h}, CGAL::parameters::is_closed(true));
     check_inserted(s, 2);
     BOOST_CHECK_EQUAL(number_of_parts(cut_open(s).mesh()), 2);
   }

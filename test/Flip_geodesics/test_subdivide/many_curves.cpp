@@ -65,13 +65,13 @@ BOOST_AUTO_TEST_CASE(curves_between_inserted_points)
       const int first = static_cast<int>(s.mesh.number_of_vertices()),
                 count = s.triangulation.number_of_vertices() - first;
       // A walk of edges from one inserted point that bends at others; then a straight one.
-      s.network.add_curve(random_walk(s.triangulation, 5, false, random), false);
+      s.network.add_curve(random_walk(s.triangulation, 5, false, random));
       check_inserted(s);
       cut_open(s);
       s.network.clear();
       const Vertex_index start(first + random.below(count));
       const auto outgoing_halfedges = outgoing_halfedges_at_tail(s.triangulation, s.triangulation.outgoing(start));
-      s.network.add_curve(Halfedge_sequence{outgoing_halfedges.front()}, false);
+      s.network.add_curve(Halfedge_sequence{outgoing_halfedges.front()});
       s.pull();
       check_inserted(s);
       const Subdivision slit = cut_open(s);
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(stacks_of_unfinished_curves_on_delta_complexes)
   for(int round = 0; round < 20; ++round) {
     Curve_setting s(shaken(tetrahedron(2), 0.05, 7));
     flip_at_random(s.triangulation, 60, random);
-    s.network.add_curve(random_walk(s.triangulation, 6, false, random), false);
+    s.network.add_curve(random_walk(s.triangulation, 6, false, random));
     check_inserted(s);
     cut_open(s);
   }

@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(splines_and_editors_take_any_points)
     return numbers(spline.finish());
   });
   p.check([&](const auto& points) {
-    FG::Curve_editor<Certified> editor(p.triangulation, points, true);
+    FG::Curve_editor<Certified> editor(p.triangulation, points, CGAL::parameters::is_closed(true));
     FG::Curve_editor<Certified> open(p.triangulation, std::vector(points.begin(), points.begin() + 2));
     open.move(0, points[2]);
     return numbers(std::vector<Locations>{editor.leg(0), editor.leg(1), editor.leg(2), open.leg(0)});
@@ -123,7 +123,8 @@ BOOST_AUTO_TEST_CASE(tracers_and_transports_take_any_points)
   const FG::Geodesic_tracer<Certified> tracer(p.triangulation);
   p.check([&](const auto& points) {
     const FG::Input_halfedge_index h = p.located(points)[0].halfedge;
-    const FG::Trace_report report = tracer.trace(points[0], h, 0.3, FG::Trace_limits<>{1});
+    const FG::Trace_report report =
+        tracer.trace(points[0], FG::Surface_direction{h, 0.3}, 1, CGAL::Emptyset_iterator());
     return std::make_pair(report.angle, numbers({report.location}));
   });
   // Two points of each face.

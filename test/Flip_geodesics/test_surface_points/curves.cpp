@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(curves_on_split_edges_stay_where_they_are)
       const auto walk = random_walk(t, 12, is_closed, random);
       if(walk.empty())
         continue;
-      network.add_curve(walk, is_closed);
+      network.add_curve(walk, CGAL::parameters::is_closed(is_closed));
       all.insert(all.end(), walk.begin(), walk.end());
     }
     if(all.empty() || !order_at_random(network, all, 20, random))
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(curves_between_inserted_points_are_read_off)
     if(a == b)
       continue;
     FG::Edge_path_network<Certified> network(t);
-    network.add_curve(some_path(t, a, b), false);
+    network.add_curve(some_path(t, a, b));
     FG::shorten(network);
     BOOST_TEST(FG::certify(network).is_locally_shortest());
     FG::Curve_extractor<FG::Edge_path_network<Certified>> extractor(network);
@@ -157,9 +157,9 @@ BOOST_AUTO_TEST_CASE(points_in_rational_numbers)
   other.insert({0_input_h, {{1, 1, 1}}});
   other.insert({50_input_h, {{1, 2, 3}}});
   FG::Edge_path_network<Triangulation> network(t);
-  network.add_curve(some_path(t, a, b), false);
+  network.add_curve(some_path(t, a, b));
   FG::Edge_path_network<Certified> other_network(other);
-  other_network.add_curve(some_path(other, a, b), false);
+  other_network.add_curve(some_path(other, a, b));
   BOOST_TEST(FG::shorten(network).is_complete());
   BOOST_TEST(FG::shorten(other_network).is_complete());
   BOOST_TEST(FG::certify(network).is_locally_shortest());

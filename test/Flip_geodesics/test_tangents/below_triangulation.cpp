@@ -34,7 +34,8 @@ std::vector<double> traced(const Surface& surface)
   const FG::Geodesic_tracer<Surface> tracer(surface);
   for(const std::array<double, 3>& weights : {std::array<double, 3>{0.5, 0.25, 0.25}, std::array<double, 3>{1, 0, 0}}) {
     const FG::Input_halfedge_index h = surface.input().outgoing(FG::Vertex_index(3));
-    const FG::Trace_report trace = tracer.trace({h, weights}, h, 0.3, FG::Trace_limits<>{2.5});
+    const FG::Trace_report trace =
+        tracer.trace({h, weights}, FG::Surface_direction{h, 0.3}, 2.5, CGAL::Emptyset_iterator());
     append(result, trace.location);
     result.insert(result.end(), {trace.length, trace.angle, static_cast<double>(trace.edges)});
   }

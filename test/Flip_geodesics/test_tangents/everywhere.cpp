@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(places_out_of_reach_have_no_coordinates)
   const FG::Surface_location source = t.location(FG::Vertex_index(grid_vertex(9, 4, 4)));
   FG::Distance_field_limits limits;
   limits.radius = 2.1;
-  const FG::Logarithmic_map<Triangulation> one(t, mesh, source, limits);
+  const FG::Logarithmic_map<Triangulation> one(t, mesh, source, CGAL::parameters::search_limit(limits));
   Everywhere all(t, one, source);
   std::size_t far = 0;
   for(FG::Vertex_index v : FG::internal::descriptors<FG::Vertex_index>(t.input().number_of_vertices())) {

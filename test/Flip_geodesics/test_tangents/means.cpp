@@ -398,7 +398,8 @@ BOOST_AUTO_TEST_CASE(means_are_minima)
     const FG::Surface_location center = random_location(t, 2, random);
     for(int j = 0; j < 4; ++j)
       points.push_back(FG::Geodesic_tracer<Triangulation>(t)
-                           .trace(center, center.halfedge, 1.7 * j + i, FG::Trace_limits<>{0.4 + 0.1 * j})
+                           .trace(center, FG::Surface_direction{center.halfedge, 1.7 * j + i}, 0.4 + 0.1 * j,
+                                  CGAL::Emptyset_iterator())
                            .location);
     const FG::Geodesic_mean<Triangulation> mean(t, mesh, points, std::vector<double>(points.size(), 3));
     FG::Surface_location place = mean.heaviest();
@@ -407,11 +408,14 @@ BOOST_AUTO_TEST_CASE(means_are_minima)
     BOOST_TEST(std::abs(report.variance - variance(mesh, t, place, points)) < 1e-12);
     for(double angle : {0.0, 1.5, 3.0, 4.5}) {
       const auto beside =
-          FG::Geodesic_tracer<Triangulation>(t).trace(place, place.halfedge, angle, FG::Trace_limits<>{1e-3}).location;
+          FG::Geodesic_tracer<Triangulation>(t)
+              .trace(place, FG::Surface_direction{place.halfedge, angle}, 1e-3, CGAL::Emptyset_iterator())
+              .location;
       BOOST_TEST(variance(mesh, t, beside, points) > report.variance);
     }
     FG::Surface_location first = mean.heaviest();
-    BOOST_TEST((mean(first, {1e-11, 0}).status == FG::Mean_status::ITERATION_LIMIT));
+    BOOST_TEST((mean(first, CGAL::parameters::search_limit(FG::Mean_limits{1e-11, 0})).status ==
+                FG::Mean_status::ITERATION_LIMIT));
     BOOST_TEST((first.halfedge == mean.heaviest().halfedge && first.weights == mean.heaviest().weights));
   }
 }

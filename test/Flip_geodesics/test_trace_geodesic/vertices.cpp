@@ -175,13 +175,12 @@ BOOST_AUTO_TEST_CASE(lengths_say_that_vertices_are_flat)
       std::vector<FG::Index> expected, passed;
       for(int k = 1; k <= steps; ++k)
         expected.push_back(k * (a + b) % n + n * (k * b % m));
-      const FG::Trace_report trace =
-          tracer.trace(start, {double(a), double(b)}, FG::Trace_limits<>{(steps + 0.5) * step},
-                       [&passed, is_start = true](const FG::Surface_point& p) mutable {
-                         if(p.a == p.b && !is_start)
-                           passed.push_back(p.a.idx());
-                         is_start = false;
-                       });
+      std::vector<FG::Surface_point> points;
+      const FG::Trace_report trace = tracer.trace(start, std::array<double, 2>{double(a), double(b)},
+                                                  (steps + 0.5) * step, std::back_inserter(points));
+      for(std::size_t i = 1; i < points.size(); ++i)
+        if(points[i].is_vertex())
+          passed.push_back(points[i].a.idx());
       BOOST_TEST((trace.status == Trace_status::LENGTH));
       BOOST_TEST(passed == expected);
     }

@@ -81,18 +81,20 @@ public:
 
   std::string text()
   {
-    FG::Shortest_edge_path<Triangulation> look_back(m_triangulation, FG::Search_method::LOOK_BACK);
+    FG::Shortest_edge_path<Triangulation> look_back(m_triangulation,
+                                                    CGAL::parameters::search_method(FG::Search_method::LOOK_BACK));
     for(int i = 0; i < 40; ++i)
       add([&](Network& network) {
         const FG::Vertex_index source = random_vertex();
         FG::add_straightened_path(network, look_back(source, other_vertex(source)));
       });
-    FG::Shortest_edge_path<Triangulation> dijkstra(m_triangulation, FG::Search_method::DIJKSTRA);
+    FG::Shortest_edge_path<Triangulation> dijkstra(m_triangulation,
+                                                   CGAL::parameters::search_method(FG::Search_method::DIJKSTRA));
     for(int i = 0; i < 8; ++i)
       add([&](Network& network) {
         const FG::Vertex_index source = random_vertex();
         for(int j = 0; j < 5; ++j)
-          network.add_curve(dijkstra(source, other_vertex(source)), false);
+          network.add_curve(dijkstra(source, other_vertex(source)));
         FG::order_overlapping_curves(network);
       });
     return m_hash.text();
@@ -122,7 +124,8 @@ public:
   std::string text_of_field(bool has_ties)
   {
     m_hash = Integer_hash();
-    FG::Geodesic_distance_field<Triangulation> field(m_triangulation, m_mesh, FG::Distance_field_extent::VERTICES_ONLY);
+    FG::Geodesic_distance_field<Triangulation> field(
+        m_triangulation, m_mesh, CGAL::parameters::extent(FG::Distance_field_extent::VERTICES_ONLY));
     for(int i = 0; i < 3; ++i)
       field.add_source(random_vertex());
     m_hash.add(static_cast<long long>(field.compute().status));

@@ -293,7 +293,7 @@ private:
     if(path.empty())
       return {};
     Edge_path_network<Triangulation> network(m_triangulation);
-    const Curve_index curve = network.add_curve(path, false);
+    const Curve_index curve = network.add_curve(path);
     order_overlapping_curves(network);
     shorten(network);
     return network.halfedges(curve);

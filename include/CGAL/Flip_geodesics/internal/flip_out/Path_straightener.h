@@ -215,7 +215,7 @@ struct Drawn_chain
 template <class Network>
 Curve_index add_chain(Network& network, const Drawn_chain& chain, bool is_closed)
 {
-  const Curve_index curve = network.add_curve(chain.halfedges, is_closed);
+  const Curve_index curve = network.add_curve(chain.halfedges, parameters::is_closed(is_closed));
   std::size_t position = 0;
   auto node = chain.nodes.begin();
   network.for_each_segment(curve, [&](Segment_index s) {
@@ -533,7 +533,7 @@ private:
     if(path.empty())
       return {canonical_location(m_triangulation.input(), p),
               canonical_location(m_triangulation.input(), v == w ? p : q)};
-    network.add_curve(path, false);
+    network.add_curve(path);
     m_conflict = order_if_possible(network);
     if(m_conflict)
       return {};

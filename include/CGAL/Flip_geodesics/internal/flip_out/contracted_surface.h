@@ -302,7 +302,7 @@ std::vector<Halfedge_index> halfedges_on_surface(const Triangulation& triangulat
                                                  bool is_closed)
 {
   if(!triangulation.input().is_contracted())
-    return halfedges_through(triangulation, vertices, is_closed);
+    return halfedges_through(triangulation, vertices, parameters::is_closed(is_closed));
   return contracted_halfedges_through(triangulation.input(), {vertices.begin(), vertices.end()}, is_closed);
 }
 

@@ -104,7 +104,7 @@ std::size_t add_start(Network& network, const std::vector<Halfedge_index>& path)
 {
   if constexpr(!IsObserved)
     return add_straightened_path(network, path);
-  network.add_curve(path, false);
+  network.add_curve(path);
   return 0;
 }
 
@@ -122,7 +122,7 @@ std::vector<Halfedge_index> edge_path_between(Search& search, const std::vector<
   if constexpr(std::is_same<Visitor, Default_shortening_visitor>::value)
     return shortest_halfedges_through(search, ends);
   else
-    return shortest_halfedges_through(search, ends, false, visitor);
+    return shortest_halfedges_through(search, ends, parameters::visitor(std::ref(visitor)));
 }
 
 /* Returns the report of a search that a visitor stopped before there was a path. */
@@ -227,7 +227,7 @@ std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vec
     const bool is_closed = are_loops || repeats_first;
     const std::vector<Halfedge_index> halfedges = halfedges_on_surface(network.triangulation(), vertices, is_closed);
     if(!halfedges.empty())
-      network.add_curve(halfedges, is_closed);
+      network.add_curve(halfedges, parameters::is_closed(is_closed));
     result.push_back(!halfedges.empty());
   }
   return result;
@@ -266,7 +266,9 @@ Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleM
                                    Vertex_in<TriangleMesh> target, const NamedParameters& np)
 {
   using Search = Shortest_edge_path<typename Curve_types<TriangleMesh, NamedParameters>::Triangulation>;
-  const auto search_over = [](const auto& triangulation) { return Search(triangulation, Search_method::LOOK_BACK); };
+  const auto search_over = [](const auto& triangulation) {
+    return Search(triangulation, parameters::search_method(Search_method::LOOK_BACK));
+  };
   return compute_on_surface(
       Mesh_surfaces(mesh, np),
       Path_computation<Form, TriangleMesh, NamedParameters, decltype(stop_predicate_of(np)), decltype(search_over)>{

@@ -53,7 +53,7 @@ public:
   void add(const Place& place)
   {
     if constexpr(Is_variant<Place>::value) {
-      std::visit([this](const auto& p) { add(p); }, place);
+      std::visit([this](const auto& p) { this->add(p); }, place);
     } else {
       m_points.locations.push_back(m_find(place));
       m_points.distances.push_back(0);

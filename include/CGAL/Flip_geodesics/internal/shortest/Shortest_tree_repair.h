@@ -61,7 +61,7 @@ Shortening_report pull_tight(Network& network, const Flipped_start& start, Visit
   network.triangulation().rollback(0);
   for(Halfedge_index h : start.flips)
     network.triangulation().flip(h);
-  network.add_curve(start.path, false);
+  network.add_curve(start.path);
   return shorten(network, Never_stop_predicate(), visitor);
 }
 

@@ -407,12 +407,12 @@ private:
       return;
     const std::vector<Halfedge_index> edge_path =
         shortest_halfedges_through(edge_paths, std::vector<Vertex_index>{m_surface->vertex(0), m_surface->vertex(lift)},
-                                   false, Interrupting_visitor(m_interruption));
+                                   parameters::visitor(Interrupting_visitor(m_interruption)));
     if(edge_path.empty())
       return;
     {
       Network network(covering);
-      network.add_curve(edge_path, false);
+      network.add_curve(edge_path);
       shorten(network, Never_stop_predicate(), Interrupting_visitor(m_interruption));
       note_geodesic(geodesic, network);
     }
