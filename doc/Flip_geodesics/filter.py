@@ -4,7 +4,8 @@
 
 Numbers figures and names them by their numbers where they are referred to, links citations to the list of references,
 and names of enumerators to their enumerations. Writes formulas of a letter or two without LaTeX, so that they can be
-read where MathJax cannot be loaded. Lines keep their numbers.
+read where MathJax cannot be loaded. Leaves out the conditions by which the compiler tells overloads apart. Lines keep
+their numbers.
 """
 
 import re
@@ -82,11 +83,29 @@ def write_formulas(line):
                   lambda m: letters(m[1].replace('\\log', 'log')), line)
 
 
+def without_conditions(text):
+    """Template arguments `std::enable_if_t<..., int> = 0` are left out, and `std::enable_if_t<..., T>` becomes T."""
+    start = 0
+    while (start := text.find('std::enable_if_t<', start)) >= 0:
+        depth, end, comma = 1, start + len('std::enable_if_t<'), None
+        while depth > 0:
+            depth += {'<': 1, '(': 1, '>': -1, ')': -1}.get(text[end], 0)
+            comma = end if text[end] == ',' and depth == 1 else comma
+            end += 1
+        kept, before = (text[comma + 1:end - 1].strip(), start) if comma else ('', start)
+        if default := re.match(r' = 0', text[end:]):
+            kept, before, end = '', text.rindex(',', 0, start), end + default.end()
+        text = text[:before] + kept + '\n' * (text[before:end].count('\n') - kept.count('\n')) + text[end:]
+        start = before + len(kept)
+    return text
+
+
 def main():
     path = Path(sys.argv[1])
     is_text = path.suffix == '.txt'
     in_code = False
-    for line in path.read_text().splitlines():
+    text = path.read_text()
+    for line in (text if is_text else without_conditions(text)).splitlines():
         if re.search(r'\\code\b|\\verbatim\b', line):
             in_code = True
         if not in_code and (is_text or re.match(r'\s*(///|\*|/\*!)', line) or '///<' in line):

@@ -3,7 +3,7 @@
 """Reads the manual as a browser would: check_manual.py HTML
 
 Briefs stand beside the names in all lists, figures have numbers and are named by them, citations and enumerators are
-links, and no sign of the markup is left over. The pages beside the manual have the pictures and files that they name.
+links, no sign of the markup is left over, and no type of the implementation is named. The pages beside the manual have the pictures and files that they name.
 """
 
 import re
@@ -45,6 +45,12 @@ def check_markup(name, text):
             problems.append(f'{name}: an asterisk is left over in "{excerpt(plain, found)}"')
     for found in re.finditer(r'`|\\[a-z]{3,}\b|\bcgal[A-Z]\w+', plain):
         problems.append(f'{name}: markup left over in "{excerpt(plain, found)}"')
+
+
+def check_signatures(name, text):
+    """No signature names a type of the implementation."""
+    for found in re.finditer(r'internal::\w+', unescape(re.sub(r'<[^>]*>', '', without_code(text)))):
+        problems.append(f'{name}: {found[0]} is not public')
 
 
 def check_citations(name, text, keys):
@@ -126,6 +132,7 @@ def main():
             continue
         check_briefs(name, text)
         check_markup(name, text)
+        check_signatures(name, text)
         check_citations(name, text, source.references())
         check_enumerators(name, text, source.enumerators())
         check_links(name, text, pages, folder)

@@ -329,23 +329,23 @@ public:
     return true;
   }
 
+#ifndef DOXYGEN_RUNNING
 protected:
-  using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>; ///< the storage of the elements
+  using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
 
-  /// Constructs the elements of an input before any of it has been accessed.
+  // Constructs the elements of an input before any of it has been accessed.
   Intrinsic_triangulation_elements(const Input_mesh& input, const Metric& metric, const Traits& traits)
     : m_halfedges(input, metric, traits)
   {
   }
 
-  /// Moves the elements.
   Intrinsic_triangulation_elements(Intrinsic_triangulation_elements&&) noexcept = default;
-  /// Moves the elements.
   Intrinsic_triangulation_elements& operator=(Intrinsic_triangulation_elements&&) noexcept = default;
 
-  /// Returns the storage of the elements for functions that change them; faces of the input are copied when they are
-  /// first read.
+  // Returns the storage of the elements for functions that change them; faces of the input are copied when they are
+  // first read.
   Store& store() const { return m_halfedges; }
+#endif
 
 private:
   using Record = typename Store::Record;

@@ -72,7 +72,10 @@ using Traits_in_number_type =
  * \cgalModels{IntrinsicTriangulationTraits}
  */
 template <class K, class NT>
-class Intrinsic_triangulation_traits : public internal::Traits_in_number_type<K, NT>
+class Intrinsic_triangulation_traits
+#ifndef DOXYGEN_RUNNING
+  : public internal::Traits_in_number_type<K, NT>
+#endif
 {
   using Base = internal::Traits_in_number_type<K, NT>;
 

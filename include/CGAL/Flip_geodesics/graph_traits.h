@@ -218,8 +218,10 @@ namespace boost {
 
 template <class TriangleMesh, class Traits, class Metric>
 struct graph_traits<CGAL::Flip_geodesics::Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
+#ifndef DOXYGEN_RUNNING
   : CGAL::Flip_geodesics::internal::Intrinsic_graph_traits<
         CGAL::Flip_geodesics::Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
+#endif
 {
 };
 
