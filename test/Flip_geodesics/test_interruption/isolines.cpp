@@ -3,6 +3,7 @@
 // Isolines and Voronoi boundaries are stopped at each call of a visitor in turn. Nothing is written then.
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 #include "test_interruption/stopping.h"
 
