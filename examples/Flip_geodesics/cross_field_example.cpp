@@ -4,7 +4,8 @@
 //
 //   cross_field_example MESH SOURCE TARGET
 //
-// Writes cross_field.vtp: a cross at every vertex as two lines.
+// Writes cross_field.vtp, a cross at every vertex as two lines, and singular_faces.vtp, the corners of the triangles of
+// the triangulation around which the field turns.
 
 #include <CGAL/Flip_geodesics.h>
 #include <CGAL/Flip_geodesics/Direction_field.h>
@@ -69,7 +70,8 @@ try {
   Field field(triangulation);
   field.align(network);
   field.compute();
-  std::cout << field.singularities().size() << " faces about which the crosses turn.\n";
+  const auto singularities = field.singularities();
+  std::cout << singularities.size() << " singular faces.\n";
 
   std::vector<std::vector<Kernel::Point_3>> arms;
   for(Mesh::Vertex_index v : mesh.vertices()) {
@@ -82,6 +84,14 @@ try {
       arms.push_back({mesh.point(v) - arm, mesh.point(v) + arm});
   }
   FG::IO::write_VTP("cross_field.vtp", arms);
+  std::vector<std::vector<Kernel::Point_3>> corners;
+  for(const Field::Singularity& s : singularities) {
+    corners.emplace_back();
+    for(FG::Halfedge_index h : field.operators().faces()[s.face].halfedges)
+      corners.back().push_back(mesh.point(triangulation.vertex(triangulation.tail(h))));
+  }
+  if(!corners.empty())
+    FG::IO::write_VTP("singular_faces.vtp", corners);
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';
