@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Draws surfaces and curves with VTK, without a screen, into PNG files."""
+"""Draws surfaces, curves and labels with VTK and Pillow, without a screen."""
 
 import math
 
@@ -14,6 +14,7 @@ OVERSAMPLING = 2
 THICK = 0.005  # the width from which on tubes have round ends, relative to what is drawn
 SHARP_CORNER = math.cos(math.radians(25))
 LETTER_SIZE = 1 / 46  # of panel letters, relative to the width of a picture
+LABEL_SIZE = 1 / 56  # of other text, likewise
 
 
 def color(name):
@@ -73,9 +74,12 @@ def without_repetitions(line):
 
 
 def cut_into_dashes(line, length):
-    """Dashes of about this length with gaps of the same length, which leave no gap at a sharp corner: zigzags of edges
-    stay recognizable when their edges are shorter than the dashes."""
-    pieces = split_at_corners(without_repetitions(line))
+    """Dashes of about this length with gaps of the same length. They leave no gap at a sharp corner, so that zigzags
+    stay recognizable, unless corners are so close to each other that no gap would be left."""
+    line = without_repetitions(line)
+    pieces = split_at_corners(line)
+    if 2 * sum(map(math.dist, line, line[1:])) < len(pieces) * length:
+        pieces = [line]
     return [dash for piece in pieces for dash in dashes_between_corners(piece, length)]
 
 
@@ -93,12 +97,27 @@ def dashes_between_corners(line, length):
     return [[at(a), *(tuple(p) for p, d in zip(line, ends) if a < d < b), at(b)] for a, b in zip(starts, stops)]
 
 
-class Panel:
-    """A part of a picture with a camera of its own. Widths and radii are parts of the size of what is drawn."""
+def axes_of(direction, up):
+    """The directions to the right and upwards in a picture that is seen from `direction`, and this direction."""
+    towards = unit(direction)
+    right = unit(np.cross(unit(up), towards))
+    return np.array([right, np.cross(towards, right), towards])
 
-    def __init__(self, size):
-        self.size = size
-        self.actors = []
+
+def seen_height(points, aspect, direction, up=(0, 1, 0), zoom=1.0, **_):
+    """The height of the part of space that a panel of this width over height shows when it looks at some points."""
+    seen = np.asarray(points) @ axes_of(direction, up).T
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    return 1.08 * max(high[1] - low[1], (high[0] - low[0]) / aspect) / zoom
+
+
+class Panel:
+    """A part of a picture with a camera of its own. `size` is the size of what is drawn; widths and radii are parts of
+    `unit`, which is the same by default."""
+
+    def __init__(self, size, unit=None):
+        self.size, self.unit = size, unit or size
+        self.actors, self.labels, self.bar, self.text = [], [], None, ''
         self.renderer = vtk.vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
 
@@ -175,14 +194,14 @@ class Panel:
             self.balls([p for line in lines for p in (line[0], line[-1])], name, width, 12)
         tubes = vtk.vtkTubeFilter()
         tubes.SetInputData(polyline_data(lines))
-        tubes.SetRadius(width / 2 * self.size)
+        tubes.SetRadius(width / 2 * self.unit)
         tubes.SetNumberOfSides(12 if width >= THICK else 6)
         tubes.CappingOn()
         return self._add(tubes, name)
 
     def dashes(self, polylines, name, width):
         """Tubes with gaps, for curves that are not results."""
-        self.tubes([dash for line in polylines for dash in cut_into_dashes(line, 3 * width * self.size)], name, width)
+        self.tubes([dash for line in polylines for dash in cut_into_dashes(line, 3 * width * self.unit)], name, width)
 
     def contours(self, points, faces, values, levels, name, width):
         """The lines on a surface where a number per point has certain levels, as tubes."""
@@ -197,7 +216,7 @@ class Panel:
         strips.SetMaximumLength(100000)
         tubes = vtk.vtkTubeFilter()
         tubes.SetInputConnection(strips.GetOutputPort())
-        tubes.SetRadius(width / 2 * self.size)
+        tubes.SetRadius(width / 2 * self.unit)
         tubes.SetNumberOfSides(6)
         actor = self._add(tubes, name)
         return actor
@@ -209,7 +228,7 @@ class Panel:
 
     def balls(self, points, name, width, sides=20):
         ball = vtk.vtkSphereSource()
-        ball.SetRadius(width / 2 * self.size)
+        ball.SetRadius(width / 2 * self.unit)
         ball.SetThetaResolution(sides)
         ball.SetPhiResolution(sides)
         glyphs = vtk.vtkGlyph3D()
@@ -219,6 +238,36 @@ class Panel:
         actor = self._add(glyphs, name)
         return actor
 
+    def arrows(self, starts, vectors, name, width):
+        """Arrows of the lengths of the vectors, with shafts of this width."""
+        data = poly_data(starts)
+        data.GetPointData().SetVectors(numpy_to_vtk(np.array(vectors, float), deep=True))
+        length = float(np.mean(np.linalg.norm(vectors, axis=1)))
+        thickness = width * self.unit / length
+        arrow = vtk.vtkArrowSource()
+        arrow.SetShaftRadius(thickness / 2)
+        arrow.SetTipRadius(1.5 * thickness)
+        arrow.SetTipLength(min(0.6, 4 * thickness))
+        arrow.SetShaftResolution(12)
+        arrow.SetTipResolution(24)
+        glyphs = vtk.vtkGlyph3D()
+        glyphs.SetInputData(data)
+        glyphs.SetSourceConnection(arrow.GetOutputPort())
+        glyphs.SetScaleModeToScaleByVector()
+        return self._add(glyphs, name)
+
+    def label(self, point, text, name=INK, anchor='mm', shift=(0, 0)):
+        """Writes text beside a point in space: `shift` is measured in heights of the text, right and down."""
+        self.labels.append((point, text, name, anchor, shift))
+
+    def title(self, text):
+        """Writes text behind the letter of the panel."""
+        self.text = text
+
+    def color_bar(self, colors, texts, title=''):
+        """A bar of the colors of `colored_surface()` at the left, with texts at some numbers."""
+        self.bar = colors, texts, title
+
     def look(self, direction, up=(0, 1, 0), target=None, zoom=1.0, has_ground=True):
         """Looks from `direction` at everything, or at `target` so much closer than that. The surface stands on a white
         ground, `up` being the direction from it."""
@@ -226,19 +275,20 @@ class Panel:
 
     def _fitted_camera(self, aspect):
         """A camera from which what is drawn just fits into a panel of this width over height."""
-        towards, up = unit(self.direction), unit(self.up)
-        right = unit(np.cross(up, towards))
-        axes = np.array([right, np.cross(towards, right), towards])
-        seen = np.concatenate([points_of(actor) for actor in self.actors]) @ axes.T
-        low, high = seen.min(axis=0), seen.max(axis=0)
-        focus = axes.T @ ((low + high) / 2) if self.target is None else np.array(self.target)
-        half = max((high[1] - low[1]) / 2, (high[0] - low[0]) / 2 / aspect)
+        up, axes = unit(self.up), axes_of(self.direction, self.up)
+        towards = axes[2]
+        points = np.concatenate([points_of(actor) for actor in self.actors])
+        seen = points @ axes.T
+        middle = axes.T @ ((seen.min(axis=0) + seen.max(axis=0)) / 2)
+        focus = middle if self.target is None else np.array(self.target)
+        self.height = seen_height(points, aspect, self.direction, self.up, self.zoom)
+        self.middle, self.plane = focus, axes[:2]
         camera = vtk.vtkCamera()
         camera.ParallelProjectionOn()
         camera.SetFocalPoint(*focus)
         camera.SetPosition(*(focus + 3 * self.size * towards))
         camera.SetViewUp(*axes[1])
-        camera.SetParallelScale(1.08 * half / self.zoom)
+        camera.SetParallelScale(self.height / 2)
         camera.SetClippingRange(self.size, 5 * self.size)
         self.sun = unit(1.1 * (up if self.has_ground else towards) + axes.T @ np.array((-0.55, 0.0, 0.5)))
         return camera
@@ -253,25 +303,64 @@ class Panel:
         return many.reshape(height, OVERSAMPLING, width, OVERSAMPLING, 3).mean(axis=(1, 3))[::-1]
 
 
-def add_letter(image, index, left):
+def text_font(size, is_bold=False):
+    return ImageFont.truetype(f'DejaVuSans{"-Bold" if is_bold else ""}.ttf', size)
+
+
+def write_text(image, place, text, name, anchor, size, is_bold=False):
+    ImageDraw.Draw(image).text(place, text, name, text_font(size, is_bold), anchor, stroke_width=size // 6,
+                              stroke_fill=WHITE)
+
+
+def annotate(image, panel, left, top, width, height):
+    """The labels and the color bar of a panel."""
+    size = round(LABEL_SIZE * image.width)
+    for point, text, name, anchor, shift in panel.labels:
+        x, y = panel.plane @ (np.array(point) - panel.middle) * height / panel.height
+        place = left + width / 2 + x + shift[0] * size, top + height / 2 - y + shift[1] * size
+        write_text(image, place, text, name, anchor, size, is_bold=True)
+    if panel.text:
+        letter = round(LETTER_SIZE * image.width)
+        write_text(image, (left + 2.6 * letter, top + 0.9 * letter), panel.text, INK, 'lm', size, is_bold=True)
+    if panel.bar:
+        colors, texts, title = panel.bar
+        (low, _), (high, _) = colors[0], colors[-1]
+        start, length = left + size, round(0.3 * height)
+        bottom = top + 5 * size + length
+        levels = np.linspace(high, low, length)
+        parts = [np.interp(levels, [value for value, _ in colors], [color(name)[k] for _, name in colors])
+                 for k in range(3)]
+        column = (255 * np.stack(parts, axis=1) + 0.5).astype(np.uint8)[:, None]
+        image.paste(Image.fromarray(column.repeat(size, axis=1)), (round(start), round(bottom - length)))
+        for value, text in texts:
+            y = bottom - length * (value - low) / (high - low)
+            ImageDraw.Draw(image).line([start + size, y, start + 1.3 * size, y], INK, max(1, size // 12))
+            write_text(image, (start + 1.5 * size, y), text, INK, 'lm', size)
+        write_text(image, (start + size / 2, bottom - length - size), title, INK, 'mm', size, is_bold=True)
+
+
+def add_letter(image, index, left, top):
     """The letter of a panel in its upper left corner."""
     size = round(LETTER_SIZE * image.width)
-    font = ImageFont.truetype('DejaVuSans-Bold.ttf', size)
-    ImageDraw.Draw(image).text((left + size // 4, size // 4), f'({"abcdefgh"[index]})', INK, font,
-                              stroke_width=size // 8, stroke_fill=WHITE)
+    write_text(image, (left + size // 4, top + size // 4), f'({"abcdefgh"[index]})', INK, 'la', size, is_bold=True)
 
 
-def to_image(panels, width, height, gap=0.02):
-    """Panels side by side, with letters if there are several."""
-    share = round(width * (1 - gap * (len(panels) - 1)) / len(panels))
+def to_image(panels, width, height, columns=None, gap=0.02):
+    """Panels in rows of `columns`, or side by side, with letters if there are several."""
+    columns = columns or len(panels)
+    rows = -(-len(panels) // columns)
+    share, part = (round(n * (1 - gap * width / n * (k - 1)) / k) for n, k in ((width, columns), (height, rows)))
     result = np.ones((height, width, 3))
-    for i, panel in enumerate(panels):
-        left = round(i * (share + gap * width))
-        part = panel.picture(min(share, width - left), height)
-        result[:, left:left + part.shape[1]] = part
+    corners = [(round(i % columns * (share + gap * width)), round(i // columns * (part + gap * width)))
+               for i in range(len(panels))]
+    boxes = [(left, top, min(share, width - left), min(part, height - top)) for left, top in corners]
+    for panel, (left, top, wide, high) in zip(panels, boxes):
+        result[top:top + high, left:left + wide] = panel.picture(wide, high)
     image = Image.fromarray((255 * result + 0.5).astype(np.uint8))
-    for i in range(len(panels) if len(panels) > 1 else 0):
-        add_letter(image, i, round(i * (share + gap * width)))
+    for i, (panel, box) in enumerate(zip(panels, boxes)):
+        annotate(image, panel, *box)
+        if len(panels) > 1:
+            add_letter(image, i, *box[:2])
     return image
 
 

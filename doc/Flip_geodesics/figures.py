@@ -17,8 +17,10 @@ import os
 import shutil
 import sys
 import tempfile
+from collections import Counter
 from pathlib import Path
 
+import numpy as np
 from PIL import Image
 
 if not os.environ.get('DISPLAY') and shutil.which('xvfb-run'):
@@ -29,8 +31,8 @@ root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics_program/page')]
 
 from figure_browser import Browser  # noqa: E402
-from figure_colors import FIXED, INK, MESH, RESULT, SECOND, START, WHITE  # noqa: E402
-from figure_drawing import Panel, size_of, to_image, write_picture  # noqa: E402
+from figure_colors import FIFTH, FIXED, FOURTH, INK, MESH, RESULT, SECOND, START, SURFACE, THIRD, WHITE  # noqa: E402
+from figure_drawing import Panel, seen_height, size_of, to_image, write_picture  # noqa: E402
 from figure_light import frame, unit  # noqa: E402
 from figure_pictures import checker, compass  # noqa: E402
 from figure_tools import Graph, Tools, read_obj, read_off, read_ply, read_vtp  # noqa: E402
@@ -40,10 +42,10 @@ WIDTH = 2400  # of a picture, in pixels
 LYING = {'direction': (0, -0.9, 1), 'up': (0, 0, 1)}  # how the generated tori are seen
 
 
-def figure(height, width=WIDTH):
-    """Registers a function of a `Tools` that returns panels, side by side in a picture of that many pixels."""
+def figure(height, width=WIDTH, columns=None):
+    """Registers a function of a `Tools` that returns panels, in rows of `columns` in a picture of that many pixels."""
     def register(function):
-        figures[function.__name__] = (function, width, height)
+        figures[function.__name__] = (function, width, height, columns)
         return function
     return register
 
@@ -52,6 +54,18 @@ def surface_panel(points, faces, **style):
     panel = Panel(size_of(points))
     panel.surface(points, faces, **style)
     return panel
+
+
+def panel_in_view(points, faces, view, aspect=1.2, **style):
+    """A surface seen from somewhere, whose curves are as thick as those of other surfaces in panels of this shape."""
+    panel = Panel(size_of(points), seen_height(points, aspect, **view))
+    panel.surface(points, faces, **style)
+    panel.look(**view)
+    return panel
+
+
+def length_of(line):
+    return sum(map(math.dist, line, line[1:]))
 
 
 def wire_panel(points, faces, width=0.0025):
@@ -90,13 +104,12 @@ def fan(tools):
     points, faces = read_off(mesh)
     graph = Graph(points, faces)
     source = graph.nearest((0, 15, -60))
-    targets = spread(graph, source, 70)
+    targets = spread(graph, source, 40)
     page = tools.curves('path', mesh, '--pairs', tools.lines('pairs', [(source, t) for t in targets]))
-    panel = surface_panel(points, faces)
-    panel.tubes(page.curves.values(), RESULT, 0.005)
-    panel.balls([points[t] for t in targets], FIXED, 0.012)
-    panel.balls([points[source]], FIXED, 0.03)
-    panel.look((-0.2, 0.15, -1))
+    panel = panel_in_view(points, faces, {'direction': (-0.2, 0.15, -1)})
+    panel.tubes(page.curves.values(), RESULT, 0.011)
+    panel.balls([points[t] for t in targets], FIXED, 0.025)
+    panel.balls([points[source]], FIXED, 0.045)
     return panel
 
 
@@ -111,10 +124,9 @@ def rings(tools):
               ((-0.25, 0.78, 0), (1, -1, 0), 0.1), ((0.25, 0.7, 0), (1, 1, 0), 0.1))  # ears
     loops = [ring(graph, *place) for place in places]
     page = tools.curves('loop', mesh, '--loop', tools.lines('loops', loops))
-    panel = surface_panel(points, faces)
-    panel.dashes([[points[v] for v in loop + loop[:1]] for loop in loops], START, 0.006)
-    panel.tubes(page.curves.values(), RESULT, 0.012)
-    panel.look((0.15, 0.15, 1))
+    panel = panel_in_view(points, faces, {'direction': (0.15, 0.15, 1)})
+    panel.dashes([[points[v] for v in loop + loop[:1]] for loop in loops], START, 0.013)
+    panel.tubes(page.curves.values(), RESULT, 0.017)
     return panel
 
 
@@ -128,38 +140,100 @@ def segments(tools, mesh):
     return points, faces, [max(label[v] for v in f) for f in faces]
 
 
-def patches(points, faces, labels):
-    panel = Panel(size_of(points))
-    for region in set(labels):
-        panel.surface(points, [f for f, x in zip(faces, labels) if x == region], REGIONS[region % len(REGIONS)])
+FRONT = {'direction': (0.35, 0.2, 1)}  # how the bunny is seen
+
+
+def patches(points, faces, labels, view=None):
+    """A surface with a color per label of its faces, and without one below 0."""
+    panel = Panel(size_of(points), seen_height(points, 1.2, **view) if view else None)
+    for region in sorted(set(labels)):
+        panel.surface(points, [f for f, x in zip(faces, labels) if x == region],
+                      REGIONS[region % len(REGIONS)] if region >= 0 else SURFACE)
+    if view:
+        panel.look(**view)
     return panel
+
+
+def connected_regions(faces, labels):
+    """A number per face, the same for faces of one label that are connected."""
+    owners, parent = {}, list(range(len(faces)))
+
+    def root(i):
+        while parent[i] != i:
+            parent[i] = i = parent[parent[i]]
+        return i
+
+    for i, f in enumerate(faces):
+        for k in range(3):
+            other = owners.setdefault(frozenset((f[k - 1], f[k])), i)
+            if labels[i] == labels[other]:
+                parent[root(i)] = root(other)
+    return [root(i) for i in range(len(faces))]
+
+
+def labels_of_pieces(points, faces, labels, cut_points, cut_faces):
+    """The labels of a mesh that was cut along their boundaries after these were moved: a piece has the label that most
+    of its vertices had before; -1 where another piece has it, as between boundaries that are moved apart."""
+    owners = {}
+    for f, label in zip(faces, labels):
+        for v in f:
+            owners.setdefault(tuple(round(x, 9) for x in points[v]), set()).add(label)
+    pieces, votes = Graph(cut_points, cut_faces).components(), []
+    for number, piece in enumerate(pieces):
+        count = Counter(label for v in piece for label in owners.get(tuple(round(x, 9) for x in cut_points[v]), ()))
+        votes += [(n, label, number) for label, n in count.items()]
+    label_of, taken = {}, set()
+    for _, label, number in sorted(votes, reverse=True):
+        if number not in label_of and label not in taken:
+            label_of[number] = label
+            taken.add(label)
+    of_vertex = {v: label_of.get(number, -1) for number, piece in enumerate(pieces) for v in piece}
+    return [of_vertex[f[0]] for f in cut_faces]
+
+
+def cut_patches(tools, mesh, labels, view, *options):
+    """The boundaries of regions after shortening, and the surface with the colors of the regions between them."""
+    cut_mesh = tools.folder / 'cut.off'
+    segmentation = tools.lines('labels.seg', [[x] for x in labels])
+    page = tools.curves('network', mesh, '--segmentation', segmentation, '--cut', cut_mesh, *options)
+    cut_points, cut_faces = read_off(cut_mesh)
+    points, faces = read_off(mesh)
+    regions = connected_regions(faces, labels)
+    moved = labels_of_pieces(points, faces, regions, cut_points, cut_faces)
+    moved = [labels[region] if region >= 0 else -1 for region in moved]  # regions have the numbers of faces
+    return page, patches(cut_points, cut_faces, moved, view)
 
 
 def patchwork(tools):
-    """The boundaries of a segmentation, pulled tight."""
+    """The boundaries of a segmentation, shortened."""
     mesh = tools.mesh('bunny00.off')
-    points, faces, labels = segments(tools, mesh)
-    tight = tools.curves('network', mesh, '--segmentation', tools.lines('labels.seg', [[x] for x in labels]))
-    panel = patches(points, faces, labels)
-    panel.tubes(tight.curves.values(), RESULT, 0.008)
-    panel.look((0.35, 0.2, 1))
+    page, panel = cut_patches(tools, mesh, segments(tools, mesh)[2], FRONT)
+    panel.tubes(page.curves.values(), RESULT, 0.013)
     return panel
 
 
-def spline_on_head(tools):
-    """A closed B-spline about the eyes of a lion, and its control polygon."""
+def draw_controls(panel, points, is_numbered=True):
+    panel.balls(points, FIXED, 0.04)
+    for k, p in enumerate(points if is_numbered else ()):
+        panel.label(p, str(k + 1), FIXED, shift=(-1.1, -0.6))
+
+
+def spline_on_head(tools, is_numbered=False):
+    """A closed B-spline around the eyes of a lion, and its control polygon."""
     mesh = tools.mesh('lion-head.off')
     points, faces = read_off(mesh)
     places = (-0.08, 0.36), (0.1, 0.22), (0.07, 0.0), (-0.07, -0.12), (-0.2, 0.0), (-0.22, 0.22)
     controls = [in_front(points, *p) for p in places]
     polygon = tools.curves('path', mesh, '--pairs', tools.lines('pairs', zip(controls, controls[1:] + controls[:1])))
     curve = tools.curves('spline', mesh, '--bezier', tools.lines('controls', [('o', *controls)]))
-    panel = surface_panel(points, faces)
-    panel.dashes(polygon.curves.values(), START, 0.008)
-    panel.tubes(curve.curves.values(), RESULT, 0.014)
-    panel.balls([points[v] for v in controls], FIXED, 0.032)
-    panel.look((-0.3, 0.2, 1))
+    panel = panel_in_view(points, faces, {'direction': (-0.3, 0.2, 1)})
+    panel.dashes(polygon.curves.values(), START, 0.013)
+    panel.tubes(curve.curves.values(), RESULT, 0.017)
+    draw_controls(panel, [points[v] for v in controls], is_numbered)
     return panel
+
+
+ELEPHANT = {'direction': (0.8, 0.45, -1)}
 
 
 def distances(tools):
@@ -169,41 +243,41 @@ def distances(tools):
     source = Graph(points, faces).nearest((-0.05, -0.1, -0.3))
     levels = ','.join(str(round(0.04 * k, 2)) for k in range(1, 50))
     page = tools.curves('distance', mesh, '--source', source, '--isolines', levels)
-    panel = surface_panel(points, faces)
-    panel.tubes(page.curves.values(), RESULT, 0.0045)
-    panel.balls([points[source]], FIXED, 0.035)
-    panel.look((0.8, 0.45, -1))
+    panel = panel_in_view(points, faces, ELEPHANT)
+    panel.tubes(page.curves.values(), RESULT, 0.007)
+    panel.balls([points[source]], FIXED, 0.045)
     return panel
 
 
 HEAT = '#2166ac', '#92c5de', '#f7f2e8', '#f4a582', '#b2182b'
 
 
-def heat_panel(tools, mesh, source, target, lines=12):
+def heat_panel(tools, mesh, source, target, view, lines=12):
     """Heat that flows off to a geodesic."""
     tools.run('poisson_example', mesh, source, target)
     points, faces, heat = read_ply(tools.folder / 'poisson.ply', 'u')
     most = max(heat)
-    panel = Panel(size_of(points))
-    panel.colored_surface(points, faces, heat, [(most * k / 4, name) for k, name in enumerate(HEAT)])
-    panel.contours(points, faces, heat, [most * k / lines for k in range(1, lines)], INK, 0.0018)
-    panel.tubes(tools.curves('path', mesh, '--from', source, '--to', target).curves.values(), WHITE, 0.012)
-    panel.balls([points[source], points[target]], FIXED, 0.026)
-    return panel
+    colors = [(most * k / 4, name) for k, name in enumerate(HEAT)]
+    panel = Panel(size_of(points), seen_height(points, 1.2, **view))
+    panel.colored_surface(points, faces, heat, colors)
+    panel.contours(points, faces, heat, [most * k / lines for k in range(1, lines)], INK, 0.003)
+    panel.tubes(tools.curves('path', mesh, '--from', source, '--to', target).curves.values(), WHITE, 0.017)
+    panel.balls([points[source], points[target]], FIXED, 0.04)
+    panel.look(**view)
+    return panel, colors
 
 
 def heated_dinosaur(tools):
     mesh = tools.mesh('diplodocus.off')
     graph = Graph(*read_off(mesh))
-    panel = heat_panel(tools, mesh, graph.nearest((-0.25, 0.1, 0.3)), graph.nearest((0.4, 0.45, 0.1)))
-    panel.look((0.5, 0.25, 1))
-    return panel
+    ends = graph.nearest((-0.25, 0.1, 0.3)), graph.nearest((0.4, 0.45, 0.1))
+    return heat_panel(tools, mesh, *ends, {'direction': (0.5, 0.25, 1)})
 
 
-@figure(500)
+@figure(1240, columns=3)
 def teaser(tools):
-    """Six surfaces with what can be had on them."""
-    return [draw(tools) for draw in (fan, rings, patchwork, spline_on_head, distances, heated_dinosaur)]
+    """Six surfaces with results of the package."""
+    return [*(draw(tools) for draw in (fan, rings, patchwork, spline_on_head, distances)), heated_dinosaur(tools)[0]]
 
 
 def detour_path(graph):
@@ -259,7 +333,7 @@ def conforming_triangulation(tools):
     return [before, after]
 
 
-def flip_panel(page, step):
+def flip_panel(page, step, is_start_drawn=False):
     """A state of a shortening: the edges that the last step has flipped are green."""
     run = page.runs[0]
     state = run.state(step)
@@ -267,10 +341,13 @@ def flip_panel(page, step):
     panel.tubes([[page.points[v] for v in side] for side in untouched_sides(page)], INK, 0.0018)
     panel.tubes(state.edges, INK, 0.0025)
     panel.tubes([run.polylines[e] for e in state.fresh], SECOND, 0.007)
+    if is_start_drawn:
+        panel.dashes(run.state(0).lines, START, 0.008)
     if 0 < step < len(run.steps):
         panel.tubes(state.lines, RESULT, 0.010)
     elif step == 0:
-        panel.dashes(state.lines, START, 0.012)
+        if not is_start_drawn:
+            panel.dashes(state.lines, START, 0.012)
     else:
         panel.tubes(state.lines, RESULT, 0.012)
     panel.balls(ends_of(page), FIXED, 0.03)
@@ -278,7 +355,7 @@ def flip_panel(page, step):
     return panel
 
 
-@figure(560, 1120)
+@figure(640, 1120)
 def flips_animation(tools):
     """A shortening flip by flip, with the start behind."""
     page = detour(tools)
@@ -286,61 +363,78 @@ def flips_animation(tools):
     steps = [0, *(k + 1 for k, (flipped, *_) in enumerate(run.steps) if flipped), len(run.steps)]
     frames = []
     for step in steps:
-        panel = flip_panel(page, step)
-        if step > 0:
-            panel.dashes(run.state(0).lines, START, 0.006)
-        panel.look(**{**NEAR, 'zoom': 1.75})  # wider than high
+        panel = flip_panel(page, step, is_start_drawn=True)
+        panel.look(**{**NEAR, 'zoom': 1.5, 'target': (0.115, 0.07, 0.0)})
         frames.append([panel])
     return Animation(frames)
 
 
-@figure(620)
+@figure(1560, columns=2)
 def flips(tools):
     """Four states of a shortening, close by."""
     page = detour(tools)
-    count = len(page.runs[0].steps)
-    with_flips = [step for step in range(1, count) if page.runs[0].steps[step - 1][0]]
-    return [flip_panel(page, step) for step in (0, *with_flips[len(with_flips) // 4::len(with_flips) // 2][:2], count)]
+    run = page.runs[0]
+    count = len(run.steps)
+    with_flips = [step for step in range(1, count) if run.steps[step - 1][0]]
+    panels = []
+    for step in (0, *with_flips[len(with_flips) // 4::len(with_flips) // 2][:2], count):
+        state = run.state(step)
+        panel = flip_panel(page, step)
+        panel.look(**{**NEAR, 'zoom': 1.75, 'target': (0.115, 0.07, 0.0)})
+        panel.title(f'{state.flips} flips, length {length_of(state.lines[0]):.3f}')
+        panels.append(panel)
+    return panels
 
 
 REGIONS = '#b9c4d6', '#d8cdb4', '#b7d0bd', '#d6b9c1', '#c7bfdb', '#cfd3a8', '#a9ccd3'
 
 
-@figure(860)
+@figure(1720, columns=2)
 def network(tools):
-    """Boundaries of a segmentation of a scan: as edges, pulled tight, and stopped early with free junctions."""
+    """Boundaries of a segmentation of a scan: as edges, shortened, and stopped early with free junctions."""
     mesh = tools.mesh('bunny00.off')
     points, faces, labels = segments(tools, mesh)
-    segmentation = tools.lines('labels.seg', [[x] for x in labels])
-    tight = tools.curves('network', mesh, '--segmentation', segmentation)
-    free = tools.curves('network', mesh, '--segmentation', segmentation, '--free-junctions', '--stop-length', 0.85)
-    panels = [patches(points, faces, labels) for _ in range(3)]
-    panels[0].dashes(tight.runs[0].state(0).lines, START, 0.006)
-    panels[1].tubes(tight.curves.values(), RESULT, 0.006)
-    panels[2].tubes(free.curves.values(), RESULT, 0.006)
-    for panel in panels:
-        panel.look((0.35, 0.2, 1))
+    tight, fixed = cut_patches(tools, mesh, labels, FRONT)
+    start = patches(points, faces, labels, FRONT)
+    start.dashes(tight.runs[0].state(0).lines, START, 0.011)
+    fixed.tubes(tight.curves.values(), RESULT, 0.011)
+    panels = [start, fixed]
+    for zoom in (1, 3.2):
+        loose, free = cut_patches(tools, mesh, labels, FRONT, '--free-junctions', '--stop-length', 0.85)
+        free.tubes(loose.curves.values(), RESULT, 0.011 / math.sqrt(zoom))
+        if zoom > 1:
+            free.look(**FRONT, target=(0.1, 0.05, 0.45), zoom=zoom)
+        panels.append(free)
     return panels
 
 
-@figure(1000)
+@figure(860)
 def early_stop(tools):
-    """A network whose curves were stopped at 95 % of their lengths; and pulled tight."""
+    """Boundaries between boxes: as edges, stopped at 85 % of their lengths, and geodesics."""
     mesh = tools.mesh('refined_elephant.off')
     points, faces = read_off(mesh)
-    panels = []
-    for ratio in (0.95, 0):
+    labels = [sum(2 ** i for i in range(3) if points[f[0]][i] > 0.1) for f in faces]
+    panels = [patches(points, faces, labels, ELEPHANT)]
+    for ratio in (1, 0.85, 0):
         tools.run('network_early_stop_example', mesh, ratio)
-        panel = surface_panel(points, faces)
-        panel.tubes(read_vtp(tools.folder / 'network.vtp'), RESULT, 0.009)
-        panel.look((0.8, 0.45, -1))
-        panels.append(panel)
+        curves = read_vtp(tools.folder / 'network.vtp')
+        if ratio == 1:
+            panels[0].dashes(curves, START, 0.013)
+            continue
+        options = ('--stop-length', ratio) if ratio else ()
+        panels.append(cut_patches(tools, mesh, labels, ELEPHANT, *options)[1])
+        panels[-1].tubes(curves, RESULT, 0.013)
     return panels
+
+
+def meander(x):
+    """Steps of four to and fro, but not near 0."""
+    return 4 if 6 <= x % 18 <= 12 else 0
 
 
 @figure(960)
 def seams(tools):
-    """The seams of a textured torus, as edges and straightened; thin lines are those of equal texture coordinates."""
+    """The seams of a textured torus, as edges and as geodesics; thin lines are those of equal texture coordinates."""
     around, along = 72, 36
     points, _ = read_off(tools.torus(around, along))
     mesh, corners, plane = tools.folder / 'textured.obj', [], []
@@ -348,9 +442,9 @@ def seams(tools):
         out.writelines('v {} {} {}\n'.format(*p) for p in points)
         for i in range(around):
             for j in range(along):
-                # Where the sheet is cut: in zigzags about the tube, and about the hole.
-                du = around if i < 8 + abs((j + 6) % 12 - 6) else 0
-                dv = along if j < 5 + abs((i + 4) % 8 - 4) else 0
+                # Where the sheet is cut: in meanders around the tube, and around the hole, which cross at one vertex.
+                du = around if i < 20 + meander(j - 15) else 0
+                dv = along if j < 15 - meander(i - 20) else 0
                 a, b, c, d = ((i + x, j + y) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
                 for face in ((a, b, c), (a, c, d)):
                     for k, m in face:
@@ -362,16 +456,16 @@ def seams(tools):
     page = tools.curves('network', mesh, '--seams')
     panels = []
     for is_tight in (False, True):
-        panel = surface_panel(page.points, page.faces)
+        panel = panel_in_view(page.points, page.faces, {'direction': (0, -0.45, 1), 'up': (0, 0, 1)})
         faces = [(k, k + 1, k + 2) for k in range(0, len(corners), 3)]
         for axis, count in ((0, 24), (1, 12)):
             levels = [(k + 0.5) / count for k in range(2 * count)]
-            panel.contours(corners, faces, [p[axis] for p in plane], levels, INK, 0.0012)
+            panel.contours(corners, faces, [p[axis] for p in plane], levels, INK, 0.0025)
         if is_tight:
-            panel.tubes(page.curves.values(), RESULT, 0.01)
+            panel.tubes(page.curves.values(), RESULT, 0.015)
         else:
-            panel.dashes(page.runs[0].state(0).lines, START, 0.01)
-        panel.look((0.75, -0.35, 1), up=(0, 0, 1))
+            panel.dashes(page.runs[0].state(0).lines, START, 0.011)
+        panel.balls(ends_of(page), FIXED, 0.04)
         panels.append(panel)
     return panels
 
@@ -408,32 +502,57 @@ def loops(tools):
     return [before, after]
 
 
-@figure(1160)
+def handles_of(loops):
+    """A number per closed curve, the same for two that cross: those of one handle."""
+    def reach(a, b):
+        return np.linalg.norm(np.array(a)[:, None] - np.array(b), axis=2).min()
+
+    fine = [[tuple(x + t * (y - x) for x, y in zip(p, q)) for p, q in zip(loop, loop[1:]) for t in (0, 0.25, 0.5, 0.75)]
+            for loop in loops]
+    def match(left):  # the distance between partners, and the pairs
+        if not left:
+            return 0, []
+        first, *others = left
+        found = []
+        for other in others:
+            far, pairs = match([k for k in others if k != other])
+            found.append((far + reach(fine[first], fine[other]), [(first, other), *pairs]))
+        return min(found)
+
+    number = {k: i for i, pair in enumerate(match(list(range(len(loops))))[1]) for k in pair}
+    return [number[k] for k in range(len(loops))]
+
+
+GENERA = (('refined_elephant.off', {'direction': (0.9, 0.45, -0.5), 'target': (0.21, 0.25, 0.13), 'zoom': 3.2}),
+          ('refined_elephant.off', {'direction': (-0.35, 0.8, -0.7), 'target': (-0.28, -0.27, -0.06), 'zoom': 4.5}),
+          ('eight.off', {'direction': (0.75, 1, 0.3)}))  # the handles of an elephant, at its trunk and its tail
+
+
+@figure(800)
 def loop_basis(tools):
     """Closed geodesics around the handles of two surfaces, found from the surfaces alone."""
     panels = []
-    for name, view in (('refined_elephant.off', (0.8, 0.45, -1)), ('eight.off', (0.75, 1, 0.3))):
+    for name, view in GENERA:
         mesh = tools.mesh(name)
-        points, faces = read_off(mesh)
         tools.run('loop_basis_example', mesh)
-        panel = surface_panel(points, faces)
-        panel.tubes(read_vtp(tools.folder / 'loop_basis.vtp'), RESULT, 0.01)
-        panel.look(view)
+        loops = read_vtp(tools.folder / 'loop_basis.vtp')
+        panel = panel_in_view(*read_off(mesh), view)
+        for loop, number in zip(loops, handles_of(loops)):
+            panel.tubes([loop], (RESULT, SECOND, THIRD)[number], 0.017)
         panels.append(panel)
     return panels
 
 
-@figure(1000)
+@figure(800)
 def handles_and_tunnels(tools):
-    """Closed geodesics about the handles (blue) and the tunnels (green) of two solids."""
+    """Closed geodesics around the handles (blue) and the tunnels (green) of two solids."""
     panels = []
-    for name, view in (('refined_elephant.off', (0.8, 0.45, -1)), ('eight.off', (0.75, 1, 0.3))):
+    for name, view in GENERA:
         mesh = tools.mesh(name)
         tools.run('handle_and_tunnel_loops_example', mesh)
-        panel = surface_panel(*read_off(mesh))
+        panel = panel_in_view(*read_off(mesh), view)
         for kind, color in (('handles', RESULT), ('tunnels', SECOND)):
-            panel.tubes(read_vtp(tools.folder / f'{kind}.vtp'), color, 0.012)
-        panel.look(view)
+            panel.tubes(read_vtp(tools.folder / f'{kind}.vtp'), color, 0.017)
         panels.append(panel)
     return panels
 
@@ -453,58 +572,98 @@ def staircase(loop, along):
 @figure(1100)
 def poisson(tools):
     """The temperature of surfaces that are heated evenly and kept at zero along a geodesic."""
-    bunny = heat_panel(tools, tools.mesh('bunny00.off'), 13512, 11509)
-    bunny.look((-0.35, 0.2, -1))
-    return [bunny, heated_dinosaur(tools)]
-
-
-@figure(1200)
-def cross_field(tools):
-    """The smoothest field of crosses that runs along a geodesic, on a torus."""
-    mesh = tools.torus(72, 36)
-    source, target = 9, 1340
-    tools.run('cross_field_example', mesh, source, target)
-    page = tools.curves('path', mesh, '--from', source, '--to', target)
-    panel = surface_panel(page.points, page.faces)
-    panel.tubes(read_vtp(tools.folder / 'cross_field.vtp'), SECOND, 0.003)
-    panel.tubes(page.curves.values(), RESULT, 0.01)
-    panel.balls(ends_of(page), FIXED, 0.025)
-    panel.look((0, -0.8, 1), up=(0, 0, 1))
-    return [panel]
-
-
-@figure(800)
-def refinement(tools):
-    """A coarse mesh with a geodesic as edges; the refined triangulation; its common subdivision with the mesh."""
-    result = tools.folder / 'result.off'
+    mesh = tools.mesh('bunny00.off')
+    target = Graph(*read_off(mesh)).nearest((-0.4, 0.2, -0.12))
+    bunny = heat_panel(tools, mesh, 11509, target, {'direction': (-0.35, 0.2, -1)})
     panels = []
-    for arguments in (('--insert', result), ('--refine', 25), ('--refine', 25, '--subdivision', result)):
-        page = detour(tools, *arguments)
-        if result in arguments:
-            panel = wire_panel(*read_off(result))
-        else:
-            panel = surface_panel(page.points, page.faces, is_smooth=False)
-            panel.tubes(intrinsic_edges(page, page.runs[0].state(-1)), INK, 0.0025)
-        panel.tubes(page.curves.values(), RESULT, 0.01)
-        panel.balls(ends_of(page), FIXED, 0.028)
-        panel.look(**NEAR)
+    for panel, colors in (bunny, heated_dinosaur(tools)):
+        most = colors[-1][0]
+        panel.color_bar(colors, [(most * k / 4, f'{most * k / 4:.2g}') for k in range(5)], 'u')
         panels.append(panel)
     return panels
 
 
-@figure(1060)
+@figure(1200, 1400)
+def cross_field(tools):
+    """The smoothest field of crosses that is aligned with a geodesic, and where it is singular, on a bear."""
+    mesh = tools.mesh('bear.off')
+    points, faces = read_off(mesh)
+    graph = Graph(points, faces)
+    ends = graph.nearest((-0.25, 0.1, 0.4)), graph.nearest((0.25, -0.45, 0.4))
+    tools.run('cross_field_example', mesh, *ends)
+    arms, singular = (read_vtp(tools.folder / f'{name}.vtp') for name in ('cross_field', 'singular_faces'))
+    panel = panel_in_view(points, faces, {'direction': (0.15, 0.15, 1)}, 7 / 6)
+    chosen = {points[v] for v in spread(graph, ends[0], 900)}
+    lines, size = [], 0.016 * panel.unit
+    for a, b in arms:
+        middle, side = np.add(a, b) / 2, size * unit(np.subtract(b, a))
+        lines.append([tuple(middle - side), tuple(middle + side)])
+    panel.tubes([line for k, line in enumerate(lines) if points[k // 2] in chosen], SECOND, 0.006)
+    panel.tubes(tools.curves('path', mesh, '--from', ends[0], '--to', ends[1]).curves.values(), RESULT, 0.016)
+    panel.balls([tuple(np.mean(face, axis=0)) for face in singular], THIRD, 0.03)
+    panel.balls([points[v] for v in ends], FIXED, 0.04)
+    return [panel]
+
+
+CLOSE = {'direction': (0.9, 1, 0.1), 'target': (0.1, 0.08, 0.0), 'zoom': 3.2}
+
+
+def towards_us(points, faces, lines, view):
+    """The parts of polylines that lie on faces which are seen from in front: others would show behind outlines."""
+    corners = np.array(points)[np.array(faces)]
+    origins, sides = corners[:, 0], corners[:, 1:] - corners[:, :1]
+    normals = np.cross(sides[:, 0], sides[:, 1])
+    is_seen = normals @ np.array(view['direction']) > 0
+    inverse = np.linalg.inv(np.stack([sides[:, 0], sides[:, 1], normals], axis=2))
+
+    def is_in_front(p, q):
+        u, v, w = np.einsum('fij,fj->if', inverse, (np.array(p) + q) / 2 - origins)
+        off = np.maximum.reduce([-u, -v, u + v - 1, np.abs(w)])
+        return bool(is_seen[off < max(1e-6, 2 * off.min())].any())
+
+    return [[p, q] for line in lines for p, q in zip(line, line[1:]) if is_in_front(p, q)]
+
+
+def edges_panel(page, edges, view, fresh=()):
+    """A surface with edges, some of them green, and the curves of a page on it."""
+    panel = panel_in_view(page.points, page.faces, {**view, 'zoom': 1}, is_smooth=False)
+    panel.tubes(towards_us(page.points, page.faces, edges, view), INK, 0.0035 / view['zoom'])
+    panel.tubes(towards_us(page.points, page.faces, fresh, view), SECOND, 0.008 / view['zoom'])
+    panel.tubes(page.curves.values(), RESULT, 0.015 / view['zoom'])
+    panel.balls(ends_of(page), FIXED, 0.04 / view['zoom'])
+    panel.look(**view)
+    return panel
+
+
+@figure(960)
 def delaunay(tools):
-    """The triangulation about a geodesic as flips have left it, and flipped to constrained Delaunay."""
+    """The triangulation around a geodesic as flips have left it, and flipped to constrained Delaunay."""
+    pages = [detour(tools, *arguments) for arguments in ((), ('--delaunay',))]
+    edges = [{tuple(line) for line in intrinsic_edges(page, page.runs[0].state(-1))} for page in pages]
+    known = {frozenset((line[0], line[-1], len(line))) for line in edges[0]}
+    fresh = {line for line in edges[1] if frozenset((line[0], line[-1], len(line))) not in known}
+    return [edges_panel(pages[0], edges[0], CLOSE), edges_panel(pages[1], edges[1] - fresh, CLOSE, fresh)]
+
+
+@figure(1900, columns=2)
+def refinement(tools):
+    """A coarse mesh with a geodesic as edges; the refined triangulation; its common subdivision with the mesh."""
+    result = tools.folder / 'result.off'
     panels = []
-    for arguments in ((), ('--delaunay',)):
+    for view, *arguments in ((CLOSE, '--insert', result), (CLOSE, '--refine', 25),
+                             (CLOSE, '--refine', 25, '--subdivision', result),
+                             ({**CLOSE, 'zoom': 9}, '--refine', 25, '--subdivision', result)):
         page = detour(tools, *arguments)
-        state = page.runs[0].state(-1)
-        panel = surface_panel(page.points, page.faces, is_smooth=False)
-        panel.tubes(intrinsic_edges(page, state), INK, 0.003)
-        panel.tubes(state.lines, RESULT, 0.012)
-        panel.balls(ends_of(page), FIXED, 0.03)
-        panel.look(**NEAR)
-        panels.append(panel)
+        if result in arguments:
+            points, faces = read_off(result)
+            sides = {frozenset((f[i], f[i - 1])) for f in faces for i in range(3)}
+            edges = [[points[v] for v in side] for side in sides]
+        else:
+            edges = intrinsic_edges(page, page.runs[0].state(-1))
+        if view is not CLOSE:
+            line = page.curves[0]
+            view = {**view, 'target': line[round(0.45 * len(line))]}
+        panels.append(edges_panel(page, edges, view))
     return panels
 
 
@@ -542,52 +701,91 @@ def boundaries(points, faces):
     return [[points[v] for v in edge] for edge, owning in owners.items() if len(owning) == 1]
 
 
-@figure(1000)
+@figure(860)
 def flattening(tools):
-    """A torus cut open along two geodesic loops and flattened, with lines of equal texture coordinates."""
+    """A torus cut open along two geodesic loops and flattened, with lines of equal texture coordinates and the seam."""
     tools.run('flattening_example', tools.torus(96, 48), 0, 16, 32, 0, 1536, 3072, 0)
     mesh = read_obj(tools.folder / 'flattening.obj')
     corners = [mesh['v'][v] for face in mesh['f'] for v in face]
     flat = [(x, y, 0.0) for x, y in mesh['vt']]
     faces = [(3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(mesh['f']))]
+    owners = {}
+    for f in faces:
+        for a, b in zip(f, f[1:] + f[:1]):
+            key = frozenset(tuple(round(x, 9) for x in flat[v]) for v in (a, b))
+            owners.setdefault(key, []).append((a, b))
+    seam = [side for sides in owners.values() if len(sides) == 1 for side in sides]
     panels = []
     for points, view in ((corners, LYING), (flat, {'direction': (0, 0, 1), 'up': (1, 0, 0), 'has_ground': False})):
-        panel = surface_panel(points, faces, is_smooth=False)
-        for axis, color in ((0, RESULT), (1, SECOND)):
+        panel = panel_in_view(points, faces, view, is_smooth=False)
+        for axis, color in ((0, INK), (1, SECOND)):
             values = [p[axis] for p in flat]
-            step = 0.1
+            step = 0.2
             first, last = round(min(values) / step), round(max(values) / step)
-            panel.contours(points, faces, values, [step * k for k in range(first, last + 1)], color, 0.002)
-        panel.look(**view)
+            panel.contours(points, faces, values, [step * k for k in range(first, last + 1)], color, 0.0035)
+        panel.tubes(joined([[points[a], points[b]] for a, b in seam], 0), RESULT, 0.015)
         panels.append(panel)
     return panels
 
 
-def is_torn(points, plane, face):
-    """Is a side of a face much longer in a plane than in space, as where shortest paths arrive from two sides?"""
-    return any(math.dist(plane[v], plane[w]) > 6 * math.dist(points[v], points[w])
-               for v, w in zip(face, face[1:] + face[:1]))
+def cut_locus(points, faces, plane, ratio=5):
+    """Pieces of the curves across which a map to the plane jumps, between the middles of edges that it stretches."""
+    def is_torn(v, w):
+        return math.dist(plane[v], plane[w]) > ratio * math.dist(points[v], points[w])
+
+    pieces = []
+    for face in faces:
+        torn = [[(a + b) / 2 for a, b in zip(points[v], points[w])]
+                for v, w in zip(face, face[1:] + face[:1]) if is_torn(v, w)]
+        middle = [sum(x) / len(torn) for x in zip(*torn)]
+        pieces += [torn] if len(torn) == 2 else [[p, middle] for p in torn] if len(torn) == 3 else []
+    return pieces
 
 
-@figure(1160)
+def joined(pieces, rounds=20):
+    """Segments that share ends as polylines, smoothed between the places where they branch or end."""
+    key = {}
+    links = [[key.setdefault(tuple(round(x, 9) for x in p), len(key)) for p in piece] for piece in pieces]
+    places = [list(k) for k in key]
+    around = [[] for _ in places]
+    for a, b in links:
+        around[a].append(b)
+        around[b].append(a)
+    for _ in range(rounds):
+        places = [p if len(near) != 2 else [(2 * x + places[near[0]][i] + places[near[1]][i]) / 4
+                                            for i, x in enumerate(p)] for p, near in zip(places, around)]
+    lines, used = [], set()
+    for start in sorted(range(len(places)), key=lambda v: len(around[v]) == 2):
+        for after in around[start]:
+            line = [start]
+            while frozenset((line[-1], after)) not in used:
+                used.add(frozenset((line[-1], after)))
+                line.append(after)
+                if len(around[after]) == 2:
+                    after = next(v for v in around[after] if v != line[-2])
+            if len(line) > 1:
+                lines.append([tuple(places[v]) for v in line])
+    return lines
+
+
+@figure(1000)
 def logarithmic_map(tools):
-    """The plane about one vertex, a grid and circles, laid over a scan by the logarithmic map."""
-    mesh = tools.mesh('bunny00.off')
-    start = tools.curves('path', mesh, '--random', 1)
-    source = Graph(start.points, start.faces).nearest((0.1, 0.05, 0.45))
+    """The plane about one vertex, a grid and circles, laid over a torus by the logarithmic map; and its cut locus."""
+    around, along = 240, 120
+    mesh = tools.torus(around, along)
+    source = 3 * around // 4 * along + along // 6
     tools.run('geodesic_tree_example', mesh, source)
     data = read_obj(tools.folder / 'logarithmic_map.obj')
-    points, plane = data['v'], data['vt']
+    points, plane, faces = data['v'], data['vt'], data['f']
+    pieces = cut_locus(points, faces, plane)
+    whole = [f for f in faces if not cut_locus(points, [f], plane)]
     panels = []
     for numbers in (([x for x, _ in plane], [y for _, y in plane]), ([math.hypot(x, y) for x, y in plane],)):
-        panel = surface_panel(points, data['f'])
-        near = [f for f in data['f'] if all(math.hypot(*plane[v]) < 0.62 for v in f)]
-        if len(numbers) > 1:  # circles do not tear
-            near = [f for f in near if not is_torn(points, plane, f)]
+        panel = panel_in_view(points, faces, LYING)
         for values, name in zip(numbers, (RESULT, SECOND)):
-            panel.contours(points, near, values, [0.05 * k + 0.001 for k in range(-13, 13)], name, 0.0035)
-        panel.balls([points[source]], FIXED, 0.022)
-        panel.look((0.35, 0.2, 1))
+            panel.contours(points, whole, values, [0.15 * k + 0.001 for k in range(-40, 41)], name, 0.006)
+        panel.tubes(joined(pieces), INK, 0.012)
+        panel.balls([points[source]], FIXED, 0.04)
         panels.append(panel)
     return panels
 
@@ -620,21 +818,20 @@ def face_along(points, faces, place, right, reach=0.04):
     return max((i for i, f in enumerate(faces) if math.dist(points[f[0]], place) < reach), key=lambda i: turn(faces[i]))
 
 
-@figure(1160)
+@figure(1060)
 def decal(tools):
-    """A compass rose on a scan, and a board that is so large that it tears."""
-    mesh = tools.mesh('bunny00.off')
-    points, faces = read_off(mesh)
-    graph = Graph(points, faces)
+    """A compass rose on a bear, and a board on a torus that is so large that it is discontinuous."""
     panels = []
-    for place, size, picture, view in (((0.27, -0.03, 0.4), 0.66, compass(), (0.35, 0.2, 1)),
-                                       ((0.3, 0, 0.4), 2.4, checker(24), (-0.35, 0.2, 1))):
-        middle = points[graph.nearest(place)]
-        tools.run('decal_example', mesh, face_along(points, faces, middle, (0.95, 0, -0.3)), size)
+    for mesh, place, right, size, picture, view in (
+            (tools.mesh('bear.off'), (0.02, -0.12, 0.45), (1, 0, 0), 0.62, compass(), {'direction': (0.15, 0.15, 1)}),
+            (tools.torus(240, 120), (0.25, -1, 0.5), (1, 0, 0), 2.8, checker(14), LYING)):
+        points, faces = read_off(mesh)
+        middle = points[Graph(points, faces).nearest(place)]
+        tools.run('decal_example', mesh, face_along(points, faces, middle, right, 0.1), size)
         data = read_obj(tools.folder / 'decal.obj')
         panel = Panel(size_of(points))
         panel.textured_surface(data['v'], data['f'], data['ft'], data['vt'], picture)
-        panel.look(view)
+        panel.look(**view)
         panels.append(panel)
     return panels
 
@@ -648,60 +845,110 @@ def tree(tools):
     lines = [{tuple(line) for line in page.curves.values()} for page in trees]
     panels = []
     for page, own, other in zip(trees, lines, lines[::-1]):
-        panel = surface_panel(page.points, page.faces, is_smooth=False)
-        panel.tubes([list(line) for line in own & other], RESULT, 0.005)
+        replaced = [list(line) for line in own - other]
+        panel = panel_in_view(page.points, page.faces, {'direction': (0.75, 1, 0.2)}, is_smooth=False)
+        panel.tubes([list(line) for line in own & other], MESH, 0.004)
         if page is trees[0]:
-            panel.tubes([list(line) for line in own - other], START, 0.009)
+            panel.dashes(replaced, START, 0.013)
         else:
-            panel.tubes([list(line) for line in own - other], SECOND, 0.009)
-        panel.balls([page.points[source]], FIXED, 0.028)
-        panel.look((0.75, 1, 0.2))
+            panel.tubes(replaced, RESULT, 0.013)
+        panel.balls([line[-1] for line in replaced], SECOND, 0.025)
+        panel.balls([page.points[source]], FIXED, 0.045)
         panels.append(panel)
     return panels
 
 
-@figure(1000)
+def bump(tools, count=72, height=0.9, shift=0.06):
+    """A square with a bump, a little off the middle: vertex i * count + j lies at i in the first direction."""
+    def point(i, j):
+        x, y = 2 * i / (count - 1) - 1, 2 * j / (count - 1) - 1
+        return x, y, height * math.exp(-(x * x + (y - shift) ** 2) / 0.08)
+
+    corners = [(i * count + j, (i + 1) * count + j, (i + 1) * count + j + 1, i * count + j + 1)
+               for i in range(count - 1) for j in range(count - 1)]
+    path = tools.folder / 'bump.off'
+    with path.open('w') as out:
+        out.write(f'OFF\n{count ** 2} {2 * len(corners)} 0\n')
+        out.writelines('{} {} {}\n'.format(*point(i, j)) for i in range(count) for j in range(count))
+        out.writelines(f'3 {a} {b} {c}\n3 {a} {c} {d}\n' for a, b, c, d in corners)
+    return path
+
+
+@figure(800, 1300)
 def shortest_path(tools):
-    """A geodesic that is only locally shortest (dashed), and the shortest path between the same vertices."""
-    mesh = tools.torus(96, 48)
-    ends = 12, 2440
-    tools.run('shortest_path_example', mesh, *ends)
-    shortest, = read_vtp(tools.folder / 'shortest_path.vtp')
-    page = tools.curves('path', mesh, '--from', ends[0], '--to', ends[1], '--search', 'dijkstra')
-    panels = []
-    for view in (LYING, {'direction': (0, 0.9, 1), 'up': (0, 0, 1)}):
-        panel = surface_panel(page.points, page.faces)
-        panel.dashes(page.curves.values(), START, 0.012)
-        panel.tubes([shortest], RESULT, 0.012)
-        panel.balls([page.points[v] for v in ends], FIXED, 0.03)
-        panel.look(**view)
-        panels.append(panel)
-    return panels
+    """An edge path past a bump, the geodesic that it becomes, and the shortest path on the other side."""
+    count = 72
+    mesh = bump(tools, count)
+    graph = Graph(*read_off(mesh))
+    first, through, last = graph.nearest((-0.86, 0, 0)), graph.nearest((0.05, 0.5, 0)), graph.nearest((0.86, 0, 0))
+    tools.run('shortest_path_example', mesh, first, last)
+    shortest = read_vtp(tools.folder / 'shortest_path.vtp')[0]
+    start = graph.path(first, through) + graph.path(through, last)[1:]
+    page = tools.curves('path', mesh, '--edges', tools.lines('start', [start]))
+    panel = panel_in_view(page.points, page.faces, {'direction': (0, -0.75, 1), 'up': (0, 0, 1)}, 13 / 8)
+    panel.dashes([[page.points[v] for v in start]], START, 0.010)
+    for line, name in ((*page.curves.values(), SECOND), (shortest, RESULT)):
+        panel.tubes([line], name, 0.013)
+        panel.label(line[len(line) // 4], f'{length_of(line):.3f}', name, shift=(1.2, 1.3))
+    panel.balls([page.points[v] for v in (first, last)], FIXED, 0.035)
+    return [panel]
 
 
-def transport_panel(tools, mesh, points, faces, face, radius):
-    tools.run('parallel_transport_example', mesh, face, radius)
-    arrows = read_vtp(tools.folder / 'arrows.vtp')
-    panel = surface_panel(points, faces)
-    panel.tubes(arrows, RESULT, 0.005)
-    panel.balls([arrow[0] for arrow in arrows], SECOND, 0.011)
-    panel.balls([[sum(points[v][i] for v in faces[face]) / 3 for i in range(3)]], FIXED, 0.026)
-    return panel
+def transported(line, vector, center):
+    """A vector at the first point of a great circle of a sphere, and transported along it: one per point."""
+    pole = unit(np.cross(np.subtract(line[0], center), np.subtract(line[-1], center)))
+    frames = [(unit(np.cross(pole, np.subtract(p, center))), pole) for p in line]  # along the circle and across
+    x, y = (vector @ axis for axis in frames[0])
+    return [x * tangent + y * across for tangent, across in frames]
 
 
 @figure(1000)
 def parallel_transport(tools):
-    """A direction carried from one place to all vertices about it, on two surfaces."""
-    panels = []
-    for mesh, place, right, radius, view in (
-            (tools.torus(48, 24), (0, -1, 0.5), (1, 0, 0), 1.6, {'direction': (0, -0.75, 1), 'up': (0, 0, 1)}),
-            (tools.mesh('eight.off'), (0.14, 0.1, 0.1), (0, 0, 1), 0.45, {'direction': (0.75, 1, 0.3)})):
-        points, faces = read_off(mesh)
-        middle = points[Graph(points, faces).nearest(place)]
-        panel = transport_panel(tools, mesh, points, faces, face_along(points, faces, middle, right, 0.1), radius)
-        panel.look(**view)
-        panels.append(panel)
-    return panels
+    """A direction carried along shortest paths on a torus, and around a geodesic triangle on a sphere."""
+    around, along = 48, 24
+    mesh = tools.torus(around, along)
+    points, faces = read_off(mesh)
+    view = {'direction': (0, -0.75, 1), 'up': (0, 0, 1)}
+    middle = points[Graph(points, faces).nearest((0, -1, 0.5))]
+    face = face_along(points, faces, middle, (1, 0, 0), 0.1)
+    tools.run('parallel_transport_example', mesh, face, 1.6)
+    arrows = read_vtp(tools.folder / 'arrows.vtp')
+    field = panel_in_view(points, faces, view)
+    thin = {points[v] for v in range(around * along) if v // along % 2 == 0 and v % along % 2 == 0}
+    arrows = [line for line in arrows if line[0] in thin]
+    vectors = [0.075 * field.unit * unit(np.subtract(line[-1], line[0])) for line in arrows]
+    field.arrows([line[0] for line in arrows], vectors, RESULT, 0.011)
+    curve = tools.curves('path', mesh, '--from', faces[face][0], '--to', 44 * along + 6)
+    field.tubes(curve.curves.values(), INK, 0.012)
+    field.balls([[sum(points[v][i] for v in faces[face]) / 3 for i in range(3)]], FIXED, 0.04)
+
+    mesh = tools.mesh('sphere966.off')
+    points, faces = read_off(mesh)
+    graph = Graph(points, faces)
+    center = np.mean(points, axis=0)
+    radius = math.dist(points[0], center)
+    directions = (-0.8, -0.35, 0.6), (0.8, -0.35, 0.6), (0, 0.95, 0.3)
+    corners = [graph.nearest(center + radius * unit(d)) for d in directions]
+    sides = tools.curves('path', mesh, '--pairs', tools.lines('pairs', zip(corners, corners[1:] + corners[:1])))
+    loop = panel_in_view(points, faces, {'direction': (0, 0.15, 1)})
+    loop.tubes(sides.curves.values(), INK, 0.012)
+    vector = first = None
+    for line in sides.curves.values():
+        if first is None:
+            out = np.subtract(line[0], center)
+            sideways = unit(np.cross(out, np.subtract(line[-1], center)))
+            first = vector = unit(unit(np.cross(sideways, out)) + sideways)
+        carried = transported(line, vector, center)
+        ends = np.cumsum([0, *map(math.dist, line, line[1:])])
+        chosen = sorted({int(np.argmin(np.abs(ends - ends[-1] * k / 6))) for k in range(1, 7)})
+        loop.arrows([line[k] for k in chosen], [0.16 * loop.unit * carried[k] for k in chosen], RESULT, 0.012)
+        vector = carried[-1]
+    start = points[corners[0]]
+    loop.arrows([start], [0.16 * loop.unit * first], START, 0.012)
+    loop.balls([start], FIXED, 0.04)
+    angle = math.degrees(math.acos(first @ vector))
+    loop.label(start, f'{angle:.0f}\N{DEGREE SIGN}', INK, shift=(-2, 1))
+    return [field, loop]
 
 
 @figure(1000)
@@ -727,9 +974,6 @@ def means(tools):
     return panels
 
 
-GREENS = SECOND, '#33a67f', '#66bf9d', '#95d5b9', '#bfe7d4'
-
-
 def ways_panel(tools, mesh, ends, number, obstacles=()):
     """The shortest paths of several classes, the shortest blue and the others the lighter the longer, and obstacles."""
     tools.run('other_ways_example', mesh, *ends, number, *sorted(obstacles))
@@ -744,19 +988,39 @@ def ways_panel(tools, mesh, ends, number, obstacles=()):
     return panel
 
 
+WAYS = RESULT, SECOND, THIRD, FIFTH, FOURTH
+
+
+def ways_panel(tools, mesh, ends, number, view, shares, obstacles=()):
+    """The shortest paths of several classes, with their lengths at some shares of these, and obstacles."""
+    tools.run('other_ways_example', mesh, *ends, number, *sorted(obstacles))
+    points, faces = read_off(mesh)
+    panel = panel_in_view(points, [f for i, f in enumerate(faces) if i not in obstacles], view)
+    if obstacles:
+        panel.surface(points, [faces[i] for i in obstacles], FIXED)
+    paths = read_vtp(tools.folder / 'other_ways.vtp')
+    for k, (path, name, (share, *shift)) in enumerate(zip(paths, WAYS, shares)):
+        panel.tubes([path], name, 0.016 - 0.0012 * k)  # where two run together, the shorter one shows
+        panel.label(path[round(share * (len(path) - 1))], f'{length_of(path):.3f}', name, shift=shift)
+    panel.balls([points[v] for v in ends], FIXED, 0.04)
+    return panel
+
+
 @figure(1000)
 def other_ways(tools):
-    """The shortest paths of several classes on a torus, and about two obstacles on the head of a lion."""
+    """The shortest paths of several classes on a torus, and past two obstacles on the head of a lion."""
     around, along = 96, 48
-    torus = ways_panel(tools, tools.torus(around, along), (62 * along + 8, 82 * along + 8), 5)
-    torus.look((0, -0.75, 1), up=(0, 0, 1))
+    torus = ways_panel(tools, tools.torus(around, along), (62 * along + 8, 82 * along + 8), 5,
+                       {'direction': (0, -0.75, 1), 'up': (0, 0, 1)},
+                       ((0.5, 0, -1), (0.1, -2, 0), (0.07, -2.2, 0.5), (0.5, 0, -1), (0.96, 2.2, 0.5)))
     mesh = tools.mesh('lion-head.off')
     points, faces = read_off(mesh)
     eyes = (-0.2, 0.13), (0.07, 0.13)
     obstacles = {i for i, f in enumerate(faces) for eye in eyes
                  if max(math.dist(points[v][:2], eye) for v in f) < 0.052 and points[f[0]][2] > 0}
-    head = ways_panel(tools, mesh, [in_front(points, *p) for p in ((-0.3, 0.07), (0.18, 0.07))], 4, obstacles)
-    head.look((-0.3, 0.2, 1), target=(-0.07, 0.1, 0.3), zoom=1.5)
+    head = ways_panel(tools, mesh, [in_front(points, *p) for p in ((-0.3, 0.07), (0.18, 0.07))], 4,
+                      {'direction': (-0.3, 0.2, 1), 'target': (-0.07, 0.1, 0.3), 'zoom': 1.5},
+                      ((0.5, 0, 1.1), (0.2, -1, -1), (0.8, 2, 0.6), (0.6, 0, -1)), obstacles)
     return [torus, head]
 
 
@@ -784,15 +1048,14 @@ def spline(tools):
     mesh = tools.mesh('bunny00.off')
     points, faces = read_off(mesh)
     controls = [in_front(points, *p) for p in ((-0.12, -0.3), (-0.02, 0.05), (0.3, -0.02), (0.36, -0.32))]
-    panel = surface_panel(points, faces)
+    panel = panel_in_view(points, faces, FRONT)
     polygon = tools.curves('path', mesh, '--pairs', tools.lines('pairs', zip(controls, controls[1:])))
-    panel.dashes(polygon.curves.values(), START, 0.009)
+    panel.dashes(polygon.curves.values(), START, 0.013)
     for kind, name in (((), RESULT), (('s',), SECOND)):
         curve = tools.curves('spline', mesh, '--bezier', tools.lines('controls', [(*kind, *controls)]))
-        panel.tubes(curve.curves.values(), name, 0.012)
-    panel.balls([points[v] for v in controls], FIXED, 0.03)
-    panel.look((0.35, 0.2, 1))
-    return [panel, spline_on_head(tools)]
+        panel.tubes(curve.curves.values(), name, 0.017)
+    draw_controls(panel, [points[v] for v in controls])
+    return [panel, spline_on_head(tools, is_numbered=True)]
 
 
 @figure(208, 208)
@@ -800,42 +1063,42 @@ def flip_geodesics_small(tools):
     """The small picture of the package overview."""
     page = detour(tools)
     panel = wire_panel(page.points, page.faces, 0.006)
-    panel.dashes([page.runs[0].state(0).lines[0]], START, 0.026)
-    panel.tubes(page.curves.values(), RESULT, 0.034)
-    panel.balls(ends_of(page), FIXED, 0.055)
-    panel.look(**{**NEAR, 'zoom': 2.2})
+    panel.tubes(page.curves.values(), RESULT, 0.05)
+    panel.balls(ends_of(page), FIXED, 0.075)
+    panel.look(**{**NEAR, 'zoom': 2.6})
     return [panel]
 
 
-@figure(1500)
+@figure(1280)
 def page(tools):
     """The page of --page in a browser, in the middle of a shortening."""
     path = tools.folder / 'curves.html'
     mesh = tools.mesh('eight.off')
-    graph = Graph(*read_off(mesh))
-    others = ((0.2, 0, 0.3), (0, 0.1, 0.48)), ((0.2, 0, -0.3), (0, 0.1, -0.48))
-    paths = [detour_path(graph), *(graph.path(*map(graph.nearest, ends)) for ends in others)]
-    tools.run('flip_geodesics', 'path', mesh, '--edges', tools.lines('paths', paths), '--quiet', '--page', path)
-    with Browser(tools.folder, 1200, 750) as browser:
+    edges = tools.lines('paths', [detour_path(Graph(*read_off(mesh)))])
+    tools.run('flip_geodesics', 'path', mesh, '--edges', edges, '--quiet', '--page', path)
+    with Browser(tools.folder, 1200, 640) as browser:
         browser.open(f'{path.as_uri()}#curve=0&step=6&edges=1')
         browser.wait('document.documentElement.dataset.state === "ready"')
         return browser.picture()
 
 
-@figure(1560)
+@figure(1800)
 def live_page(tools):
-    """The page of the command view in a browser: a path through points that were clicked, and its certificate."""
+    """The page of the command view in a browser: a shortest path, and a path through clicked points."""
     path = tools.folder / 'live.html'
-    tools.run('flip_geodesics', 'view', tools.torus(120, 48), '--quiet', '--output', path)
-    state = 'document.documentElement.dataset'
-    with Browser(tools.folder, 1200, 780) as browser:
+    tools.run('flip_geodesics', 'view', tools.torus(96, 48), '--quiet', '--output', path)
+    is_idle = 'document.documentElement.dataset.isIdle === "true"'
+    with Browser(tools.folder, 1200, 900) as browser:
         browser.open(path.as_uri())
-        browser.wait(f'{state}.state && {state}.revision')
+        browser.wait(is_idle)
         browser.value('document.getElementById("clear").click()')
-        for place in ((200, 560), (260, 300), (520, 160), (700, 470)):
-            before = browser.value(f'{state}.revision')
-            browser.click(*place)
-            browser.wait(f'{state}.revision !== "{before}"')
+        for tool, places in (('shortest', ((640, 640), (680, 340))), ('path', ((220, 560), (260, 300), (520, 160)))):
+            if tool == 'path':
+                browser.value('document.getElementById("new-curve").click()')
+            browser.value(f"document.querySelector('[data-tool={tool}]').click()")
+            for place in places:
+                browser.click(*place)
+                browser.wait(is_idle)
         return browser.picture()
 
 
@@ -861,7 +1124,7 @@ def main():
     if unknown := set(options.names) - set(figures):
         sys.exit(f'figures.py: no figure {", ".join(unknown)}; there are {", ".join(figures)}')
     for name in options.names or figures:
-        draw, width, height = figures[name]
+        draw, width, height, columns = figures[name]
         scale = options.width / WIDTH
         with tempfile.TemporaryDirectory() as folder:
             result = draw(Tools(options.build.resolve(), folder))
@@ -871,7 +1134,7 @@ def main():
             if is_moving:
                 result.write(path, *size)
             else:
-                write_picture(path, result if isinstance(result, Image.Image) else to_image(result, *size))
+                write_picture(path, result if isinstance(result, Image.Image) else to_image(result, *size, columns))
             print(f'{path.name}: {path.stat().st_size // 1000} kB', flush=True)
 
 
