@@ -456,10 +456,15 @@ BOOST_AUTO_TEST_CASE(weights_of_faces)
   };
   const auto square =
       weighted<Plane_mesh::Face_index>(mesh, [&](Plane_mesh::Face_index f) { return is_heavy(f) ? 2. : 1.; });
-  BOOST_TEST(square.vertex_weight(FG::Vertex_index(grid_vertex(n, 8, 4))) == 2);
-  BOOST_TEST(square.vertex_weight(FG::Vertex_index(grid_vertex(n, 8, 12))) == 1);
-  const double corner = square.vertex_weight(FG::Vertex_index(grid_vertex(n, 5, 8)));
-  BOOST_TEST((1 < corner && corner < 1.5));
+  // Of the edge to the right, whose ends have the means of the weights of their faces.
+  const auto factor = [&](int i, int j) {
+    const auto vertex = [&](int k) { return Plane_mesh::Vertex_index(static_cast<unsigned>(grid_vertex(n, k, j))); };
+    const auto h = mesh.halfedge(vertex(i), vertex(i + 1));
+    return square.factor(FG::Input_halfedge_index(static_cast<FG::Index>(h)));
+  };
+  BOOST_TEST(factor(8, 4) == 2);
+  BOOST_TEST(factor(8, 12) == 1);
+  BOOST_TEST((1 < factor(5, 8) && factor(5, 8) < 1.5));
   const auto around = length_and_height(mesh, square, grid_vertex(n, 1, 6), grid_vertex(n, 15, 6));
   BOOST_TEST(around.second >= 2); // the square ends there
   BOOST_TEST(around.first < 14 * 0.125 * 1.2);
@@ -513,6 +518,38 @@ BOOST_AUTO_TEST_CASE(weights_flatten_faces)
   BOOST_TEST(is_close(path.length(), 2 * std::sqrt(1.5 * 1.5 * 2 - 4)));
   BOOST_TEST(path.report.lower_bound <= path.length() * (1 + 1e-15));
   BOOST_TEST(FG::to_string(path.report.verdict) == "WITHIN_ROUNDING");
+}
+
+// Factors of edges are as good as the weights of vertices that they follow from. Factors that leave no triangle are
+// mended by a length that is added to all edges.
+BOOST_AUTO_TEST_CASE(weights_of_edges)
+{
+  const int n = 8;
+  const Plane_mesh mesh = half_plane(n);
+  const auto of_vertices =
+      weighted<Plane_mesh::Vertex_index>(mesh, [&](Plane_mesh::Vertex_index v) { return 1 / mesh.point(v).y(); });
+  const auto of_edges = weighted<Plane_mesh::Edge_index>(mesh, [&](Plane_mesh::Edge_index e) {
+    return 0.5 * (1 / mesh.point(mesh.vertex(e, 0)).y() + 1 / mesh.point(mesh.vertex(e, 1)).y());
+  });
+  const int source = grid_vertex(n, 1, 1), target = grid_vertex(n, 7, 2);
+  BOOST_TEST(
+      (length_and_height(mesh, of_edges, source, target) == length_and_height(mesh, of_vertices, source, target)));
+
+  const auto is_spoilt = [&](Plane_mesh::Edge_index e) { return static_cast<std::size_t>(e) % 7 == 0; };
+  const auto spoilt =
+      weighted<Plane_mesh::Edge_index>(mesh, [&](Plane_mesh::Edge_index e) { return is_spoilt(e) ? 5. : 1.; });
+  std::vector<Plane_point> points;
+  const auto path = [&](const auto& metric) {
+    return FG::geodesic_path(mesh, Plane_mesh::Vertex_index(static_cast<unsigned>(source)),
+                             Plane_mesh::Vertex_index(static_cast<unsigned>(target)), std::back_inserter(points),
+                             CGAL::parameters::metric(metric));
+  };
+  BOOST_CHECK_THROW(path(spoilt), FG::Degenerate_face_error);
+  const FG::Mollified_metric<FG::Weighted_metric<Plane_metric>> mended(mesh, spoilt);
+  BOOST_TEST(mended.added_length() > 0);
+  BOOST_TEST(FG::to_string(path(mended).verdict()) == "PROVEN");
+  BOOST_CHECK_THROW(weighted<Plane_mesh::Edge_index>(mesh, [](Plane_mesh::Edge_index) { return 0.; }),
+                    FG::Invalid_parameter_error);
 }
 
 // Of the two ways round an octahedron, one leads over a ridge of slightly less weight. The same lengths without places

@@ -520,7 +520,7 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
  *
  * Curves are geodesics of the modified surface, but their points are still those of the mesh, if it has any.
  *
- * \tparam Metric `Embedded_metric` or `Edge_length_metric`
+ * \tparam Metric `Embedded_metric` or `Edge_length_metric`, or a `Weighted_metric` over one of these
  *
  * \cgalModels{IntrinsicMetric}
  */
@@ -663,9 +663,10 @@ private:
  * Represents a given metric with each edge scaled by a weight, so that paths avoid regions in which the weight is
  * large.
  *
- * Weights are given at vertices, and are linear along edges. The length of an edge is that of the other metric, times
- * the mean of the weights of its two ends. Faces with these lengths are flat again. If the weight changes little over a
- * face, this is the conformal change of the metric by the weight, up to terms of second order.
+ * Weights given at vertices are linear along edges. The length of an edge is that of the other metric, times the mean of
+ * the weights of its two ends. Faces with these lengths are flat again. If the weight changes little over a face, this
+ * is the conformal change of the metric by the weight, up to terms of second order. Weights given for edges are the
+ * factors of their lengths.
  *
  * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
  * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each
@@ -699,14 +700,14 @@ public:
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
-   * \param weights a model of `ReadablePropertyMap` with the vertices of the mesh, or else its faces, as keys, and
+   * \param weights a model of `ReadablePropertyMap` with the vertices of the mesh, its faces or its edges as keys, and
    *        positive numbers as values
    * \throws Invalid_parameter_error if a weight is not positive and finite
    */
   template <class TriangleMesh, class WeightMap>
   Weighted_metric(const TriangleMesh& mesh, const Metric& metric, const WeightMap& weights)
     : Base(metric)
-    , m_weights(std::make_shared<std::vector<double>>(vertex_weights(mesh, weights)))
+    , m_factors(std::make_shared<std::vector<double>>(edge_weights(mesh, weights)))
   {
     if constexpr(!std::is_empty<Place>::value) {
       const double least = internal::least_stretch_of_faces(static_cast<const Base&>(*this), *this, Mesh(mesh));
@@ -714,15 +715,15 @@ public:
     }
   }
 
-  /// Returns the weight at vertex `v`.
-  double vertex_weight(Vertex_index v) const { return (*m_weights)[static_cast<std::size_t>(v.idx())]; }
+  /// Returns the factor of the length of halfedge `h`.
+  double factor(Input_halfedge_index h) const { return (*m_factors)[static_cast<std::size_t>(h.idx() / 2)]; }
 
   /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
   /// finite or out of range \throws Degenerate_face_error if the length is zero
   double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
   /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
-  double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(mesh, h); }
+  double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(h); }
 
   /// The data of a vertex that a lower bound requires, which are those of the other metric. They do not represent a
   /// point from which faces can be laid out.
@@ -761,12 +762,6 @@ public:
   }
 
 private:
-  // Equal from both ends, since sums do not depend on the order.
-  double factor(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    return 0.5 * (vertex_weight(mesh.tail(h)) + vertex_weight(mesh.tail(internal::twin_index(h))));
-  }
-
   static double checked(double weight, Index element, const char* name)
   {
     if(!(weight > 0 && weight <= (std::numeric_limits<double>::max)()))
@@ -777,10 +772,32 @@ private:
   }
 
   template <class TriangleMesh, class WeightMap>
-  static std::vector<double> vertex_weights(const TriangleMesh& mesh, const WeightMap& weights)
+  static std::vector<double> edge_weights(const TriangleMesh& mesh, const WeightMap& weights)
   {
     using Key = typename boost::property_traits<WeightMap>::key_type;
+    constexpr bool are_of_edges = std::is_same<Key, typename boost::graph_traits<TriangleMesh>::edge_descriptor>::value;
     const Mesh numbered(mesh);
+    std::vector<double> result, of_vertices;
+    if constexpr(!are_of_edges)
+      of_vertices = vertex_weights(mesh, numbered, weights);
+    const auto at = [&](Input_halfedge_index h) {
+      return of_vertices[static_cast<std::size_t>(numbered.tail(h).idx())];
+    };
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(numbered.number_of_halfedges())) {
+      if(!internal::is_first_side(h))
+        continue;
+      if constexpr(are_of_edges)
+        result.push_back(checked(CGAL::to_double(get(weights, edge(numbered.halfedge(h), mesh))), h.idx() / 2, "edge"));
+      else
+        result.push_back(0.5 * (at(h) + at(internal::twin_index(h))));
+    }
+    return result;
+  }
+
+  template <class TriangleMesh, class WeightMap>
+  static std::vector<double> vertex_weights(const TriangleMesh& mesh, const Mesh& numbered, const WeightMap& weights)
+  {
+    using Key = typename boost::property_traits<WeightMap>::key_type;
     std::vector<double> result(static_cast<std::size_t>(numbered.number_of_vertices()), 1);
     if constexpr(std::is_same<Key, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>::value) {
       for(Vertex_index v : internal::descriptors<Vertex_index>(numbered.number_of_vertices()))
@@ -788,7 +805,7 @@ private:
             checked(CGAL::to_double(get(weights, numbered.vertex(v))), v.idx(), "vertex");
     } else {
       static_assert(std::is_same<Key, typename boost::graph_traits<TriangleMesh>::face_descriptor>::value,
-                    "the weights are those of the mesh's vertices, or of its faces");
+                    "the weights are those of the mesh's vertices, of its faces or of its edges");
       add_face_weights(mesh, numbered, weights, result);
     }
     return result;
@@ -813,7 +830,7 @@ private:
         result[v] = sum[v] / number[v];
   }
 
-  std::shared_ptr<const std::vector<double>> m_weights; // by vertex
+  std::shared_ptr<const std::vector<double>> m_factors; // by edge
   double m_least_stretch = 0;
 };
 
