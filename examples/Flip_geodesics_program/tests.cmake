@@ -299,6 +299,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                         "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
   file(WRITE ${program_dir}/half_textured.obj
        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n")
+  file(WRITE ${program_dir}/cube.off
+       "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n"
+       "3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n")
+  file(WRITE ${program_dir}/tetrahedron.off
+       "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+  file(WRITE ${program_dir}/corners.txt "1 0 2 3\n! 0 2\n")
   flip_geodesics_add_program_test(loops 0 "2 curves: 2 LOCALLY_SHORTEST.*certificates: 2 PROVEN" loops torus.off --mesh
                                   loops.vtp --stats loops.csv)
   flip_geodesics_add_program_test(handles 0 "handle loop 0.*tunnel loop 0.*2 LOCALLY_SHORTEST" loops torus.off --handles)
@@ -324,6 +330,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)
+    # Finer faces are needed at the corners of a cube; for those of a tetrahedron the cut has to pass them.
+    flip_geodesics_add_program_test(flatten_cube 0 "1 cut. .*flattened in" flatten cube.off --output flat_cube.obj)
+    flip_geodesics_add_program_test(flatten_tetrahedron 2 "sharpest corners by --network" flatten tetrahedron.off
+                                    --output x.obj)
+    flip_geodesics_add_program_test(flatten_through_corners 0 "1 cut. 4 vertices, flattened in" flatten tetrahedron.off
+                                    --network corners.txt --output flat_tetrahedron.obj)
     flip_geodesics_add_program_test(flatten_pieces 2 "cannot be flattened: the cut surface is not connected" flatten
                                     quad_seam.obj --repair --seams --output x.obj)
     flip_geodesics_add_program_test(flatten_no_disk 2 "cannot be flattened: the cut surface is not a disk" flatten torus.off

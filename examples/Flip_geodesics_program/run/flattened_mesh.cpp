@@ -49,6 +49,27 @@ void cut_open(Network& network, const Network_request& cut, Progress_visitor& vi
   FG::shorten(network, CGAL::parameters::visitor(std::ref(visitor)));
 }
 
+// Scale factors that vary much, as on a cube, exist in small faces only, so that these are made smaller until they do.
+FG::Conformal_flattening<Triangulation> refined_and_flattened(const Mesh& mesh, Network& network,
+                                                              Progress_visitor& visitor, Progress& progress)
+{
+  FG::Refinement_options bounds;
+  for(const double part : {1. / 8, 1. / 16, 0.}) { // of the size of the mesh, for the next time
+    progress.enter("refining", "steps");
+    FG::refine(network, bounds, CGAL::parameters::visitor(std::ref(visitor)));
+    progress.enter("flattening");
+    try {
+      return FG::Conformal_flattening<Triangulation>(network);
+    } catch(const FG::Flattening_error& error) {
+      if(error.elements().empty()) // the cut is wrong, whatever the faces
+        throw;
+    }
+    bounds.longest_edge = part * size_of(mesh);
+  }
+  throw Bad_input("the mesh cannot be flattened: it would be stretched too much at vertices inside; cut through its "
+                  "sharpest corners by --network, with a line `! v ...` of them");
+}
+
 } // namespace
 
 Flattened_mesh flattened_mesh(const Mesh& mesh, const Network_request& cut, Progress& progress)
@@ -58,10 +79,7 @@ try {
   Progress_visitor visitor(progress);
   progress.enter("cutting", "steps");
   cut_open(network, cut, visitor);
-  progress.enter("refining", "steps");
-  FG::refine(network, FG::Refinement_options(), CGAL::parameters::visitor(std::ref(visitor)));
-  progress.enter("flattening");
-  const FG::Conformal_flattening<Triangulation> flattening(network);
+  const auto flattening = refined_and_flattened(mesh, network, visitor, progress);
   auto subdivision = FG::common_subdivision(triangulation, mesh);
   flattening.carry_to(subdivision, texture_of(subdivision.mesh()));
   std::ostringstream report;
