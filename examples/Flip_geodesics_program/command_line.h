@@ -19,6 +19,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -184,13 +185,12 @@ private:
                         const char* description)
   {
     const auto append = [name, range, &numbers](const std::vector<std::string>& texts) {
-      for(const std::string& text : texts)
-        for(std::size_t start = 0, comma = 0; comma < text.size(); start = comma + 1) {
-          comma = (std::min)(text.find(',', start), text.size());
-          numbers.push_back(number<Number>(name, text.substr(start, comma - start), range));
-          if(comma + 1 == text.size())
-            throw CLI::ValidationError(name, "'" + text + "' ends with a comma");
-        }
+      for(const std::string& text : texts) {
+        if(text.back() == ',')
+          throw CLI::ValidationError(name, "'" + text + "' ends with a comma");
+        for(const std::string_view piece : pieces_of(text))
+          numbers.push_back(number<Number>(name, std::string(piece), range));
+      }
     };
     return m_command->add_option_function<std::vector<std::string>>(name, append, description)
         ->type_name(type)
@@ -312,10 +312,28 @@ private:
     m_group = "How curves are computed";
     add_text("--kernel", "NAME", m_options.kernel, "certified, with exact decisions, or double [certified]")
         ->check(CLI::IsMember({"certified", "double"}).description(""));
-    add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
-        "lengthen all edges by this part of their mean length");
+    add_mollify();
     add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");
     add_most_memory();
+  }
+
+  void add_mollify()
+  {
+    add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
+        "lengthen all edges by this part of their mean length");
+  }
+
+  void add_weights()
+  {
+    add_text("--face-weights", "FILE", m_options.face_weights,
+             "factors of lengths: one per face, or `face weight` lines");
+    add_text("--edge-weights", "FILE", m_options.edge_weights, "factors of the lengths of edges, lines `v w weight`");
+    choose({"--face-weights", "--edge-weights"}, false);
+  }
+
+  void add_avoid()
+  {
+    add_text("--avoid", "FILE", m_options.obstacles, "barrier of edges per line, as vertices, or `f n n ...` faces");
   }
 
   void add_most_memory()
@@ -378,6 +396,7 @@ private:
     add_files_of_paths();
     choose({"--from", "--pairs", "--random", "--edges", "--points", "--draw"}, true);
     add_arithmetic();
+    add_weights();
     add_search();
     add_stop_length();
     add_threads();
@@ -390,6 +409,7 @@ private:
     m_group = "Curves";
     add_loop()->required();
     add_arithmetic();
+    add_weights();
     add_stop_length();
     add_threads();
     add_files_of_curves();
@@ -416,6 +436,7 @@ private:
     add_networks();
     choose({"--network", "--segmentation", "--seams"}, true);
     add_arithmetic();
+    add_weights();
     add_stop_length();
     add("--stop-curve-length", "RATIO", m_options.stop_curve_length, {0, 1},
         "the same for each curve, so that small loops stay [0]");
@@ -429,6 +450,7 @@ private:
     add_splines();
     m_command->get_option("--bezier")->required();
     add_arithmetic();
+    add_weights();
     add_search();
     add_threads();
     add_files_of_curves();
@@ -471,14 +493,16 @@ private:
     choose({"--from", "--pairs", "--random"}, true);
     m_group = "Homotopy classes and obstacles";
     add("--ways", "NUMBER", m_options.ways, {1, 1000}, "shortest paths of so many homotopy classes");
-    add_text("--avoid", "FILE", m_options.obstacles, "barrier of edges per line, as vertices, or `f n n ...` faces");
+    add_avoid();
     add_arithmetic();
+    add_weights();
     add_search();
     add_threads();
     add("--landmarks", "NUMBER", m_options.landmarks, {1, 1000},
         "make so many first, for hundreds of paths; 8 are good");
     for(const char* const name : {"--ways", "--avoid"})
-      exclude(name, {"--kernel", "--mollify", "--refuse-zero-edges", "--search", "--landmarks"});
+      exclude(name, {"--kernel", "--mollify", "--refuse-zero-edges", "--search", "--landmarks", "--face-weights",
+                     "--edge-weights"});
     add_files_of_curves();
 
     begin("trace", "Trace straightest geodesics from points",
@@ -489,6 +513,10 @@ private:
     add_text("--trace", "POINT,ANGLE,LENGTH", m_options.traces, "a curve: its start, direction in radians, and length")
         ->allow_extra_args(false)
         ->required();
+    m_group = "How lengths are measured";
+    add_avoid();
+    add_mollify();
+    add_weights();
     add_files_of_curves();
 
     begin("distance", "Compute distances, their isolines and Voronoi diagrams",
@@ -506,6 +534,10 @@ private:
     add("--voronoi", m_options.has_voronoi, "curves on which the nearest source changes");
     add("--tolerance", "LENGTH", m_options.tolerance, positive,
         "how far these may lie from the true curves [1/1000 of the mesh]");
+    m_group = "How lengths are measured";
+    add_avoid();
+    add_mollify();
+    add_weights();
     add_files_of_curves();
     add_text("--map", "FILE", m_options.results.map, "CSV, a line `vertex,distance,source` per vertex");
     add("--values", m_options.results.has_values, "write distances at vertices to .ply and .vtp, which are binary then")
@@ -522,6 +554,7 @@ private:
     add_text("--source", "POINT", m_options.sources, "source of the tree")->required()->expected(1);
     add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest");
     add_arithmetic();
+    add_weights();
     add_files_of_curves();
     add_text("--map", "FILE", m_options.results.map, "line per vertex, `vertex,distance,angle,x,y`");
   }

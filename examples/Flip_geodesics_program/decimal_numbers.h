@@ -16,6 +16,7 @@
 #include <string_view>
 #include <system_error>
 #include <type_traits>
+#include <vector>
 #include <version>
 
 // Numbers as text, whatever the locale. Some standard libraries do not have that for floating point numbers: those are
@@ -103,6 +104,16 @@ const char* parse_number(std::string_view word, T& value)
     return std::isfinite(value) ? nullptr : "is not a finite number";
   }
   return error == std::errc::result_out_of_range ? "is beyond the range of the numbers here" : nullptr;
+}
+
+/// The pieces of a text between its commas.
+inline std::vector<std::string_view> pieces_of(std::string_view text)
+{
+  std::vector<std::string_view> pieces;
+  for(std::size_t comma; (comma = text.find(',')) != std::string_view::npos; text.remove_prefix(comma + 1))
+    pieces.push_back(text.substr(0, comma));
+  pieces.push_back(text);
+  return pieces;
 }
 
 /// Half a unit of the last digit of a decimal number, as 0.005 for 1.25.

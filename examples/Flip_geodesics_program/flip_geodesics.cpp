@@ -25,6 +25,7 @@
 #include "run/mesh_info.h"
 #include "run/other_ways.h"
 #include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
+#include "run/path_conditions.h"
 #include "run/progress.h"
 #include "run/surface_loops.h"
 #include "run/traced_curves.h"
@@ -60,8 +61,9 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
 
 std::vector<std::string> names_of_inputs(const Options& options)
 {
-  return {options.mesh,   options.pairs,  options.edges, options.loop,      options.network,     options.segmentation,
-          options.points, options.bezier, options.draw,  options.obstacles, options.sources_file};
+  return {options.mesh,         options.pairs,        options.edges,       options.loop, options.network,
+          options.segmentation, options.points,       options.bezier,      options.draw, options.obstacles,
+          options.sources_file, options.face_weights, options.edge_weights};
 }
 
 std::vector<std::string> names_of_results(const Options& options)
@@ -165,12 +167,12 @@ std::vector<Network_request> requests_of(const Run& run)
   return surface_loops(run.input, run.options.are_handles, run.progress);
 }
 
-int run_engine(Run run)
+template <class Metric>
+int run_engine(Run& run, const Metric& metric)
 {
   const Options& options = run.options;
   const Mesh& mesh = run.input;
   Progress& progress = run.progress;
-  const Program_metric metric = program_metric(mesh, options.mollify);
   if(options.mollify) {
     std::ostringstream line;
     line << metric.added_length() << " added to the length of every edge\n";
@@ -200,8 +202,8 @@ int run_engine(Run run)
                                    most_memory(options),
                                    !options.results.map.empty()};
   const auto make_engine = [&] {
-    return (options.kernel == "double" ? make_double_engine : make_certified_engine)(mesh, metric, run_options,
-                                                                                     progress);
+    return options.kernel == "double" ? make_double_engine(mesh, metric, run_options, progress)
+                                      : make_certified_engine(mesh, metric, run_options, progress);
   };
   const std::unique_ptr<Curve_engine> engine = make_engine();
   for(const Network_request& request : requests)
@@ -230,6 +232,13 @@ int run_engine(Run run)
   return run.finish(engine->tree_results() + engine->mesh_results());
 }
 
+int run_engine(Run run)
+{
+  const Slit_surface surface(run.input, Obstacles());
+  return with_metric(surface, read_conditions(run.options, run.input),
+                     [&](const auto& metric) { return run_engine(run, metric); });
+}
+
 // Curves that `compute(lines)` gives at once, of no triangulation, with lines for people.
 template <class Compute>
 int run_at_once(Run& run, const Compute& compute)
@@ -255,7 +264,8 @@ int run_field(Run run)
                                  options.has_voronoi,
                                  options.results.has_values || !options.results.map.empty(),
                                  !options.results.matrix.empty(),
-                                 options.tolerance};
+                                 options.tolerance,
+                                 read_conditions(options, run.input)};
   return run_at_once(run, [&](std::string& lines) {
     Field_curves found = field_curves(run.input, request, run.progress);
     run.outputs->write(found);
@@ -268,8 +278,10 @@ int run_other_ways(Run run)
 {
   constexpr double megabyte = 1e6;
   const Options& options = run.options;
-  Ways_request request = {
-      {}, static_cast<std::size_t>(options.ways.value_or(1)), read_obstacles(options, run.input), std::nullopt};
+  Ways_request request = {{},
+                          static_cast<std::size_t>(options.ways.value_or(1)),
+                          read_conditions(options, run.input).obstacles,
+                          std::nullopt};
   for(const Network_request& network : requests_of(run))
     request.pairs.push_back(network.curves.front());
   if(options.most_memory)
@@ -284,7 +296,8 @@ int run_other_ways(Run run)
 int run_traces(Run run)
 {
   const std::vector<Trace_request> requests = read_traces(run.options, run.input);
-  return run_at_once(run, [&](std::string&) { return traced_curves(run.input, requests, run.progress); });
+  const Path_conditions conditions = read_conditions(run.options, run.input);
+  return run_at_once(run, [&](std::string&) { return traced_curves(run.input, requests, conditions, run.progress); });
 }
 
 int run_drawn(Run run)
@@ -329,7 +342,7 @@ int run(const Options& options)
   const Watcher watcher(progress, options.is_quiet);
   progress.enter("reading the mesh");
   const Stopwatch stopwatch;
-  const Input_mesh input = read_input_mesh(options);
+  const Input_mesh input = read_input_mesh(options, progress);
   const Mesh& mesh = input;
   std::ostringstream title;
   title << name_of_input(options.mesh) << ": " << counted(mesh.number_of_vertices(), "vertex", "vertices") << ", "

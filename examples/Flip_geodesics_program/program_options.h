@@ -35,9 +35,9 @@ struct Options
   std::optional<long long> landmarks, ways, random;
   std::vector<std::string> sources;
   std::string sources_file;
-  std::optional<double> sample;    ///< the distance between points of curves
-  std::string obstacles;           ///< their file
-  std::vector<std::string> traces; ///< each a point and two numbers
+  std::optional<double> sample;                      ///< the distance between points of curves
+  std::string obstacles, face_weights, edge_weights; ///< their files
+  std::vector<std::string> traces;                   ///< each a point and two numbers
   std::vector<double> isolines;
   double spacing = 0, tolerance = 0; ///< zero for none and for the default
   long long seed = 1;

@@ -333,7 +333,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     # Finer faces are needed at the corners of a cube; for those of a tetrahedron the cut has to pass them.
     flip_geodesics_add_program_test(flatten_cube 0 "1 cut. .*flattened in" flatten cube.off --output flat_cube.obj)
     flip_geodesics_add_program_test(flatten_tetrahedron 2 "sharpest corners by --network" flatten tetrahedron.off
-                                    --output x.obj)
+                                    --quiet --output x.obj)
     flip_geodesics_add_program_test(flatten_through_corners 0 "1 cut. 4 vertices, flattened in" flatten tetrahedron.off
                                     --network corners.txt --output flat_tetrahedron.obj)
     flip_geodesics_add_program_test(flatten_pieces 2 "cannot be flattened: the cut surface is not connected" flatten
@@ -435,6 +435,72 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   shortest torus.off --random 1 --ways 2 --avoid face_beyond.txt)
   flip_geodesics_add_program_test(avoid_word 2 "face_word.txt line 1: 'x' is not a whole number" shortest torus.off
                                   --random 1 --ways 2 --avoid face_word.txt)
+  # Obstacles of distances and traces, and weights.
+  flip_geodesics_add_program_test(distance_walled_off 0 "no isoline at distance 9: the farthest vertex is [0-9.]+ away"
+                                  distance torus.off --source 13 --isolines 9 --avoid two_walls.txt)
+  flip_geodesics_add_program_test(distance_from_wall 2 "^flip_geodesics: vertex 3 lies on a wall of --avoid, on both"
+                                  distance torus.off --source 3 --map x.csv --avoid wall.txt)
+  flip_geodesics_add_program_test(distance_inside_obstacle 2
+                                  "point 1.0,2.0,0.3 lies inside of an obstacle of --avoid; choose another one" distance
+                                  torus.off --source 1.0,2.0,0.3 --map x.csv --avoid all_faces.txt)
+  flip_geodesics_add_program_test(trace_from_wall 2 "vertex 3 lies on a wall" trace torus.off --trace 3,0,1 --avoid
+                                  wall.txt)
+  flip_geodesics_add_program_test(trace_to_wall 0 "1 BORDER" trace torus.off --trace 13,3,9 --avoid wall.txt)
+  flip_geodesics_add_program_test(log_avoid 2 "--avoid is not an option of log, but of shortest" log torus.off --source 0
+                                  --avoid wall.txt)
+  file(WRITE ${program_dir}/weights.csv "0, 3\n1,3 # heavy\n575 0.5\n")
+  file(WRITE ${program_dir}/edge_weights.csv "0,1,0.5\n1 2 0.5\n")
+  file(WRITE ${program_dir}/too_few_weights.txt "1\n2\n")
+  file(WRITE ${program_dir}/no_weight.csv "0,3\n1,0\n")
+  file(WRITE ${program_dir}/word_weight.csv "face,weight\n1,2\n")
+  file(WRITE ${program_dir}/weight_beyond.csv "576,2\n")
+  file(WRITE ${program_dir}/mixed_weights.csv "0,2\n3\n")
+  file(WRITE ${program_dir}/no_edge.csv "0,1,2\n1,5,2\n")
+  file(WRITE ${program_dir}/short_edge.csv "0,1\n")
+  file(WRITE ${program_dir}/spoilt.csv "0,1,50\n")
+  foreach(command "path --from 0 --to 150" "loop --loop loop.txt" "network --network network.txt" "spline --bezier bezier.txt"
+                  "shortest --from 0 --to 1.0,2.0,0.3" "log --source 0" "distance --source 0 --spacing 0.4" "trace --trace 0,1,2")
+    separate_arguments(arguments UNIX_COMMAND "${command}")
+    list(POP_FRONT arguments name)
+    flip_geodesics_add_program_test(${name}_of_weights 0 "curves?: " ${name} torus.off ${arguments} --face-weights
+                                    weights.csv)
+    flip_geodesics_add_program_test(${name}_of_edge_weights 0 "curves?: " ${name} torus.off ${arguments} --edge-weights
+                                    edge_weights.csv)
+    flip_geodesics_add_program_test(${name}_of_spoilt_weights 2
+                                    "spoilt.csv: the weights at face [0-9]+ differ so much that its sides form no" ${name}
+                                    torus.off ${arguments} --edge-weights spoilt.csv)
+  endforeach()
+  flip_geodesics_add_program_test(mollified_weights 0 "added to the length of every edge.*certificates: 1 PROVEN" path
+                                  torus.off --from 0 --to 150 --edge-weights spoilt.csv --mollify 1e-5)
+  flip_geodesics_add_program_test(mollified_distances 0 "0 curves" distance torus.off --source 0 --map mollified.csv
+                                  --edge-weights spoilt.csv --mollify 1e-5)
+  flip_geodesics_add_program_test(repaired_weights 0 "1 LOCALLY_SHORTEST" path pyramid.off --repair --from 0 --to 2
+                                  --face-weights edge_weights_of_pyramid.csv)
+  file(WRITE ${program_dir}/edge_weights_of_pyramid.csv "0,2\n")
+  flip_geodesics_add_program_test(weights_of_nothing 2 "too_few_weights.txt: there are 2 weights for 576 faces" path
+                                  torus.off --from 0 --to 150 --face-weights too_few_weights.txt)
+  flip_geodesics_add_program_test(weight_of_zero 2 "no_weight.csv line 2: the weight of face 1 is 0. give a positive" path
+                                  torus.off --from 0 --to 150 --face-weights no_weight.csv)
+  flip_geodesics_add_program_test(weight_of_word 2 "word_weight.csv line 1: 'face' is not a whole number" distance
+                                  torus.off --source 0 --map x.csv --face-weights word_weight.csv)
+  flip_geodesics_add_program_test(weight_beyond 2 "weight_beyond.csv line 1: face 576 does not exist. use 0 to 575" path
+                                  torus.off --from 0 --to 150 --face-weights weight_beyond.csv)
+  flip_geodesics_add_program_test(weights_mixed 2 "mixed_weights.csv line 2: a line has 1 items" path torus.off --from 0
+                                  --to 150 --face-weights mixed_weights.csv)
+  flip_geodesics_add_program_test(weight_of_no_edge 2 "no_edge.csv line 2: no edge joins vertices 1 and 5" path torus.off
+                                  --from 0 --to 150 --edge-weights no_edge.csv)
+  flip_geodesics_add_program_test(weight_missing 2 "short_edge.csv line 1: a line has 2 items. write two vertices" path
+                                  torus.off --from 0 --to 150 --edge-weights short_edge.csv)
+  flip_geodesics_add_program_test(weights_empty 2 "no_curve.txt: the file has no weights" path torus.off --from 0 --to
+                                  150 --edge-weights no_curve.txt)
+  flip_geodesics_add_program_test(weights_absent 2 "missing.csv: cannot be opened" trace torus.off --trace 0,0,1
+                                  --face-weights missing.csv)
+  flip_geodesics_add_program_test(weights_twice 2 "--face-weights and --edge-weights do not go together" path torus.off
+                                  --from 0 --to 150 --edge-weights edge_weights.csv --face-weights weights.csv)
+  flip_geodesics_add_program_test(weights_of_ways 2 "--ways and --face-weights do not go together" shortest torus.off
+                                  --from 0 --to 150 --ways 2 --face-weights weights.csv)
+  flip_geodesics_add_program_test(weights_of_loops 2 "--face-weights is not an option of loops, but of path" loops
+                                  torus.off --face-weights weights.csv)
   flip_geodesics_add_program_test(trace_certified 2 "--kernel is not an option of trace" trace torus.off --trace 0,0,1
                                   --kernel certified)
   flip_geodesics_add_program_test(far_isoline 0
@@ -604,7 +670,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
 
   if(Python3_Interpreter_FOUND AND UNIX)
     foreach(case inputs results kinds_of_results failed_curves page places standard_streams interruption full_disk
-                 closed_streams progress)
+                 closed_streams conditions progress)
       add_test(NAME program_files_${case}
                COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_program_files.py --program
                        $<TARGET_FILE:flip_geodesics> --torus $<TARGET_FILE:generate_torus> ${case})

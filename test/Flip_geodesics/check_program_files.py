@@ -345,6 +345,68 @@ def case_closed_streams(folder):
     check(len(expected) == 2 and expected == closed, folder.text('closed.csv'))
 
 
+def case_conditions(folder):
+    """Weights and obstacles mean one thing in all commands."""
+    def lengths(*arguments):
+        folder.run(0, *arguments, '--quiet', '--stats', 'stats.csv')
+        return [float(row['length']) for row in csv.DictReader(folder.text('stats.csv').splitlines())]
+
+    def distances(*arguments):
+        folder.run(0, 'distance', 'torus.off', '--source', '13', '--quiet', '--map', 'map.csv', *arguments)
+        return [float(row['distance']) for row in csv.DictReader(folder.text('map.csv').splitlines())]
+
+    def are_close(first, second, tolerance=1e-9):
+        return len(first) == len(second) > 0 and all(abs(a - b) <= tolerance * max(a, b) for a, b in zip(first, second))
+
+    vertices = [24, 100, 132, 150, 270]
+    (folder.path / 'from_13.txt').write_text(''.join(f'13 {v}\n' for v in vertices))
+    (folder.path / 'twice.txt').write_text('2\n' * 576)
+    (folder.path / 'band.csv').write_text('# face, weight\n' + ''.join(f'{f}, 2.5\n' for f in range(100, 140)))
+    (folder.path / 'edges.csv').write_text(''.join(f'{12 * i},{12 * i + 12},0.7\n' for i in range(23)))
+    (folder.path / 'wall.txt').write_text('# a meridian\n0 1 2 3 4 5 6 7 8 9 10 11 0\n')
+    paths = ['torus.off', '--pairs', 'from_13.txt']
+    plain, weighted = lengths('shortest', *paths), {}
+    for name in ('band.csv', 'twice.txt', 'edges.csv'):
+        option = ['--edge-weights' if name == 'edges.csv' else '--face-weights', name]
+        weighted[name] = lengths('shortest', *paths, *option)
+        found = distances(*option)
+        check(are_close(weighted[name], [found[v] for v in vertices]), f'{name}: paths and distances differ')
+        check(are_close(weighted[name], lengths('shortest', *paths, *option, '--landmarks', '2')), f'{name}: landmarks')
+        shortened = lengths('path', *paths, *option)
+        check(all(a >= b * (1 - 1e-9) for a, b in zip(shortened, weighted[name])), f'{name}: a path is too short')
+        check(are_close(shortened, lengths('path', *paths, *option, '--kernel', 'double')), f'{name}: the kernels differ')
+    check(are_close(weighted['twice.txt'], [2 * a for a in plain]), 'twice the weight is not twice the length')
+    for name, sign in (('band.csv', 1), ('edges.csv', -1)):
+        check(any(sign * (a - b) > 1e-3 for a, b in zip(weighted[name], plain)), f'{name} has no effect: {weighted[name]}, {plain}')
+    twice = ['--face-weights', 'twice.txt']
+    lines = ['distance', 'torus.off', '--source', '13,150', '--voronoi', '--isolines']
+    check(are_close(lengths(*lines, '0.6', *twice), lengths(*lines, '0.3'), 1e-3), 'isolines at twice the distance')
+    ends = []
+    for length, option in (('2', twice), ('1', [])):
+        trace = lengths('trace', 'torus.off', '--trace', f'13,0.4,{length}', '--polylines', 'trace.txt', *option)
+        check(are_close(trace, [float(length)]), f'the length of a trace is {trace}')
+        ends.append([float(x) for x in folder.text('trace.txt').splitlines()[-1].split()[-3:]])
+    check(max(abs(a - b) for a, b in zip(*ends)) < 1e-9, 'a trace of twice the length ends elsewhere')
+
+    around = ['--avoid', 'wall.txt']
+    detours, found = lengths('shortest', *paths, *around), distances(*around)
+    check(are_close(detours, [found[v] for v in vertices]), 'ways around a wall and distances differ')
+    check(detours[-1] > 1.1 * plain[-1], 'the wall is passed')
+    check(all(found[v] < 99 for v in range(288)), 'a vertex on the wall has no distance')
+    check(all(a >= b * (1 - 1e-9) for a, b in zip(found, distances())), 'an obstacle makes a distance less')
+    both = distances(*around, *twice)
+    check(are_close(both, [2 * a for a in found]), 'obstacles and weights together')
+    folder.run(0, 'distance', 'torus.off', '--source', '13,270', '--matrix', 'matrix.csv', '--quiet', *around)
+    check(abs(float(folder.text('matrix.csv').splitlines()[0].split(',')[1]) - found[270]) < 1e-9, 'the matrix')
+    folder.run(0, 'trace', 'torus.off', '--trace', '13,3,9', '--stats', 'stats.csv', '--quiet', *around)
+    check(',BORDER,' in folder.text('stats.csv'), 'a trace passes the wall: ' + folder.text('stats.csv'))
+    # Nothing of the results lies beyond the wall or behind the mesh's own numbers.
+    folder.run(0, 'distance', 'torus.off', '--source', '13', '--spacing', '0.5', '--polylines', 'isolines.txt', '--cut',
+               'pieces.off', '--quiet', *around)
+    numbers = [line.split() for line in folder.text('isolines.txt').splitlines()]
+    check(numbers and all(int(row[1]) < 288 and int(row[2]) < 288 for row in numbers), 'a vertex that the mesh lacks')
+
+
 def case_progress(folder):
     """Told before the first curve is done, with figures that grow; nothing if it is to be quiet."""
     folder.make_torus('fine.off', 700, 400)
@@ -365,6 +427,19 @@ def case_progress(folder):
     check(re.fullmatch(r'flip_geodesics: (reading the mesh|reading curves|growing the tree, [\d ]+ steps(, [\d ]+ flips)?|'
                        r'looking for shorter paths, [\d ]+ steps, [\d ]+ flips|taking curves from the tree, [\d ]+ of 280 000 vertices, '
                        r'[\d ]+ flips), \d+ s(?:, \d+ %, about \d+ s left)?\n', line), line)
+    slow = ((r'following isolines, [1-9][\d ]* evaluations, \d+ s', 'distance', 'torus.off', '--source', '0', '--spacing',
+             '0.001', '--tolerance', '1e-5'),
+            (r'searching for ways, [1-9][\d ]* steps, 0 of 1 curves, \d+ s', 'shortest', 'torus.off', '--from', '0', '--to',
+             '150', '--ways', '900'),
+            (r'repairing the mesh, \d+ s', 'repair', 'fine.off', '--output', 'repaired.off'))
+    for pattern, *arguments in slow:
+        run = folder.start(*arguments)
+        lines = [run.stderr.readline()]
+        while lines[-1] and not re.fullmatch(f'flip_geodesics: {pattern}\n', lines[-1]):
+            lines.append(run.stderr.readline())
+        check(lines[-1], f'{" ".join(arguments)} does not tell how far it has come:\n' + ''.join(lines))
+        run.terminate()
+        run.communicate()
     for run in (quiet, tree, random):
         run.terminate()
     check(re.fullmatch(r'flip_geodesics: interrupted[^\n]*\n', quiet.communicate()[1]), 'it is not quiet')

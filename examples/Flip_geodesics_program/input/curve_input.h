@@ -62,20 +62,33 @@ void for_each_line(const Input_text& input, Function use)
     use(words);
 }
 
+// What is left of a line, between blanks or commas.
+inline std::vector<std::string_view> items_of_line(Text_scanner& words)
+{
+  std::vector<std::string_view> items;
+  for(std::string_view word; !(word = words.next_word()).empty();)
+    for(const std::string_view piece : pieces_of(word.back() == ',' ? word.substr(0, word.size() - 1) : word))
+      items.push_back(piece);
+  return items;
+}
+
+/// The number that an item is. \param advice what to write instead
+template <class Number>
+Number read_number(const Text_scanner& words, std::string_view item, const std::string& advice)
+{
+  Number number = 0;
+  if(const char* const error = parse_number(item, number))
+    words.fail("'" + printable(item) + "' " + error + "; " + advice);
+  return number;
+}
+
 inline std::vector<Vertex_index> read_vertices(const Input_mesh& mesh, Text_scanner& words)
 {
   const std::string name = words.place();
   std::vector<Vertex_index> vertices;
-  for(std::string_view word; !(word = words.next_word()).empty();)
-    for(std::size_t start = 0, end = 0; start < word.size(); start = end + 1) {
-      end = (std::min)(word.find(',', start), word.size());
-      const std::string_view digits = word.substr(start, end - start);
-      long long v = 0;
-      if(const char* const error = parse_number(digits, v))
-        words.fail("'" + printable(digits) + "' " + error +
-                   "; write 0-based numbers of vertices between blanks or commas");
-      vertices.push_back(mesh.vertex(v, name));
-    }
+  for(const std::string_view item : items_of_line(words))
+    vertices.push_back(mesh.vertex(
+        read_number<long long>(words, item, "write 0-based numbers of vertices between blanks or commas"), name));
   return vertices;
 }
 
@@ -115,20 +128,25 @@ inline std::vector<Curve_request> random_pairs(const Mesh& mesh, std::size_t cou
   return pairs;
 }
 
-/// Lines of vertices, each joined to the next by an edge. A closed curve may repeat its first vertex at the end.
+/// What is left of a line, vertices each joined to the next by an edge. A closed curve may repeat its first vertex at
+/// the end.
+inline Curve_request read_chain(const Input_mesh& mesh, Text_scanner& words, bool is_closed)
+{
+  Curve_request curve;
+  curve.name = words.place();
+  curve.is_closed = is_closed;
+  curve.vertices = read_vertices(mesh, words);
+  if(is_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
+    curve.vertices.pop_back();
+  check_chain(mesh, curve);
+  return curve;
+}
+
+/// Lines of vertices, each joined to the next by an edge.
 inline std::vector<Curve_request> read_curves(const Input_mesh& mesh, const Input_text& input, bool are_closed)
 {
   std::vector<Curve_request> curves;
-  for_each_line(input, [&](Text_scanner& words) {
-    Curve_request curve;
-    curve.name = words.place();
-    curve.vertices = read_vertices(mesh, words);
-    curve.is_closed = are_closed;
-    if(are_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
-      curve.vertices.pop_back();
-    check_chain(mesh, curve);
-    curves.push_back(curve);
-  });
+  for_each_line(input, [&](Text_scanner& words) { curves.push_back(read_chain(mesh, words, are_closed)); });
   check_not_empty(curves, input);
   return curves;
 }
@@ -138,19 +156,13 @@ inline Network_request read_network(const Input_mesh& mesh, const Input_text& in
 {
   Network_request network;
   for_each_line(input, [&](Text_scanner& words) {
-    Curve_request curve;
-    curve.name = words.place();
-    const bool are_fixed = words.take('!');
-    curve.is_closed = !are_fixed && words.take('o');
-    curve.vertices = read_vertices(mesh, words);
-    if(are_fixed) {
-      network.fixed_vertices.insert(network.fixed_vertices.end(), curve.vertices.begin(), curve.vertices.end());
+    if(!words.take('!')) {
+      const bool is_closed = words.take('o');
+      network.curves.push_back(read_chain(mesh, words, is_closed));
       return;
     }
-    if(curve.is_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
-      curve.vertices.pop_back();
-    check_chain(mesh, curve);
-    network.curves.push_back(curve);
+    const std::vector<Vertex_index> fixed = read_vertices(mesh, words);
+    network.fixed_vertices.insert(network.fixed_vertices.end(), fixed.begin(), fixed.end());
   });
   check_not_empty(network.curves, input);
   check_fixed_vertices(network, input);

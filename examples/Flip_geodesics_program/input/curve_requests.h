@@ -40,6 +40,15 @@ inline std::optional<CGAL::Flip_geodesics::Surface_location> location_between(co
   return std::nullopt;
 }
 
+/// The location of a point of a curve.
+inline CGAL::Flip_geodesics::Surface_location location_of(const Mesh& mesh,
+                                                          const CGAL::Flip_geodesics::Surface_point& p)
+{
+  if(p.is_vertex())
+    return {index_of(mesh.opposite(mesh.halfedge(mesh_vertex(p.a)))), {{1, 0, 0}}};
+  return location_between(mesh, p.a, p.b, p.c, p.t, p.u).value();
+}
+
 /// A curve to compute. Two vertices of a pair need not be neighbours; those of a curve given by its edges are.
 struct Curve_request
 {

@@ -31,10 +31,9 @@ namespace program {
 inline std::vector<double> read_numbers(std::string_view word, const std::string& name)
 {
   std::vector<double> numbers;
-  for(std::size_t start = 0, end = 0; end < word.size(); start = end + 1) {
-    end = (std::min)(word.find(',', start), word.size());
+  for(const std::string_view piece : pieces_of(word)) {
     numbers.push_back(0);
-    if(parse_number(word.substr(start, end - start), numbers.back()) != nullptr)
+    if(parse_number(piece, numbers.back()) != nullptr)
       throw_no_point(word, name);
   }
   return numbers;
@@ -132,10 +131,8 @@ inline std::vector<Named_point> read_named_points(const Input_mesh& mesh, const 
   std::vector<Named_point> result;
   for(const std::string& word : words) {
     const bool is_list = word.find_first_not_of("0123456789,+-") == std::string::npos;
-    for(std::size_t start = 0, end = 0; start <= word.size(); start = end + 1) {
-      end = is_list ? (std::min)(word.find(',', start), word.size()) : word.size();
-      result.push_back(read_named_point(read_point, word.substr(start, end - start), name));
-    }
+    for(const std::string_view piece : is_list ? pieces_of(word) : std::vector<std::string_view>{word})
+      result.push_back(read_named_point(read_point, std::string(piece), name));
   }
   return result;
 }

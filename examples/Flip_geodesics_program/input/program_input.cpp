@@ -14,15 +14,17 @@
 #include <cstddef>
 #include <cstdint>
 
-program::Input_mesh program::read_input_mesh(const Options& options)
+program::Input_mesh program::read_input_mesh(const Options& options, Progress& progress)
 {
   if(!options.format.empty() && mesh_formats().count(lower_case(options.format)) == 0)
     throw Bad_input("--format " + printable(options.format) + ": not known; use one of" + names_of_mesh_formats());
   const Input_text input = read_text(options.mesh, lower_case(options.format));
-  if(options.command == "info")
+  const bool is_info = options.command == "info", is_repair = options.is_repaired || options.command == "repair";
+  if(is_info || is_repair)
+    progress.enter("repairing the mesh");
+  if(is_info)
     return inspect_mesh(input, options.weld);
-  Input_mesh mesh =
-      options.is_repaired || options.command == "repair" ? repair_mesh(input, options.weld) : read_mesh(input);
+  Input_mesh mesh = is_repair ? repair_mesh(input, options.weld) : read_mesh(input);
   if(options.has_seams)
     mesh.keep_text(input);
   return mesh;
@@ -100,7 +102,14 @@ std::vector<program::Trace_request> program::read_traces(const Options& options,
   return requests;
 }
 
-program::Obstacles program::read_obstacles(const Options& options, const Input_mesh& mesh)
+program::Path_conditions program::read_conditions(const Options& options, const Input_mesh& mesh)
 {
-  return options.obstacles.empty() ? Obstacles() : read_obstacles(mesh, read_text(options.obstacles));
+  Path_conditions conditions = {{}, std::nullopt, options.mollify};
+  if(!options.obstacles.empty())
+    conditions.obstacles = read_obstacles(mesh, read_text(options.obstacles));
+  if(!options.face_weights.empty())
+    conditions.weights = read_face_weights(mesh, read_text(options.face_weights));
+  if(!options.edge_weights.empty())
+    conditions.weights = read_edge_weights(mesh, read_text(options.edge_weights));
+  return conditions;
 }

@@ -7,6 +7,7 @@
 #include "input/input_mesh.h"
 #include "input/obstacles.h"
 #include "program_options.h"
+#include "run/progress.h"
 
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@
 namespace program {
 
 /// The mesh, which is an oriented manifold of triangles: as it is in the file, or repaired. \throws Bad_input
-Input_mesh read_input_mesh(const Options& options);
+Input_mesh read_input_mesh(const Options& options, Progress& progress);
 
 /// The independent runs: one curve each, or all curves of a network. \throws Bad_input
 std::vector<Network_request> read_requests(const Options& options, const Input_mesh& mesh);
@@ -27,8 +28,8 @@ std::vector<Named_point> read_sources(const Options& options, const Input_mesh& 
 /// The straightest geodesics of `--trace`. \throws Bad_input
 std::vector<Trace_request> read_traces(const Options& options, const Input_mesh& mesh);
 
-/// What paths must not cross; nothing if there is no file of it. \throws Bad_input
-Obstacles read_obstacles(const Options& options, const Input_mesh& mesh);
+/// Obstacles and weights, as far as there are files of them. \throws Bad_input
+Path_conditions read_conditions(const Options& options, const Input_mesh& mesh);
 
 } // namespace program
 

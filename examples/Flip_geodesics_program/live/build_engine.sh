@@ -29,7 +29,7 @@ flags=(-std=c++17 -O2 -fwasm-exceptions -DNDEBUG -DCGAL_NDEBUG -DCGAL_DISABLE_GM
   "-ffile-prefix-map=$work/=" "-ffile-prefix-map=$root/=") # what is thrown names files, but not those of one machine
 objects=()
 for source in live/engine.cpp run/engine_certified.cpp run/field_curves.cpp run/inserted_curves.cpp run/other_ways.cpp \
-  run/traced_curves.cpp; do
+  run/slit_surface.cpp run/traced_curves.cpp; do
   object=$work/$(basename "$source").o
   emcc "${flags[@]}" -MMD -MF "$object.d" -c "$program/$source" -o "$object"
   objects+=("$object")

@@ -46,7 +46,7 @@ public:
   Session(const std::string& file, std::string bytes)
     : m_title(printable(file))
     , m_mesh(open(Input_text(file, std::move(bytes))))
-    , m_metric(program_metric(m_mesh, std::nullopt))
+    , m_metric(mollified_metric(m_mesh, Mesh_metric(m_mesh.points()), std::nullopt))
     , m_geodesics(make_certified_engine(m_mesh, m_metric, options(false), m_progress))
   {
   }
@@ -147,7 +147,7 @@ private:
     if(kind == "distances")
       add_isolines(scene, fields);
     else if(kind == "trace")
-      add(scene, traced_curves(m_mesh, {trace(line)}, m_progress), std::nullopt);
+      add(scene, traced_curves(m_mesh, {trace(line)}, {}, m_progress), std::nullopt);
     else if(kind == "ways")
       add_ways(scene, read_pairs(m_mesh, text), static_cast<std::size_t>(number(fields.at(1))));
     else if(kind == "shortest")

@@ -4,10 +4,6 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_PAGE_FILE_H
 
 #include "output/output_file.h"
-#include "output/packed_array.h"
-#include "output/scene_json.h"
-#include "page_template.h"
-#include "scene.h"
 
 #include <string>
 #include <string_view>
@@ -15,9 +11,8 @@
 namespace program {
 
 /*!
- * Writes one page for a browser that shows a scene, with everything in it: no other file and no network is needed.
- *
- * The page is a fixed one (folder page/), in which a JSON object takes the place of a mark.
+ * Writes one page for a browser, with everything in it: no other file and no network is needed. The page is a fixed one
+ * (folder page/), in which a JSON object takes the place of a mark.
  */
 class Page_file
 {
@@ -30,13 +25,15 @@ public:
 
   bool is_wanted() const { return m_file.is_wanted(); }
 
-  void write(const Mesh& mesh, const Scene& scene)
+  /// \param page the pieces of the page \param write_object writes the object to a stream
+  template <class Page, class Write>
+  void write(const Page& page, const Write& write_object)
   {
     if(!is_wanted())
       return;
-    for(std::string_view piece : page_template) {
+    for(std::string_view piece : page) {
       if(piece == "@SCENE@")
-        Scene_json(mesh, json_packed).write(m_file.stream(), scene);
+        write_object(m_file.stream());
       else
         m_file.stream() << piece;
     }

@@ -3,23 +3,38 @@
 #include "output/program_output.h"
 
 #include "input/input_text.h"
+#include "live_template.h"
 #include "output/json_file.h"
-#include "output/live_file.h"
 #include "output/mesh_file.h"
+#include "output/packed_array.h"
 #include "output/page_file.h"
 #include "output/result_files.h"
 #include "output/result_formats.h"
 #include "output/run_summary.h"
+#include "output/scene_json.h"
 #include "output/viewer_files.h"
+#include "page_template.h"
 #include "printable.h"
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <iostream>
 #include <list>
+#include <sstream>
 
 namespace program {
 
 namespace {
+
+// What the interactive viewer opens: the bytes of a mesh file, with all bits of the points.
+void write_mesh_object(std::ostream& out, const Mesh& mesh, const std::string& title)
+{
+  std::ostringstream bytes;
+  CGAL::IO::set_binary_mode(bytes);
+  CGAL::IO::write_PLY(bytes, mesh);
+  out << "{\"name\":" << json_string(title) << ",\"format\":\"ply\",\"mesh\":" << json_base64(bytes.str()) << '}';
+}
 
 class Output_files : public Outputs
 {
@@ -112,9 +127,9 @@ public:
       m_polylines.close();
       for(Viewer_file& file : m_viewers)
         file.write(mesh, m_scene, m_values);
-      m_page.write(mesh, m_scene);
+      m_page.write(page_template, [&](std::ostream& out) { Scene_json(mesh, json_packed).write(out, m_scene); });
     }
-    m_live.write(mesh, m_scene.title);
+    m_live.write(live_template, [&](std::ostream& out) { write_mesh_object(out, mesh, m_scene.title); });
   }
 
   void print_summary(std::ostream& out) const override { m_summary.print(out); }
@@ -151,8 +166,7 @@ private:
 
   Output_file m_polylines, m_stats, m_map, m_matrix;
   std::list<Viewer_file> m_viewers;
-  Page_file m_page;
-  Live_file m_live;
+  Page_file m_page, m_live;
   std::optional<Distance_map> m_values;
   Mesh_file m_subdivision, m_insertion, m_cut;
   std::list<Mesh_file> m_meshes; // of repair and flatten

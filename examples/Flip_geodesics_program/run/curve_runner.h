@@ -47,18 +47,18 @@
 namespace program {
 
 /// \tparam Traits the arithmetic, a model of `IntrinsicTriangulationTraits`
-template <class Traits>
+template <class Traits, class Metric>
 class Curve_runner : public Curve_engine
 {
   using Curve_index = CGAL::Flip_geodesics::Curve_index;
   using Halfedge_index = CGAL::Flip_geodesics::Halfedge_index;
-  using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh, Traits, Program_metric>;
+  using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh, Traits, Metric>;
   using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
   using Recorder = std::optional<Shortening_recorder<Network>>;
 
 public:
   Curve_runner(
-      const Mesh& mesh, const Program_metric& metric, const Run_options& options, Progress& progress,
+      const Mesh& mesh, const Metric& metric, const Run_options& options, Progress& progress,
       CGAL::Flip_geodesics::Zero_length_edges zero_length_edges = CGAL::Flip_geodesics::Zero_length_edges::REFUSE)
     : m_mesh(mesh)
     , m_metric(metric)
@@ -702,7 +702,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  const Program_metric& m_metric;
+  const Metric& m_metric;
   Run_options m_options;
   Progress& m_progress;
   CGAL::Flip_geodesics::Zero_length_edges m_zero_length_edges;

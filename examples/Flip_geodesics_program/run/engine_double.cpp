@@ -8,5 +8,5 @@ std::unique_ptr<program::Curve_engine> program::make_double_engine(const Mesh& m
                                                                    const Run_options& options, Progress& progress)
 {
   using Traits = CGAL::Flip_geodesics::Intrinsic_triangulation_traits<Kernel>;
-  return std::make_unique<Curve_runner<Traits>>(mesh, metric, options, progress);
+  return std::make_unique<Curve_runner<Traits, Program_metric>>(mesh, metric, options, progress);
 }

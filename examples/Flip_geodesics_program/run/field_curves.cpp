@@ -3,6 +3,7 @@
 #include "run/field_curves.h"
 
 #include "bad_input.h"
+#include "run/path_conditions.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -13,14 +14,19 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -28,9 +34,65 @@ namespace program {
 namespace {
 
 namespace FG = CGAL::Flip_geodesics;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
-using Field = FG::Geodesic_distance_field<Triangulation>;
 using Polyline = FG::Located_polyline<Mesh>;
+using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+
+// A distance field on a mesh, of one type for all metrics.
+class Field_on_mesh
+{
+public:
+  struct Answer
+  {
+    double distance;
+    std::size_t source;
+  };
+
+  // Distances are multiplied by `scale`, so that none exceeds the distance in the mesh, which isolines require.
+  template <class Triangulation>
+  Field_on_mesh(const FG::Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
+                const Mesh& mesh, double scale)
+    : m_scale(scale)
+    , m_answer([&field, scale](const Location& at) {
+      const auto answer = field(at.first, at.second);
+      return Answer{scale * answer.distance, answer.source};
+    })
+    , m_has_one_source([&field](Mesh::Face_index f) { return field.has_one_source(f); })
+    , m_point([&triangulation, &mesh](const Location& at) {
+      return FG::surface_point(triangulation, FG::surface_location(triangulation, mesh, at));
+    })
+  {
+  }
+
+  double scale() const { return m_scale; }
+  Answer operator()(Mesh::Face_index f, const std::array<double, 3>& weights) const { return m_answer({f, weights}); }
+  bool has_one_source(Mesh::Face_index f) const { return m_has_one_source(f); }
+  FG::Surface_point point(const Location& at) const { return m_point(at); }
+
+private:
+  double m_scale;
+  std::function<Answer(const Location&)> m_answer;
+  std::function<bool(Mesh::Face_index)> m_has_one_source;
+  std::function<FG::Surface_point(const Location&)> m_point;
+};
+
+// Counts evaluations of a field, of which about a thousand lie between two calls.
+class Evaluation_visitor : public CGAL::Flip_geodesics::Default_shortening_visitor
+{
+public:
+  explicit Evaluation_visitor(Progress& progress)
+    : m_progress(progress)
+  {
+  }
+
+  bool go_further()
+  {
+    m_progress.add_steps(1000);
+    return true;
+  }
+
+private:
+  Progress& m_progress;
+};
 
 // What is wanted, or else a thousandth of the diagonal of the mesh's box. One of less than a millionth would take more
 // time and memory than anyone has.
@@ -46,7 +108,7 @@ double usable_tolerance(const Mesh& mesh, double wanted)
   return wanted > 0 ? wanted : 0.001 * diagonal;
 }
 
-Curve_result curve_result(const Triangulation& triangulation, const Mesh& mesh, const Polyline& polyline,
+Curve_result curve_result(const Field_on_mesh& field, const Slit_surface& surface, const Polyline& polyline,
                           const std::string& name, const std::string& status)
 {
   Curve_result result;
@@ -57,13 +119,13 @@ Curve_result curve_result(const Triangulation& triangulation, const Mesh& mesh, 
   result.initial_segments = polyline.points.size() - 1;
   result.length = 0;
   for(std::size_t i = 0; i < polyline.points.size(); ++i) {
-    const FG::Surface_point at =
-        FG::surface_point(triangulation, FG::surface_location(triangulation, mesh, polyline.locations[i]));
+    const FG::Surface_point at = field.point(polyline.locations[i]);
     result.points.push_back({at, polyline.points[i], at.is_inside_face()});
     if(i > 0)
       result.length += std::sqrt(CGAL::squared_distance(polyline.points[i - 1], polyline.points[i]));
   }
   result.initial_length = result.length;
+  surface.put_on_mesh(result);
   return result;
 }
 
@@ -76,15 +138,6 @@ void with_tolerance(const Function& function)
   } catch(const FG::Invalid_parameter_error& error) {
     throw Bad_input(std::string("--tolerance: ") + error.what() + "; give a larger one");
   }
-}
-
-double farthest_distance(const Mesh& mesh, const Field& field)
-{
-  double result = 0;
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    if(const double distance = field.distance(Vertex_index(static_cast<Index>(v))); std::isfinite(distance))
-      result = (std::max)(result, distance);
-  return result;
 }
 
 std::vector<double> wanted_levels(const Field_request& request, double farthest)
@@ -121,81 +174,145 @@ std::string missing_levels(const std::vector<double>& levels, const std::set<dou
   return out.str();
 }
 
-Distance_map distance_map(const Mesh& mesh, const Field& field)
+// The distances of the vertices of a mesh; of those on walls, from the nearer side.
+template <class Field>
+Distance_map distance_map(const Slit_surface& surface, std::size_t number_of_vertices, const Field& field)
 {
-  Distance_map result;
-  for(const Mesh::Vertex_index v : mesh.vertices()) {
-    const Field::Answer answer = field.answer(index_of(v));
-    result.distances.push_back(answer.distance);
-    result.nearest.push_back(answer.source);
+  Distance_map result = {std::vector<double>(number_of_vertices, std::numeric_limits<double>::infinity()),
+                         std::vector<std::size_t>(number_of_vertices, 0)};
+  for(const Mesh::Vertex_index v : surface.mesh().vertices()) {
+    const auto answer = field.answer(index_of(v));
+    const auto at = static_cast<std::size_t>(surface.vertex_of_mesh(index_of(v)).idx());
+    if(answer.distance < result.distances[at]) {
+      result.distances[at] = answer.distance;
+      result.nearest[at] = answer.source;
+    }
   }
   return result;
 }
 
-std::vector<std::vector<double>> distances_between(const Mesh& mesh, const std::vector<Named_point>& sources,
-                                                   Progress& progress)
+template <class Metric>
+std::vector<std::vector<double>> distances_between(const Mesh& mesh, const Metric& metric,
+                                                   const std::vector<FG::Surface_location>& points, Progress& progress)
 {
-  std::vector<FG::Surface_location> points;
-  for(const Named_point& source : sources)
-    points.push_back(source.at);
   progress.enter("computing distances between sources");
   Share_visitor visitor(progress);
   std::vector<std::vector<double>> rows;
-  FG::geodesic_distance_matrix(mesh, points, std::back_inserter(rows), CGAL::parameters::visitor(std::ref(visitor)));
+  FG::geodesic_distance_matrix(mesh, points, std::back_inserter(rows), CGAL::parameters::metric(metric),
+                               CGAL::parameters::visitor(std::ref(visitor)));
   return rows;
+}
+
+// The least factor of the length of a segment in the mesh to its length in a metric; 1 if both are the same.
+template <class Metric>
+double scale_of(const Mesh& mesh, const Metric& metric, const Path_conditions& conditions)
+{
+  if(!conditions.weights && !conditions.mollify)
+    return 1;
+  const double scale =
+      FG::internal::least_stretch_of_faces(metric, Mesh_metric(mesh.points()), FG::Numbered_mesh<Mesh>(mesh));
+  if(scale == 0)
+    throw Bad_input("isolines and boundaries in a metric of other lengths require faces that are not degenerate; give "
+                    "--repair");
+  return scale;
+}
+
+void add_isolines(const Slit_surface& surface, const Field_on_mesh& field, const Field_request& request,
+                  double tolerance, double farthest, Progress& progress, Field_curves& result)
+{
+  progress.enter("following isolines", "evaluations");
+  Evaluation_visitor visitor(progress);
+  const std::vector<double> levels = wanted_levels(request, farthest);
+  std::vector<double> scaled_levels;
+  std::map<double, double> level_of;
+  for(const double level : levels) {
+    scaled_levels.push_back(field.scale() * level);
+    level_of[scaled_levels.back()] = level;
+  }
+  std::set<double> found;
+  const auto add_isoline = [&](const FG::Isoline<Mesh>& isoline) {
+    std::ostringstream name;
+    name << "at distance " << level_of.at(isoline.level);
+    found.insert(level_of.at(isoline.level));
+    result.curves.push_back(curve_result(field, surface, isoline, name.str(), "ISOLINE"));
+  };
+  with_tolerance([&] {
+    FG::isolines(surface.mesh(), field, scaled_levels, boost::make_function_output_iterator(add_isoline), tolerance,
+                 CGAL::parameters::visitor(std::ref(visitor)));
+  });
+  result.remarks = missing_levels(levels, found, farthest, tolerance);
+  if(request.spacing > 0 && request.spacing >= farthest)
+    result.remarks += "no isoline at a multiple of --spacing: the farthest vertex is nearer\n";
+}
+
+void add_boundaries(const Slit_surface& surface, const Field_on_mesh& field, const Field_request& request,
+                    double tolerance, Progress& progress, Field_curves& result)
+{
+  progress.enter("following boundaries", "evaluations");
+  Evaluation_visitor visitor(progress);
+  const auto add_boundary = [&](const FG::Voronoi_boundary<Mesh>& boundary) {
+    const auto name = [&](int side) { return request.sources[boundary.sources[side]].name; };
+    result.curves.push_back(
+        curve_result(field, surface, boundary, "between " + name(0) + " and " + name(1), "BOUNDARY"));
+  };
+  with_tolerance([&] {
+    FG::voronoi_boundaries(surface.mesh(), field, boost::make_function_output_iterator(add_boundary), tolerance,
+                           CGAL::parameters::visitor(std::ref(visitor)));
+  });
+}
+
+template <class Metric>
+Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric, const Field_request& request,
+                              std::size_t number_of_vertices, Progress& progress)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Default_traits<Metric>, Metric>;
+  const Mesh& mesh = surface.mesh();
+  const double tolerance = usable_tolerance(mesh, request.tolerance);
+  const Triangulation triangulation(mesh, metric);
+  FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
+  std::vector<FG::Surface_location> sources;
+  for(const Named_point& source : request.sources)
+    sources.push_back(located(surface, source));
+  for(const FG::Surface_location& source : sources)
+    field.add_source(source);
+  progress.enter("computing distances", "steps");
+  // One source alone has no boundary, and no distance is needed to see that.
+  const bool has_boundaries = request.is_diagram && sources.size() > 1;
+  const bool has_isolines = !request.levels.empty() || request.spacing > 0;
+  Progress_visitor visitor(progress);
+  if((request.is_map || has_boundaries || has_isolines) &&
+     field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
+    throw std::runtime_error("--source: the distances of so large a mesh were given up");
+
+  Field_curves result;
+  if(request.is_matrix)
+    result.matrix = distances_between(mesh, metric, sources, progress);
+  const Distance_map map = distance_map(surface, number_of_vertices, field);
+  if(request.is_map)
+    result.map = map;
+  if(has_isolines || has_boundaries) {
+    const Field_on_mesh on_mesh(field, triangulation, mesh, scale_of(mesh, metric, request.conditions));
+    double farthest = 0;
+    for(const double distance : map.distances)
+      farthest = std::isfinite(distance) ? (std::max)(farthest, distance) : farthest;
+    if(has_isolines)
+      add_isolines(surface, on_mesh, request, tolerance, farthest, progress, result);
+    if(has_boundaries)
+      add_boundaries(surface, on_mesh, request, tolerance, progress, result);
+  }
+  if(request.is_diagram && !has_boundaries)
+    result.remarks += "no boundary: there is only one source\n";
+  return result;
 }
 
 } // namespace
 
 Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progress& progress)
 {
-  const double tolerance = usable_tolerance(mesh, request.tolerance);
-  const Triangulation triangulation(mesh);
-  Field field(triangulation, mesh);
-  for(const Named_point& source : request.sources)
-    field.add_source(source.at);
-  progress.enter("computing distances", "steps");
-  // One source alone has no boundary, and no distance is needed to see that.
-  const bool has_boundaries = request.is_diagram && request.sources.size() > 1;
-  const bool is_field_needed = request.is_map || has_boundaries || !request.levels.empty() || request.spacing > 0;
-  Progress_visitor visitor(progress);
-  if(is_field_needed &&
-     field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
-    throw std::runtime_error("--source: the distances of so large a mesh were given up");
-
-  Field_curves result;
-  if(request.is_matrix)
-    result.matrix = distances_between(mesh, request.sources, progress);
-  if(request.is_map)
-    result.map = distance_map(mesh, field);
-  progress.enter("following isolines");
-  const double farthest = farthest_distance(mesh, field);
-  const std::vector<double> levels = wanted_levels(request, farthest);
-  std::set<double> found;
-  const auto add_isoline = [&](const FG::Isoline<Mesh>& isoline) {
-    std::ostringstream name;
-    name << "at distance " << isoline.level;
-    found.insert(isoline.level);
-    result.curves.push_back(curve_result(triangulation, mesh, isoline, name.str(), "ISOLINE"));
-  };
-  with_tolerance(
-      [&] { FG::isolines(mesh, field, levels, boost::make_function_output_iterator(add_isoline), tolerance); });
-  result.remarks = missing_levels(levels, found, farthest, tolerance);
-  if(request.spacing > 0 && request.spacing >= farthest)
-    result.remarks += "no isoline at a multiple of --spacing: the farthest vertex is nearer\n";
-
-  progress.enter("following boundaries");
-  const auto add_boundary = [&](const FG::Voronoi_boundary<Mesh>& boundary) {
-    const auto name = [&](int side) { return request.sources[boundary.sources[side]].name; };
-    result.curves.push_back(
-        curve_result(triangulation, mesh, boundary, "between " + name(0) + " and " + name(1), "BOUNDARY"));
-  };
-  if(request.is_diagram && !has_boundaries)
-    result.remarks += "no boundary: there is only one source\n";
-  if(has_boundaries)
-    with_tolerance(
-        [&] { FG::voronoi_boundaries(mesh, field, boost::make_function_output_iterator(add_boundary), tolerance); });
-  return result;
+  const Slit_surface surface(mesh, request.conditions.obstacles);
+  return with_metric(surface, request.conditions, [&](const auto& metric) {
+    return curves_in_metric(surface, metric, request, mesh.number_of_vertices(), progress);
+  });
 }
 
 } // namespace program

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_FIELD_CURVES_H
 
 #include "input/curve_requests.h"
+#include "input/obstacles.h"
 #include "program_mesh.h"
 #include "run/curve_engine.h"
 #include "run/progress.h"
@@ -25,6 +26,7 @@ struct Field_request
   bool is_map = false;        ///< are the distances of all vertices wanted?
   bool is_matrix = false;     ///< are the distances between the sources wanted?
   double tolerance = 0;       ///< zero for a thousandth of the diagonal of the mesh's box
+  Path_conditions conditions; ///< which distances depend on
 };
 
 /// The distances of the vertices, infinite for those without a path, and the numbers of their nearest sources.
@@ -42,7 +44,8 @@ struct Field_curves
   std::string remarks; ///< lines for people about levels without isolines and sources without boundaries
 };
 
-/// \throws Bad_input if the tolerance or the spacing is so small that the results would not fit anywhere
+/// \throws Bad_input if the tolerance or the spacing is so small that the results would not fit anywhere, or a source
+/// lies in an obstacle
 Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progress& progress);
 
 } // namespace program

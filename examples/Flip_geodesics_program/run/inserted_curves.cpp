@@ -4,10 +4,10 @@
 
 #include "advice.h"
 #include "bad_input.h"
+#include "run/slit_surface.h"
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/Slit_mesh.h>
 #include <CGAL/Flip_geodesics/certify_curve.h>
 #include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -21,9 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,27 +113,11 @@ void divide_single_edges(Mesh& mesh, Marks is_marked)
 
 Mesh cut_open(const Mesh& mesh, Marks is_marked)
 {
-  const FG::Slit_mesh<Mesh> slit(mesh, is_marked);
-  using Vertex = FG::Slit_mesh<Mesh>::Vertex;
-  Mesh result;
-  std::map<Vertex, Mesh::Vertex_index> copies;
-  for(const Vertex& v : slit.all_vertices())
-    copies[v] = result.add_vertex(mesh.point(v.vertex));
-  for(const Mesh::Face_index f : mesh.faces()) {
-    std::vector<Mesh::Vertex_index> corners;
-    for(const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
-      corners.push_back(copies.at(slit.vertex_in_face(h)));
-    if(result.add_face(corners) == Mesh::null_face())
-      throw std::runtime_error("the mesh cannot be cut open: a vertex of it is not manifold");
-  }
-  return result;
-}
-
-FG::Surface_location location_of(const Mesh& mesh, const FG::Surface_point& p)
-{
-  if(p.is_vertex())
-    return {index_of(mesh.opposite(mesh.halfedge(mesh_vertex(p.a)))), {{1, 0, 0}}};
-  return location_between(mesh, p.a, p.b, p.c, p.t, p.u).value();
+  Obstacles obstacles;
+  for(const Mesh::Edge_index e : mesh.edges())
+    if(is_marked[e])
+      obstacles.walls.insert(e);
+  return Slit_surface(mesh, obstacles).mesh();
 }
 
 // Corners of weight zero are left out.

@@ -22,8 +22,8 @@ namespace program {
 namespace {
 
 namespace FG = CGAL::Flip_geodesics;
-using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>, Program_metric>;
 
+template <class Triangulation>
 FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size_t number, int threads,
                                    Progress_visitor& visitor)
 {
@@ -42,14 +42,15 @@ FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size
 
 } // namespace
 
-Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, const Program_metric& metric,
-                         Progress& progress)
+template <class Metric>
+Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, const Metric& metric, Progress& progress)
 {
   progress.enter("making landmarks", "steps");
   Progress_visitor visitor(progress);
   const Stopwatch stopwatch;
   try {
-    const Triangulation triangulation(mesh, metric);
+    const FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>, Metric> triangulation(mesh,
+                                                                                                              metric);
     FG::Geodesic_landmarks bounds = make_bounds(triangulation, number, usable_threads(threads), visitor);
     const std::string made = counted(bounds.number_of_landmarks(), "landmark", "landmarks");
     return Landmarks{std::move(bounds), made + ", made in " + readable_time(stopwatch.seconds()) + '\n'};
@@ -57,5 +58,8 @@ Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, cons
     throw Bad_input("--landmarks: " + with_advice(error, "leave them out, or give --mollify"));
   }
 }
+
+template Landmarks make_landmarks(std::size_t, int, const Mesh&, const Program_metric&, Progress&);
+template Landmarks make_landmarks(std::size_t, int, const Mesh&, const Weighted_program_metric&, Progress&);
 
 } // namespace program

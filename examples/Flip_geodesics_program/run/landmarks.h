@@ -22,8 +22,9 @@ struct Landmarks
 };
 
 /// Makes those that are wanted, by as many threads as curves are computed by. \throws Bad_input
-Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, const Program_metric& metric,
-                         Progress& progress);
+/// \tparam Metric `Program_metric` or `Weighted_program_metric`
+template <class Metric>
+Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, const Metric& metric, Progress& progress);
 
 } // namespace program
 

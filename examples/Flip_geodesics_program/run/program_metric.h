@@ -18,12 +18,19 @@ using Mesh_metric =
 /// arithmetic.
 using Program_metric = CGAL::Flip_geodesics::Mollified_metric<Mesh_metric>;
 
-/// \param margin of the triangle inequality, relative to the mean edge length; none for the metric of the mesh
-inline Program_metric program_metric(const Mesh& mesh, std::optional<double> margin)
+/// The same of weighted lengths.
+using Weighted_program_metric =
+    CGAL::Flip_geodesics::Mollified_metric<CGAL::Flip_geodesics::Weighted_metric<Mesh_metric>>;
+
+/// A metric with longer edges. \param margin of the triangle inequality, relative to the mean edge length; none for the
+/// metric as it is
+template <class Metric>
+CGAL::Flip_geodesics::Mollified_metric<Metric> mollified_metric(const Mesh& mesh, const Metric& metric,
+                                                                std::optional<double> margin)
 {
-  const Mesh_metric metric(mesh.points());
+  using Mollified_metric = CGAL::Flip_geodesics::Mollified_metric<Metric>;
   //! [Mollified metric]
-  return margin ? Program_metric(mesh, metric, *margin) : Program_metric(metric);
+  return margin ? Mollified_metric(mesh, metric, *margin) : Mollified_metric(metric);
   //! [Mollified metric]
 }
 

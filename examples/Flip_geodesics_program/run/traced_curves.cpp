@@ -3,6 +3,7 @@
 #include "run/traced_curves.h"
 
 #include "advice.h"
+#include "run/path_conditions.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -11,15 +12,15 @@
 
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 namespace program {
 
 namespace {
 
 namespace FG = CGAL::Flip_geodesics;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
-
 // Where angles start: at the border, or else where those of a tree's polar coordinates do.
+template <class Triangulation>
 FG::Input_halfedge_index zero_halfedge(const Triangulation& triangulation, const Mesh& mesh, Vertex_index source)
 {
   for(const auto h : CGAL::halfedges_around_source(mesh_vertex(source), mesh))
@@ -28,6 +29,7 @@ FG::Input_halfedge_index zero_halfedge(const Triangulation& triangulation, const
   return triangulation.input().outgoing(source);
 }
 
+template <class Triangulation>
 Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
                           const FG::Geodesic_tracer<Triangulation>& tracer, const Trace_request& request)
 {
@@ -61,14 +63,23 @@ Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
 } // namespace
 
 std::vector<Curve_result> traced_curves(const Mesh& mesh, const std::vector<Trace_request>& requests,
-                                        Progress& progress)
+                                        const Path_conditions& conditions, Progress& progress)
 {
-  const Triangulation triangulation(mesh);
-  const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
-  progress.enter("tracing");
+  const Slit_surface surface(mesh, conditions.obstacles);
   std::vector<Curve_result> results;
-  for(const Trace_request& request : requests)
-    results.push_back(traced_curve(triangulation, mesh, tracer, request));
+  with_metric(surface, conditions, [&](const auto& metric) {
+    using Metric = std::decay_t<decltype(metric)>;
+    using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Default_traits<Metric>, Metric>;
+    const Triangulation triangulation(surface.mesh(), metric);
+    const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
+    progress.enter("tracing", "curves", requests.size());
+    for(Trace_request request : requests) {
+      request.source.at = located(surface, request.source);
+      results.push_back(traced_curve(triangulation, surface.mesh(), tracer, request));
+      surface.put_on_mesh(results.back());
+      progress.add_steps(1);
+    }
+  });
   return results;
 }
 
