@@ -30,9 +30,6 @@ namespace Flip_geodesics {
 /// The type of the vertices of a mesh.
 template <class TriangleMesh>
 using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-#else
-template <class TriangleMesh>
-using Mesh_vertex = internal::Vertex_in<TriangleMesh>;
 #endif
 
 /// \ingroup PkgFlipGeodesicsFunctions

@@ -172,14 +172,14 @@ private:
 template <class TriangleMesh, class Pair>
 struct Pair_of_ends
 {
-  using Vertices = std::pair<Vertex_in<TriangleMesh>, Vertex_in<TriangleMesh>>;
+  using Vertices = std::pair<Mesh_vertex<TriangleMesh>, Mesh_vertex<TriangleMesh>>;
   using type = std::conditional_t<std::is_constructible<Vertices, Pair>::value, Vertices, void>;
 };
 
 template <class TriangleMesh, class Source, class Target>
 struct Pair_of_ends<TriangleMesh, std::pair<Source, Target>>
 {
-  using Vertex = Vertex_in<TriangleMesh>;
+  using Vertex = Mesh_vertex<TriangleMesh>;
   using type = std::conditional_t<is_mesh_vertex<TriangleMesh, Source> && is_mesh_vertex<TriangleMesh, Target>,
                                   std::pair<Vertex, Vertex>, std::pair<std::decay_t<Source>, std::decay_t<Target>>>;
 };

@@ -729,8 +729,8 @@ Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation&
 /* Implements `shortest_path()` over a mesh; not inline, like `compute_path()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> compute_shortest_path(const TriangleMesh& mesh,
-                                                                  Vertex_in<TriangleMesh> source,
-                                                                  Vertex_in<TriangleMesh> target,
+                                                                  Mesh_vertex<TriangleMesh> source,
+                                                                  Mesh_vertex<TriangleMesh> target,
                                                                   const NamedParameters& np)
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
@@ -854,8 +854,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
   using Form = internal::Form_by_name<TriangleMesh, Options, OutputIterator>;
   if constexpr(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>) {
     return internal::write_computed<Shortest_path_result<OutputIterator>>(
-        internal::compute_shortest_path<Form>(mesh, internal::Vertex_in<TriangleMesh>(source),
-                                              internal::Vertex_in<TriangleMesh>(target), options),
+        internal::compute_shortest_path<Form>(mesh, Mesh_vertex<TriangleMesh>(source),
+                                              Mesh_vertex<TriangleMesh>(target), options),
         out);
   } else {
     const auto locate = [&](const auto& triangulation) {
@@ -922,13 +922,13 @@ template <
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRange& landmarks,
                                       const NamedParameters&... np)
 {
-  static_assert(internal::is_range_of<VertexRange, internal::Vertex_in<TriangleMesh>>,
+  static_assert(internal::is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
                 "no number of landmarks where it belongs, nor a range of vertices of the mesh; the order is mesh, "
                 "landmarks, named parameters");
   const auto& options = internal::surface_options<internal_np::visitor_t>(np...);
   const auto triangulation = internal::make_triangulation(mesh, options);
   std::vector<Vertex_index> indices;
-  for(const internal::Vertex_in<TriangleMesh> v : landmarks)
+  for(const Mesh_vertex<TriangleMesh> v : landmarks)
     indices.push_back(triangulation.index(v));
   auto visitor = internal::make_visitor(options);
   return Geodesic_landmarks(triangulation, indices, ConcurrencyTag(), parameters::visitor(std::ref(visitor.get())));
@@ -939,7 +939,7 @@ namespace internal {
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
   CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE Computed_output<Form, Shortest_path_report> compute_shortest_path(        \
-      const Mesh&, Vertex_in<Mesh>, Vertex_in<Mesh>, const parameters::Default_named_parameters&);
+      const Mesh&, Mesh_vertex<Mesh>, Mesh_vertex<Mesh>, const parameters::Default_named_parameters&);
 CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
 #undef CGAL_FLIP_GEODESICS_INSTANCES
 

@@ -83,12 +83,13 @@ Result write_computed(Computed&& computed, OutputIterator out)
 
 /* A copy of a range of vertices of the mesh. */
 template <class TriangleMesh>
-using Vertices_of = std::vector<Vertex_in<TriangleMesh>>;
+using Vertices_of = std::vector<Mesh_vertex<TriangleMesh>>;
 
 template <class TriangleMesh, class VertexRange>
 Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRange& vertices)
 {
-  static_assert(is_range_of<VertexRange, Vertex_in<TriangleMesh>>, "the curve is not a range of vertices of the mesh");
+  static_assert(is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
+                "the curve is not a range of vertices of the mesh");
   Vertices_of<TriangleMesh> result;
   for(const auto& v : vertices)
     result.push_back(v);
@@ -102,8 +103,8 @@ Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRang
 
 /* Computes the result of `geodesic_path()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
-Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
-                                   Vertex_in<TriangleMesh> target, const NamedParameters& np);
+Computed_output<Form> compute_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                   Mesh_vertex<TriangleMesh> target, const NamedParameters& np);
 
 /* Computes the result of `geodesic_loop()`. */
 template <class Form, class TriangleMesh, class NamedParameters>

@@ -183,7 +183,7 @@ struct Path_computation
   using Network = typename Curve_types<TriangleMesh, NamedParameters>::Network;
 
   const TriangleMesh& mesh;
-  Vertex_in<TriangleMesh> source, target;
+  Mesh_vertex<TriangleMesh> source, target;
   const NamedParameters& np;
   StopPredicate stop;
   const SearchOver& search_over;
@@ -262,8 +262,8 @@ Computed_output<std::vector<Form>> compute_curves(const TriangleMesh& mesh,
 
 /* Computes the result of `geodesic_path()`. */
 template <class Form, class TriangleMesh, class NamedParameters>
-Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
-                                   Vertex_in<TriangleMesh> target, const NamedParameters& np)
+Computed_output<Form> compute_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                   Mesh_vertex<TriangleMesh> target, const NamedParameters& np)
 {
   using Search = Shortest_edge_path<typename Curve_types<TriangleMesh, NamedParameters>::Triangulation>;
   const auto search_over = [](const auto& triangulation) {
@@ -349,7 +349,7 @@ using All = Curve_point<Mesh, typename Mesh::Point>;
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_path(                                              \
-      const Mesh&, Vertex_in<Mesh>, Vertex_in<Mesh>, const parameters::Default_named_parameters&);                     \
+      const Mesh&, Mesh_vertex<Mesh>, Mesh_vertex<Mesh>, const parameters::Default_named_parameters&);                 \
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_loop(const Mesh&, const Vertices_of<Mesh>&,        \
                                                                          const parameters::Default_named_parameters&); \
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<std::vector<Form>> compute_network(                              \

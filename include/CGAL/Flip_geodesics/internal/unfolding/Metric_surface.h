@@ -121,11 +121,16 @@ struct Vertex_of
   using type = typename Graph::vertex_descriptor;
 };
 
+} // namespace internal
+
+// Documented in geodesic_path.h.
 template <class TriangleMesh>
-using Vertex_in = typename Vertex_of<TriangleMesh>::type;
+using Mesh_vertex = typename internal::Vertex_of<TriangleMesh>::type;
+
+namespace internal {
 
 template <class TriangleMesh, class T>
-constexpr bool is_mesh_vertex = std::is_convertible<T, Vertex_in<TriangleMesh>>::value;
+constexpr bool is_mesh_vertex = std::is_convertible<T, Mesh_vertex<TriangleMesh>>::value;
 
 /* The value type of the output's points. */
 template <class TriangleMesh, class NamedParameters, class Output, template <class> class Container = Itself>
