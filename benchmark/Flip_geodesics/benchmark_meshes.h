@@ -109,7 +109,7 @@ inline Mesh in_hilbert_order(const Mesh& mesh)
 
 /*!
  * A mesh by name: `torus:N`, `terrain:N`, `grid:N` of about N triangles, or a file; followed by `+K` it is subdivided
- * K times [Loop's scheme], and by `~`, numbered along a Hilbert curve.
+ * K times by Loop's scheme, and by `~`, numbered along a Hilbert curve.
  * \throws std::runtime_error
  */
 inline Mesh make_mesh(const std::string& name)

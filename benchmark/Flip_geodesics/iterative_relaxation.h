@@ -13,10 +13,9 @@
 namespace opponents {
 
 /*!
- * Straightens an edge path by iterative relaxation [Martinez, Velho, Carvalho, Computing Geodesics on Triangular
- * Meshes, 2005]: each point of the path moves to where the straight line between its neighbours crosses its edge, in
- * the two faces there unfolded; a point at a vertex moves off it on a side with an angle below \f$\pi\f$. In sweeps
- * along the path, until all angles are within a tolerance of straight; theirs is 0.005.
+ * Straightens an edge path by iterative relaxation [MVC05]: in sweeps along the path, each point moves to where the straight line
+ * between its neighbors crosses its edge in the two unfolded faces there, and a point at a vertex moves off it on a side
+ * with an angle below \f$\pi\f$, until all angles are straight within a tolerance, which is 0.005 in the paper.
  */
 template <class Mesh>
 class Iterative_relaxation

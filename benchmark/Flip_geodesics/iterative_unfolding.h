@@ -13,9 +13,9 @@
 namespace opponents {
 
 /*!
- * Straightens an edge path by iterative unfolding [Xin, Wang, Efficiently Determining a Locally Exact Shortest Path on
- * Polyhedral Surfaces, 2007]: the shortest path within the unfolded strip of faces, by a funnel; where it bends about a
- * vertex whose other side has an angle below \f$\pi\f$, the strip is led round that side; until nothing changes.
+ * Straightens an edge path by iterative unfolding [XW07]: the shortest path within the unfolded strip of faces, by a
+ * funnel; where it bends about a vertex whose other side has an angle below \f$\pi\f$, the strip is led round that
+ * side; until nothing changes.
  */
 template <class Mesh>
 class Iterative_unfolding

@@ -119,7 +119,7 @@ def crossed_edges(points, edges, p, q):
 def funnel_steps(start, portals):
     """
     The funnel after each portal (left, right) of a strip: the path from the start to the apex, and the chains from the
-    apex to the left and to the right end of the portal [Lee and Preparata 1984].
+    apex to the left and to the right end of the portal [LP84].
     """
     path, left, right = [start], [start], [start]
 

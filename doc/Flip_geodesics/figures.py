@@ -76,7 +76,7 @@ def wire_panel(points, faces, width=0.0025):
 
 
 def spread(graph, source, count):
-    """Vertices that lie far from each other, in turn the farthest from those before [Gonzalez 1985]."""
+    """Vertices that lie far from each other, in turn the farthest from those before [G85]."""
     chosen, near = [source], [math.dist(p, graph.points[source]) for p in graph.points]
     while len(chosen) <= count:
         chosen.append(max(range(len(near)), key=near.__getitem__))

@@ -2,20 +2,24 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """What Doxygen reads in place of a file of the manual or a header: filter.py FILE
 
-Numbers figures and names them by their numbers where they are referred to, links citations to the list of references,
-and names of enumerators to their enumerations. Writes formulas of a letter or two without LaTeX, so that they can be
-read where MathJax cannot be loaded. Leaves out the conditions by which the compiler tells overloads apart. Lines keep
-their numbers.
+Numbers figures and names them by their numbers where they are referred to, and links names of enumerators to their
+enumerations. Writes formulas of a letter or two without LaTeX, so that they can be read where MathJax cannot be loaded.
+Leaves out the conditions by which the compiler tells overloads apart. Lines keep their numbers.
+
+Of the BibTeX file, it makes the chapter Bibliography, to whose anchors `\\cgalCite` leads. Doxygen's own commands for
+that require bibtex and Perl.
 """
 
 import re
 import sys
+import unicodedata
 from functools import lru_cache
 from pathlib import Path
 
 DOC = Path(__file__).resolve().parent
 HEADERS = DOC.parents[1] / 'include'
-BIBLIOGRAPHY = DOC / 'Glossary.txt'
+BIBLIOGRAPHY = DOC / 'Flip_geodesics.bib'
+ACCENTS = {"'": '\u0301', '`': '\u0300', '"': '\u0308', 'c ': '\u0327'}
 
 
 def chapters():
@@ -31,9 +35,29 @@ def figures():
     return {name: number for number, name in enumerate(names, 1)}
 
 
-@lru_cache(maxsize=None)
 def references():
-    return set(re.findall(r'^- \[(\w+)\] ', BIBLIOGRAPHY.read_text(), re.M))
+    """The fields of each entry of the bibliography by its key."""
+    return {key: dict(re.findall(r'^ *(\w+) *= \{(.*)\},?$', fields, re.M))
+            for key, fields in re.findall(r'^@\w+\{(\w+),\n(.*?)^\}', BIBLIOGRAPHY.read_text(), re.M | re.S)}
+
+
+def bibliography():
+    """The chapter with all entries, in the order of the file."""
+    def plain(text):
+        accented = re.sub(r'\{\\([\'`"]|c )(\w)\}', lambda m: unicodedata.normalize('NFC', m[2] + ACCENTS[m[1]]), text)
+        return re.sub(r'[{}]', '', accented.replace(r'\&', '&amp;')).encode('ascii', 'xmlcharrefreplace').decode()
+
+    def item(key, fields):
+        place = fields.get('journal') or fields.get('booktitle') or fields.get('note')
+        issue = fields.get('volume', '') + (f'({fields["number"]})' if 'number' in fields else '')
+        source = ', '.join(part for part in (f'{place or ""} {issue}'.strip(), fields.get('publisher'), fields['year']) if part)
+        doi = f' <a href="https://doi.org/{fields["doi"]}">doi:{fields["doi"]}</a>' if 'doi' in fields else ''
+        authors = ', '.join(fields['author'].split(' and '))
+        text = f'{plain(authors)}. {plain(fields["title"])}. {plain(source)}.{doi}'
+        return f'<li>\\anchor cite_{key} [{key}] {text}</li>\n'
+
+    items = ''.join(item(key, fields) for key, fields in references().items())
+    return f'/*!\n\\page Flip_geodesicsBibliography Bibliography\n\n<ul>\n{items}</ul>\n*/'
 
 
 @lru_cache(maxsize=None)
@@ -53,15 +77,6 @@ def enumerators():
 def number_figures(line):
     line = re.sub(r'\\cgalFigureRef\{(\w+)\}', lambda m: rf'\ref fig__{m[1]} "Figure {figures()[m[1]]}"', line)
     return re.sub(r'(\\cgalFigureBegin\{(\w+),[^}]*\})', lambda m: rf'\1 <b>Figure {figures()[m[2]]}.</b>'.replace(r'\1', m[1]), line)
-
-
-def link_citations(line):
-    line = re.sub(r'^- \[(\w+)\] ', lambda m: rf'- \anchor cite_{m[1]} [{m[1]}] ' if m[1] in references() else m[0], line)
-
-    def link(match):
-        return re.sub(r'\b(\w+)\b', lambda m: rf'\ref cite_{m[1]} "{m[1]}"' if m[1] in references() else m[0], match[0])
-
-    return line if line.startswith(r'- \anchor cite_') else re.sub(r'\[[A-Z]+\w*\d\d[^\]]*\]?', link, line)
 
 
 def link_enumerators(line):
@@ -102,6 +117,9 @@ def without_conditions(text):
 
 def main():
     path = Path(sys.argv[1])
+    if path.suffix == '.bib':
+        print(bibliography())
+        return
     is_text = path.suffix == '.txt'
     in_code = False
     text = path.read_text()
@@ -109,7 +127,7 @@ def main():
         if re.search(r'\\code\b|\\verbatim\b', line):
             in_code = True
         if not in_code and (is_text or re.match(r'\s*(///|\*|/\*!)', line) or '///<' in line):
-            line = write_formulas(link_enumerators(link_citations(number_figures(line))))
+            line = write_formulas(link_enumerators(number_figures(line)))
         if re.search(r'\\endcode\b|\\endverbatim\b', line):
             in_code = False
         print(line)

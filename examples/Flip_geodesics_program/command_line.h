@@ -606,7 +606,7 @@ private:
     add_text("-o,--output", "FILE", m_options.results.live, ".html")->required();
   }
 
-  // Letters to insert, to drop or to exchange until one text is the other [Levenshtein 1966].
+  // Letters to insert, to drop or to exchange until one text is the other (Levenshtein distance).
   static std::size_t distance(const std::string& a, const std::string& b)
   {
     std::vector<std::size_t> row(b.size() + 1);

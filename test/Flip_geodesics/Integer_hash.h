@@ -11,7 +11,7 @@
 
 namespace Flip_geodesics_test {
 
-/// A hash of integers that is the same everywhere: FNV-1a [Fowler, Noll, Vo], byte by byte.
+/// A hash of integers that is the same everywhere: FNV-1a, byte by byte.
 class Integer_hash
 {
 public:

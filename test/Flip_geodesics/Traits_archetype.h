@@ -204,7 +204,7 @@ public:
 private:
   static long double pi() { return 3.14159265358979323846264338327950288L; }
 
-  // Between sides a and b, opposite c [Kahan, Miscalculating Area and Angles of a Needle-like Triangle].
+  // Between sides a and b, opposite c [K14].
   static long double angle(long double a, long double b, long double c)
   {
     const long double longer = (std::max)(a, b), shorter = (std::min)(a, b);

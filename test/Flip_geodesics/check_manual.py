@@ -41,7 +41,7 @@ def check_markup(name, text):
         problems.append(f'{name}: an asterisk was taken away before "{found}"')
     plain = unescape(re.sub(r'<[^>]*>', '', text))
     if name.startswith('Flip_geodesics') or name == 'index.html':  # the chapters, which have no pointers
-        for found in re.finditer(r'\*(?=\w)|(?<!\bA)(?<=[\w.])\*', plain):
+        for found in re.finditer(r'\*(?=\w)|(?<!\bA)(?<!\bTheta)(?<=[\w.])\*', plain):
             problems.append(f'{name}: an asterisk is left over in "{excerpt(plain, found)}"')
     for found in re.finditer(r'`|\\[a-z]{3,}\b|\bcgal[A-Z]\w+', plain):
         problems.append(f'{name}: markup left over in "{excerpt(plain, found)}"')

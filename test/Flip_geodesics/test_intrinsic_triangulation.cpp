@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(edge_paths_are_the_shortest_of_all)
       FG::internal::Indexed_by<FG::Vertex_index, std::vector<double>> distance(static_cast<std::size_t>(n),
                                                                                std::numeric_limits<double>::infinity());
       distance[source] = 0;
-      for(int round = 0; round < n; ++round) // [Bellman, Ford]
+      for(int round = 0; round < n; ++round) // Bellman-Ford algorithm
         for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
           distance[t.head(h)] = (std::min)(distance[t.head(h)], distance[t.tail(h)] + t.length(h));
       for(FG::Vertex_index target : descriptors<FG::Vertex_index>(n)) {

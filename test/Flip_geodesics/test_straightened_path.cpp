@@ -386,7 +386,7 @@ BOOST_AUTO_TEST_CASE(a_stop_predicate_sees_the_edge_path)
   BOOST_TEST(finished.report.curves[0].length < finished.report.curves[0].initial_length);
 }
 
-// Distances along edges by relaxing all of them again and again [Bellman, Ford].
+// Distances along edges by the Bellman-Ford algorithm.
 BOOST_AUTO_TEST_CASE(shortest_edge_paths_are_as_long_as_edges_relaxed_again_and_again_say)
 {
   for(const Mesh_soup& soup :

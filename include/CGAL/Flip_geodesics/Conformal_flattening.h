@@ -35,8 +35,8 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Computes the discretely conformal flattening [SSP08] of a surface that is cut open along the curves of a network
- * [SC20, section 6.1, Figure 22].
+ * Computes the discretely conformal flattening \cgalCite{SSP08} of a surface that is cut open along the curves of a
+ * network \cgalCite{SC20,section 6.1 and Figure 22}.
  *
  * Each vertex is assigned a scale factor \f$e^{u}\f$, and edges are assigned the lengths \f$e^{(u_i+u_j)/2}\,l_{ij}\f$,
  * such that the faces fit together in the plane. At the border of the cut surface \f$u = 0\f$: lengths are preserved

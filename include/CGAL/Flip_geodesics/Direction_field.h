@@ -27,14 +27,14 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Computes the smoothest direction field on an intrinsic triangulation [KCPS13]: a cross field for symmetry 4, a line
- * field for 2, and a vector field for 1.
+ * Computes the smoothest direction field on an intrinsic triangulation \cgalCite{KCPS13}: a cross field for symmetry 4,
+ * a line field for 2, and a vector field for 1.
  *
  * The field is stored at vertices, as the `symmetry`-th power of a complex number in the tangent space of the vertex
  * (`Tangent_spaces`). It minimizes \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$ with the cotangent weights \f$w\f$ and
  * the transport \f$r\f$ along edges, among all fields of unit norm or, if curves were given, among the fields aligned
- * to them [SC20, section 6.4, Figure 26]. Edges that are not Delaunay have negative weights, which can make the minimal
- * energy meaningless; flip the triangulation to Delaunay first.
+ * to them \cgalCite{SC20,section 6.4 and Figure 26}. Edges that are not Delaunay have negative weights, which can make
+ * the minimal energy meaningless; flip the triangulation to Delaunay first.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */

@@ -354,8 +354,8 @@ public:
   }
 
   /*!
-   * Replaces the only segment of a loop by two [SC20, Appendix B], which lie on the other two edges of the face on the
-   * left of `h`, where `h` is the halfedge of the segment or its twin.
+   * Replaces the only segment of a loop by two \cgalCite{SC20,Appendix B}, which lie on the other two edges of the face
+   * on the left of `h`, where `h` is the halfedge of the segment or its twin.
    * \return the new segment that arrives at the old node
    */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }

@@ -195,7 +195,7 @@ public:
   private:
     Face_geometry face(const NT& a, const NT& b, const NT& c) const
     {
-      const NT square = NT((a + b + c) * (a + b - c)) * NT((b + c - a) * (c + a - b)); // of 4 area [Heron]
+      const NT square = NT((a + b + c) * (a + b - c)) * NT((b + c - a) * (c + a - b)); // of 4 area
       return Geometry::face_from_squares(NT(a * a), NT(b * b), NT(c * c), this->unit().root(square));
     }
   };

@@ -135,9 +135,9 @@ struct Distance_field_report
  * Computes the distances on a surface from a set of sources, exactly up to rounding errors.
  *
  * Windows of straight rays are propagated from face to face, and each edge keeps the lower envelope of the windows that
- * reach it [MMP87]. Sources are vertices, points anywhere on the surface, and curves. Each has an offset, which is
- * added to all distances from it. A computed field can be queried for the distance at any location, the shortest path
- * from there, the nearest source and the gradient.
+ * reach it \cgalCite{MMP87}. Sources are vertices, points anywhere on the surface, and curves. Each has an offset,
+ * which is added to all distances from it. A computed field can be queried for the distance at any location, the
+ * shortest path from there, the nearest source and the gradient.
  *
  * \code
  * Geodesic_distance_field<Triangulation> field(triangulation, mesh);

@@ -62,7 +62,7 @@ struct Geodesic_tree_report
   /// degenerate faces fold vertices onto one point.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< the number of edge flips
-  std::size_t flip_outs = 0; ///< the number of wedges flipped out [SC20, Algorithm 1]
+  std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
   std::size_t reopened = 0;  ///< the number of times a vertex was reached again by a shorter path
   /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite
   /// if no path passes a vertex, and with traits without drift, whose predicates make this measurement unnecessary.
@@ -73,13 +73,13 @@ struct Geodesic_tree_report
  * \ingroup PkgFlipGeodesicsTree
  *
  * Represents the tree of geodesics from a source to all vertices, or to those within a distance. Every
- * path consists of edges of one intrinsic triangulation [SC20, section 6.5].
+ * path consists of edges of one intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
  * has an angle of at least \f$\pi\f$ on either side where it leaves the tree. Otherwise the wedge with the smaller
  * angle is flipped out, which makes room for a shorter path, and the search continues. Such a wedge never contains an
- * edge of the tree, since the paths through its apex are straight. In contrast to [SC20], an accepted vertex is
- * reopened if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of the edge
+ * edge of the tree, since the paths through its apex are straight. In contrast to \cgalCite{SC20}, an accepted vertex
+ * is reopened if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of the edge
  * graph of the final triangulation.
  *
  * The paths are locally shortest and do not cross. Most of them are globally shortest; `make_shortest()` replaces the
@@ -637,7 +637,7 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Computes the logarithmic map of the source of a tree [SC20, section 6.5], that is, the length and the initial
+ * Computes the logarithmic map of the source of a tree \cgalCite{SC20,section 6.5}, that is, the length and the initial
  * direction of the path to each vertex.
  *
  * The directions are angles on the surface, counterclockwise from an input edge, in \f$[0, \mathtt{total\_angle})\f$.

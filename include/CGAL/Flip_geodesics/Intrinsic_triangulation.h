@@ -388,7 +388,7 @@ enum class Zero_length_edges {
  * \ingroup PkgFlipGeodesicsCurves
  *
  * Represents an intrinsic triangulation of a triangle mesh: the vertices of the mesh are connected by straight edges
- * *in* the surface, which can be flipped without changing the surface [SC20, section 3.1].
+ * *in* the surface, which can be flipped without changing the surface \cgalCite{SC20,section 3.1}.
  *
  * The triangulation is a \f$\Delta\f$-complex: an edge may be a loop, two edges may have the same two end points, a
  * vertex may have degree 1, and a face may be glued to itself. Elements are therefore identified by their indices,
@@ -563,7 +563,7 @@ public:
   /// \name Flips
   /// @{
 
-  /// Returns whether the edge of `h` can be flipped [SC20, section 3.1.3]: it is an interior edge in a convex
+  /// Returns whether the edge of `h` can be flipped \cgalCite{SC20,section 3.1.3}: it is an interior edge in a convex
   /// quadrilateral, both its ends have a degree above 1, and it is not held.
   bool is_flippable(Halfedge_index h) const
   {
@@ -729,12 +729,12 @@ public:
   /// \name Correspondence with the input
   /// @{
 
-  /// Returns the number of input edges that the edge crosses, or -1 if it lies along an input edge [GSC21].
+  /// Returns the number of input edges that the edge crosses, or -1 if it lies along an input edge \cgalCite{GSC21}.
   Index crossings(Edge_index e) const { return store().crossings(store().slot(internal::first_side(e))); }
 
   /*!
    * Returns the sequence of input edges that halfedge `h` crosses, from tail to head. It is exact, since it is computed
-   * with integers only [GSC21, section 3].
+   * with integers only \cgalCite{GSC21,section 3}.
    *
    * The sequence is computed from the crossing numbers around the edge when it is first requested, and then stored. If
    * points have been inserted, or if no input edge remains at either end, the sequence is derived from the flip log,

@@ -228,8 +228,8 @@ public:
       return {{{length, 0}, turned(face[1]), turned(face[2])}};
     }
 
-    // Heron's formula in the order that is accurate for needles [Kahan, Miscalculating Area and Angles of a Needle-like
-    // Triangle]; a negative product results from rounding errors in a degenerate triangle.
+    // Heron's formula in the order that is accurate for needles [K14]; a negative product results from rounding errors
+    // in a degenerate triangle.
     static double doubled_area(double a, double b, double c)
     {
       std::array<double, 3> l = {a, b, c};

@@ -92,8 +92,8 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
  * otherwise. All loops of a component pass through its base point. They are the shortest edge loops through the base
- * point that generate the fundamental group, and also the homology, since a greedy choice is optimal for both [EW05]. A
- * different base point leads to a different basis. Lengths are those of the metric.
+ * point that generate the fundamental group, and also the homology, since a greedy choice is optimal for both
+ * \cgalCite{EW05}. A different base point leads to a different basis. Lengths are those of the metric.
  *
  * The class reads only the input, so it remains valid when the triangulation is flipped, and does not change the
  * triangulation. Construction takes \f$O(n \log n)\f$ time and linear memory.
@@ -242,8 +242,8 @@ public:
    * Returns whether a closed chain of input halfedges can be contracted to a point on the surface.
    *
    * The problem is solved exactly in the fundamental group: by reduction in the free group if the component has a
-   * border, by counting on a torus, and by Dehn's algorithm on other closed surfaces. A curve of homology class zero
-   * need not be contractible; a curve that separates two handles is not.
+   * border, by counting on a torus, and by Dehn's algorithm \cgalCite{LS77} on other closed surfaces. A curve of
+   * homology class zero need not be contractible; a curve that separates two handles is not.
    *
    * \param halfedges a range of `Input_halfedge_index` that forms a closed chain, as for `homology_class()`
    * \throws Invalid_curve_error if the chain is not closed
@@ -427,7 +427,7 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes a homology basis of handle loops and tunnel loops of a surface that bounds a solid [DFW13].
+ * Computes a homology basis of handle loops and tunnel loops of a surface that bounds a solid \cgalCite{DFW13}.
  *
  * A handle loop bounds a surface inside the solid, like the meridian of a torus; a tunnel loop bounds a surface
  * outside. Each component of genus \f$g\f$ has \f$g\f$ loops of either kind, independently of the other components. All

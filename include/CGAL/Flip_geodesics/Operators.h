@@ -33,7 +33,7 @@ namespace Flip_geodesics {
  * \ingroup PkgFlipGeodesicsOperators
  *
  * Assembles the differential operators of linear finite elements on an intrinsic triangulation, as sparse matrices over
- * `double`. The Laplacian of intrinsic triangulations is that of [BS07].
+ * `double`. The Laplacian of intrinsic triangulations is that of \cgalCite{BS07}.
  *
  * The operators depend only on edge lengths. Flips change the discretization but not the continuous operators, and a
  * Delaunay triangulation improves the approximation.
@@ -191,10 +191,10 @@ private:
  * Defines directions at the vertices of an intrinsic triangulation, as the angle of each halfedge counterclockwise from
  * the reference direction at its tail, in radians.
  *
- * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ [KCPS13]. At the border
- * they are not scaled, and the reference is the first halfedge counterclockwise from the border. The object is a
- * snapshot, which later flips of the triangulation do not affect. Construction takes time linear in the size of the
- * mesh.
+ * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}. At
+ * the border they are not scaled, and the reference is the first halfedge counterclockwise from the border. The object
+ * is a snapshot, which later flips of the triangulation do not affect. Construction takes time linear in the size of
+ * the mesh.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -297,7 +297,7 @@ private:
  * \ingroup PkgFlipGeodesicsOperators
  *
  * Solves the Poisson problem \f$-\Delta u = \rho\f$ with \f$u\f$ given at some vertices, for instance along geodesics
- * [SC20, section 6.4, Figure 26], and no flow across the rest of the border.
+ * \cgalCite{SC20,section 6.4 and Figure 26}, and no flow across the rest of the border.
  *
  * The problem is discretized by linear finite elements with the cotangent Laplacian. The matrix is factorized once
  * (sparse Cholesky) for any number of right-hand sides.

@@ -65,7 +65,7 @@ struct Curve_certificate
  * The sequence of input edges that a segment crosses is unfolded from the input coordinates, and the angles at the
  * joints are summed over input faces. Only integers are taken from the results of the flips, so rounding errors of the
  * flips have no influence. The unfolding uses doubles, with an error of some units in the last place per face. The idea
- * of such a check is from [SC20, section 5.1]; the unfolded strips are specific to this package.
+ * of such a check is from \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
  *
  * A meter becomes invalid when the triangulation changes.
  *

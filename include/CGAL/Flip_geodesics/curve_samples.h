@@ -35,9 +35,9 @@ namespace Flip_geodesics {
  *
  * Within a face a vector does not change, and across an edge it does not change if both faces are unfolded into a
  * plane. At a vertex on the curve, the vector keeps its angle to the curve, after the angles around the vertex have
- * been scaled to a sum of \f$2\pi\f$ [PS98], except on the border. The tangent of a straightest geodesic is therefore
- * transported to its tangent. Along a loop that does not contain a vertex, a vector is rotated by the holonomy of the
- * loop, the sum of the angle defects of the enclosed vertices.
+ * been scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}, except on the border. The tangent of a straightest geodesic is
+ * therefore transported to its tangent. Along a loop that does not contain a vertex, a vector is rotated by the
+ * holonomy of the loop, the sum of the angle defects of the enclosed vertices.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
  */

@@ -46,9 +46,9 @@ enum class Spline_kind {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes a chain of geodesic B&eacute;zier curves on the surface, by de Casteljau's algorithm with geodesics instead
- * of straight lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008].
- * In the plane, the points where pieces meet are exactly those of the B&eacute;zier curve, up to rounding errors.
+ * Computes a chain of geodesic B&eacute;zier curves on the surface \cgalCite{MCV08}, \cgalCite{SC20,section 6.2}, by de
+ * Casteljau's algorithm with geodesics instead of straight lines. In the plane, the points where pieces meet are
+ * exactly those of the B&eacute;zier curve, up to rounding errors.
  *
  * Each geodesic segment of a control polygon is shortened independently, in a triangulation that is restored for the
  * next one. Segments may therefore cross, pass over control points and over one another, and the control polygon may
@@ -288,7 +288,7 @@ private:
     m_control_length = polygon_length();
   }
 
-  // Segments are divided into thirds, and the lines that cut the corners off at their midpoints [Farin].
+  // Segments are divided into thirds, and the lines that cut the corners off at their midpoints [F02].
   void make_cubic(bool is_closed)
   {
     const std::size_t n = m_legs.size();
@@ -602,7 +602,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic spline [SC20, section 6.2]. The result consists of the points where the pieces of a
+ * Computes a geodesic spline \cgalCite{SC20,section 6.2}. The result consists of the points where the pieces of a
  * `Geodesic_spline` meet, which lie on the curve, connected by geodesics. The control polygon and the curve may cross
  * themselves.
  *

@@ -60,8 +60,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Flips given edges of a triangulation until each is locally Delaunay, by Lawson's algorithm [Bobenko and Springborn
- * 2007]. Other edges are not flipped. If all edges are given, the result is an intrinsic Delaunay triangulation.
+ * Flips given edges of a triangulation until each is locally Delaunay, by Lawson's algorithm \cgalCite{BS07}. Other
+ * edges are not flipped. If all edges are given, the result is an intrinsic Delaunay triangulation.
  *
  * An edge whose four points are cocircular is Delaunay and not flipped. With exact traits, the process terminates on
  * every input: each flip decreases a function of the triangulation, and only finitely many triangulations have a
@@ -116,7 +116,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  *
  * Flips all edges of a triangulation until each is locally Delaunay, so that the triangulation becomes the intrinsic
  * Delaunay triangulation. If networks have curves in it, it becomes the intrinsic constrained Delaunay triangulation
- * (iCDT) of all these curves [SC20, section 6.3].
+ * (iCDT) of all these curves \cgalCite{SC20,section 6.3}.
  *
  * The named parameters and exceptions are those of the overload with edges.
  *

@@ -318,7 +318,7 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes the shortest edge loop of a given kind through a vertex [EH04].
+ * Computes the shortest edge loop of a given kind through a vertex \cgalCite{EH04}.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`; its input is searched, and lengths are those of its
  *        metric

@@ -80,7 +80,8 @@ struct Mean_limits
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Finds Karcher (Riemannian) means: points with the least weighted sum of squared distances from given points.
+ * Finds Karcher (Riemannian) means \cgalCite{K77}: points with the least weighted sum of squared distances from given
+ * points.
  *
  * The logarithmic map provides the vectors from the current point to the given points. The search continues from the
  * current point along a straightest geodesic in the direction of the weighted mean of the vectors; if the sum
@@ -313,8 +314,8 @@ struct Geodesic_mean_result
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Computes a Karcher (Riemannian) mean of weighted points: a point with the least weighted sum of squared distances
- * from them. The search starts at the point with the largest weight; see `Geodesic_mean`.
+ * Computes a Karcher (Riemannian) mean \cgalCite{K77} of weighted points: a point with the least weighted sum of
+ * squared distances from them. The search starts at the point with the largest weight; see `Geodesic_mean`.
  *
  * \param mesh a triangle mesh
  * \param points a range of vertices, `CGAL::Polygon_mesh_processing::Face_location`s or points in space

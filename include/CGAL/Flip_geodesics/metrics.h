@@ -467,8 +467,7 @@ inline int scale_to_one(std::array<double, 3>& lengths)
  * become shorter by any factor.
  *
  * The linear map back, from `after` to `before`, stretches by at most its larger singular value. The sum of the squares
- * of both singular values follows from the cotangents of `after` [Pinkall, Polthier, Computing discrete minimal
- * surfaces and their conjugates], and their product is that of the areas.
+ * of both singular values follows from the cotangents of `after` [PP93], and their product is that of the areas.
  */
 inline double least_stretch(std::array<double, 3> before, std::array<double, 3> after)
 {
@@ -514,9 +513,9 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents a given metric with a small length added to every edge [Sharp, Crane, A Laplacian for Nonmanifold Triangle
- * Meshes, section 4.5], chosen such that each face satisfies the triangle inequality with a margin. Meshes with
- * degenerate edges and faces can be used with this metric, at the cost of a slightly different surface.
+ * Represents a given metric with a small length added to every edge \cgalCite{SC20b,section 4.5}, chosen such that each
+ * face satisfies the triangle inequality with a margin. Meshes with degenerate edges and faces can be used with this
+ * metric, at the cost of a slightly different surface.
  *
  * Curves are geodesics of the modified surface, but their points are still those of the mesh, if it has any.
  *

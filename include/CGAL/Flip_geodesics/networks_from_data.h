@@ -149,8 +149,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the edges between faces of different regions as a network: the boundaries of a segmentation [SC20, section 6.1].
- * The border of the mesh is not a boundary of a region, but boundaries can end there.
+ * Adds the edges between faces of different regions as a network: the boundaries of a segmentation
+ * \cgalCite{SC20,section 6.1}. The border of the mesh is not a boundary of a region, but boundaries can end there.
  *
  * With fixed junctions, each curve leads from one vertex to another at which one or more than two such edges meet, or
  * is closed if it has no such vertex, as with `add_marked_edges()`. With free junctions, each edge carries two
@@ -283,8 +283,8 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a polyline anywhere on the mesh to a network, as a curve whose nodes are fixed at all its points [SC20, Figure
- * 9].
+ * Adds a polyline anywhere on the mesh to a network, as a curve whose nodes are fixed at all its points
+ * \cgalCite{SC20,Figure 9}.
  *
  * The points become vertices, and the segments become edges of the triangulation, by flips of edges in their input
  * faces; a segment that passes a vertex consists of several edges. The curve therefore coincides with the polyline.

@@ -146,9 +146,9 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * Refines a triangulation until no angle is too small and no edge is too long.
  *
  * The triangulation is first flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, the
- * worst face first, each followed by flips [SSC19, section 4.3]. Curves and the border are constrained: if they are in
- * the way, they are split at vertices on them, and thus remain geodesics of the same length. The surface does not
- * change. Since the positions of vertices on curves are rounded, `certify()` considers the curves bent there by a
+ * worst face first, each followed by flips \cgalCite{SSC19,section 4.3}. Curves and the border are constrained: if they
+ * are in the way, they are split at vertices on them, and thus remain geodesics of the same length. The surface does
+ * not change. Since the positions of vertices on curves are rounded, `certify()` considers the curves bent there by a
  * rounding error and should be called before refinement.
  *
  * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point
@@ -166,7 +166,7 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * Two kinds of faces are exempt from the bound on angles. In one kind, the smallest angle lies between two constrained
  * edges that meet at less than 60 degrees, or at a vertex whose angles sum to less than 60 degrees; no insertion could
  * enlarge this angle. In the other, the shortest side connects two constrained edges at equal distances from such a
- * vertex; an insertion there would cause another one closer to the vertex, and so on without end [Shewchuk 2002].
+ * vertex; an insertion there would cause another one closer to the vertex, and so on without end \cgalCite{S02}.
  *
  * \param network an `Edge_path_network` whose triangulation, a model of `IntrinsicTriangulationOfMesh`, is refined
  * \param options the bounds; the process terminates by itself in practice for angles up to about 25 degrees

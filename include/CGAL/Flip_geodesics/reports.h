@@ -185,9 +185,9 @@ struct Shortening_report
   /// The number of edge flips, including those of steps that were rolled back, and those by which a straightened path
   /// was inserted.
   std::size_t flips = 0;
-  /// The number of steps taken [SC20, Algorithm 1]; the compound step for a loop of one segment counts as one. It is 0
-  /// if a path was straightened beforehand, as by functions without a stop predicate or visitor, and then required no
-  /// step.
+  /// The number of steps taken \cgalCite{SC20,Algorithm 1}; the compound step for a loop of one segment counts as one.
+  /// It is 0 if a path was straightened beforehand, as by functions without a stop predicate or visitor, and then
+  /// required no step.
   std::size_t flip_outs = 0;
 
   /// Returns whether every curve of the network is locally shortest or has contracted to a point.

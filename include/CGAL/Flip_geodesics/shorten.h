@@ -95,7 +95,7 @@ public:
   /// Returns whether a run has ended because no step remained.
   bool is_finished() const { return m_is_finished; }
 
-  /// Returns the number of steps taken so far in all runs [SC20, Algorithm 1].
+  /// Returns the number of steps taken so far in all runs \cgalCite{SC20,Algorithm 1}.
   std::size_t number_of_steps() const { return m_state.steps; }
   /// Returns the number of edges flipped so far in all runs. This includes the flips of steps that were rolled back;
   /// each run that is stopped adds some such flips.
@@ -247,7 +247,8 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
 /*!
  * \ingroup PkgFlipGeodesicsShortening
  *
- * Shortens the curves of a network to geodesics by flipping edges [SC20, Algorithm 2], each within its isotopy class.
+ * Shortens the curves of a network to geodesics by flipping edges \cgalCite{SC20,Algorithm 2}, each within its isotopy
+ * class.
  *
  * The process always terminates and is deterministic: it takes the smallest angle first; ties are broken in favor of
  * the older segment, and then of the left side. The straightness of the result is recomputed from the input. With

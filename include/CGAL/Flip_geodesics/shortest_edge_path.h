@@ -36,7 +36,7 @@ namespace Flip_geodesics {
  *
  * Landmarks are computed once for many searches on one mesh, and guide these searches around bumps and holes. By the
  * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound of the distance
- * between them [Goldberg, Harrelson, Computing the shortest path: A* search meets graph theory]. On most meshes this
+ * between them \cgalCite{GH05}. On most meshes this
  * bound is larger than the distance in space, and it also exists for metrics without points. `Geodesic_landmarks`
  * provide bounds of the distances on the surface.
  *
@@ -109,7 +109,7 @@ private:
 /// Specifies the search for an edge path.
 enum class Search_method {
   /// Searches for a path to be shortened, which is close to a shortest path on the surface rather than shortest along
-  /// edges (any-angle search).
+  /// edges (any-angle search \cgalCite{NKT10}).
   ///
   /// The distance of a vertex is measured along straight lines from up to two vertices back on the path to it, but is
   /// taken to be at least the length of the path divided by 1.5. Paths that zigzag along a straight line thus count as

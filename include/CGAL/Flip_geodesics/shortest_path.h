@@ -53,10 +53,9 @@ namespace Flip_geodesics {
  * vertices that are far from one another or chosen by the caller.
  *
  * A lower-bound propagation from each landmark assigns to each vertex a value close to its distance from the landmark.
- * The difference of the values of two vertices is a lower bound of the distance between them [Goldberg, Harrelson,
- * Computing the shortest path: A* search meets graph theory]. Landmarks are computed once for many shortest paths on
- * one mesh, and confine the searches to the regions that shortest paths can enter. `Landmark_distances` do the same for
- * paths along edges.
+ * The difference of the values of two vertices is a lower bound of the distance between them \cgalCite{GH05}. Landmarks
+ * are computed once for many shortest paths on one mesh, and confine the searches to the regions that shortest paths
+ * can enter. `Landmark_distances` do the same for paths along edges.
  *
  * The bounds hold for the mesh with its coordinates taken as given, including rounding errors, like
  * `Shortest_path_report::lower_bound`. Each component has its own landmarks, at most `number_of_landmarks()`. The
@@ -669,9 +668,9 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * The algorithm starts with a geodesic that is obtained by shortening an edge path, after initial straightening
  * (`add_straightened_path()`) unless a visitor must observe the whole process. A lower-bound propagation from the
  * target bounds the remaining length of paths that cross an edge. Windows are then propagated over the mesh as far as a
- * shorter path could reach [MMP87, CH90, XW09]. If they find one, in another homotopy class, it replaces the geodesic
- * and is inserted by flipping the edges that it crosses. On a mesh with degenerate faces that prevent a confirmation,
- * the paths of two trees of geodesics are tried as well.
+ * shorter path could reach \cgalCite{MMP87}, \cgalCite{CH90}, \cgalCite{XW09}. If they find one, in another homotopy
+ * class, it replaces the geodesic and is inserted by flipping the edges that it crosses. On a mesh with degenerate
+ * faces that prevent a confirmation, the paths of two trees of geodesics are tried as well.
  *
  * \sa `shortest_path()`
  */

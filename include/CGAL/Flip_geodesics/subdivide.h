@@ -573,7 +573,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * \ingroup PkgFlipGeodesicsSubdivision
  *
  * Computes the common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which the edges
- * of both are chains of edges, with maps back to both [SSC19, section 3.4.1], [GSC21].
+ * of both are chains of edges, with maps back to both \cgalCite{SSC19,section 3.4.1}, \cgalCite{GSC21}.
  *
  * A function that is linear in the faces of either triangulation is linear in the faces of the subdivision. Data can
  * therefore be transferred from one to the other without loss.

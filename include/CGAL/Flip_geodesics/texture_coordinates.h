@@ -164,8 +164,9 @@ Value picture_place(double x, double y)
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Maps an image onto the surface like a decal, by assigning texture coordinates to the corners of faces. The
- * coordinates are those of the logarithmic map of a point, which is mapped to the center of the image.
+ * Maps an image onto the surface like a decal, by assigning texture coordinates to the corners of faces
+ * \cgalCite{SGW06}. The coordinates are those of the logarithmic map of a point, which is mapped to the center of the
+ * image.
  *
  * The image is the unit square. Along each ray from its center, lengths are preserved; curvature stretches or
  * compresses the image in the perpendicular direction. The logarithmic map is discontinuous where shortest paths arrive

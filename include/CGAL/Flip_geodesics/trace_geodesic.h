@@ -70,7 +70,7 @@ inline const char* to_string(Trace_status end)
 /// \ingroup PkgFlipGeodesicsTracing
 /// Specifies the behavior of a straightest geodesic that reaches a vertex exactly.
 enum class At_vertices {
-  GO_STRAIGHT, ///< it continues with the same angle on its left as on its right [PS98]
+  GO_STRAIGHT, ///< it continues with the same angle on its left as on its right \cgalCite{PS98}
   STOP         ///< it ends there
 };
 
@@ -342,8 +342,8 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
 /*!
  * \ingroup PkgFlipGeodesicsTracing
  *
- * Traces straightest geodesics on the input mesh of a triangulation [PS98], that is, evaluates the exponential map.
- * Such geodesics are straight across faces and edges, and have the same angle on both sides of a vertex. The free
+ * Traces straightest geodesics on the input mesh of a triangulation \cgalCite{PS98}, that is, evaluates the exponential
+ * map. Such geodesics are straight across faces and edges, and have the same angle on both sides of a vertex. The free
  * function is `trace_geodesic()`.
  *
  * Which edges are crossed, and whether a vertex is reached, is decided exactly, from the signs of real numbers that are
@@ -509,7 +509,7 @@ private:
 
   static Vector cross(const Vector& u, const Vector& v)
   {
-    const auto difference = [&](int i, int k) { // of products, accurately [Kahan]
+    const auto difference = [&](int i, int k) { // of products, accurately [JLM13]
       const double product = u[k] * v[i];
       return std::fma(u[i], v[k], -product) - std::fma(u[k], v[i], -product);
     };
@@ -524,8 +524,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTracing
  *
- * Traces a straightest geodesic [PS98] from a surface point in a given direction, that is, evaluates the exponential
- * map.
+ * Traces a straightest geodesic \cgalCite{PS98} from a surface point in a given direction, that is, evaluates the
+ * exponential map.
  *
  * The geodesic is straight across faces and edges. At a vertex it continues with the same angle on its left as on its
  * right, or ends. Which edges are crossed, and whether a vertex is reached, is decided exactly. The direction is

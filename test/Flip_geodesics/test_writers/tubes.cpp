@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(tubes_are_closed_surfaces_about_their_curves)
   const Polyline circle = closed_curve(100, [](double t) { return Point(std::cos(t), std::sin(t), 0); });
   const Written ring = tube_of(circle, 0.1, 16);
   BOOST_CHECK_EQUAL(euler_characteristic_of_closed(ring), 0);
-  BOOST_CHECK_CLOSE(volume(ring), 2 * pi * 16 * 0.01 * std::sin(2 * pi / 16) / 2, 0.3); // [Pappus]
+  BOOST_CHECK_CLOSE(volume(ring), 2 * pi * 16 * 0.01 * std::sin(2 * pi / 16) / 2, 0.3); // Pappus's theorem
   for(std::size_t i = 0; i < ring.points.size(); ++i) {
     const Point &p = circle[i / 16], q(ring.points[i][0], ring.points[i][1], ring.points[i][2]);
     BOOST_CHECK_CLOSE(std::sqrt(CGAL::squared_distance(p, q)), 0.1, 1e-9);

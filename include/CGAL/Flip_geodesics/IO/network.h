@@ -29,7 +29,7 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-/* The hash function [Fowler, Noll, Vo] FNV-1a, 64 bits. */
+/* The hash function FNV-1a, 64 bits. */
 class Fingerprint
 {
 public:

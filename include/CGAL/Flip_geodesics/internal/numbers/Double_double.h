@@ -18,14 +18,12 @@ namespace internal {
 
 /*
  * Numbers of about 106 bits: the unevaluated sum of two doubles, the second at most half a unit in the last place of
- * the first [Dekker]. With u = 2^-53, and as long as nothing over- or underflows, the result of each operation errs by
+ * the first [D71]. With u = 2^-53, and as long as nothing over- or underflows, the result of each operation errs by
  * at most `double_double_error`, that is 16 u^2,
  *
  *   - of |x| + |y| for a sum: 8 u^2 at most, as both rounded operations are on numbers below 2 u (|x| + |y|), and as,
  *     if so much cancels that the last addition is not ordered, it errs by u of a number of that size;
- *   - of the result for a product, 5 u^2, and for a root, 4 u^2 [Joldes, Muller, Popescu, Tight and Rigorous Error
- * Bounds for Basic Building Blocks of Double-Word Arithmetic, algorithm 11; Lefevre et al., Accurate
- * Calculation of Euclidean Norms Using Double-Word Arithmetic];
+ *   - of the result for a product, 5 u^2, and for a root, 4 u^2 [JMP17, algorithm 11], [LLMPR23];
  *   - of the result for a quotient, 13 u^2: the remainder of the first quotient is exact; then four rounded operations
  *     on numbers below 3 u, and the divisor's second half is left out once.
  */
@@ -34,7 +32,7 @@ struct Double_double
   double high = 0, low = 0;
 };
 
-/* a + b, exactly. [Knuth, TwoSum] */
+/* a + b, exactly: TwoSum [K97]. */
 inline Double_double exact_sum(double a, double b)
 {
   a = unfused(a);
@@ -95,7 +93,8 @@ inline Double_double sqrt(const Double_double& a)
 /*
  * Complex numbers. With this type, the error of each operation, as a vector, is at most `double_double_vector_error`, that
  * is 64 u^2, of |v| + |w| for a sum and of |v| |w| for a product: there each coordinate takes two products and a sum of
- * them, in all 33 u^2 (|v.x w.x| + |v.y w.y|) or the like, which is at most 33 u^2 |v| |w| [Cauchy, Schwarz].
+ * them, in all 33 u^2 (|v.x w.x| + |v.y w.y|) or the like, which is at most 33 u^2 |v| |w| by the Cauchy-Schwarz
+ * inequality.
  */
 template <class Number>
 struct Complex_number
@@ -124,7 +123,7 @@ inline double length(const Double_double_vector& v)
   return std::sqrt(unfused(v.x.high * v.x.high) + unfused(v.y.high * v.y.high));
 }
 
-/* A sum of doubles, exactly, as parts that do not overlap, the largest last [Shewchuk, Grow-Expansion]. */
+/* A sum of doubles, exactly, as parts that do not overlap, the largest last : Grow-Expansion [S97]. */
 template <std::size_t MostTerms>
 class Exact_sum
 {

@@ -196,7 +196,7 @@ inline Exact_face exact_face_from_lengths(const std::array<double, 3>& lengths)
 
 /*
  * A sum of integers times square roots of integers, and its sign, for any number of roots. Roots of numbers no two of
- * which have a square as their product are linearly independent over the rationals [Besicovitch]. The sum is therefore
+ * which have a square as their product are linearly independent over the rationals [B40]. The sum is therefore
  * zero only if the terms of each class of roots that are multiples of one another sum up to zero; the sign of a nonzero
  * sum is found eventually, unless the work limit is exceeded before.
  */

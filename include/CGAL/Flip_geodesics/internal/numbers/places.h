@@ -96,7 +96,7 @@ struct Squared_lengths
     return internal::sqrt(precise_quotient(quadrupled_area_squared(), 4 * denominator * denominator));
   }
 
-  /* The square of four times the area, in units of the square of the denominator. [Heron] */
+  /* The square of four times the area, in units of the square of the denominator, by Heron's formula. */
   Integer quadrupled_area_squared() const
   {
     const Integer dot = doubled_dot(0);
@@ -157,7 +157,7 @@ inline Exact_face exact_face_from_points(const std::array<std::array<Integer, 3>
   std::array<std::array<Integer, 3>, 3> e = {difference(p[1], p[0]), difference(p[2], p[1]), difference(p[0], p[2])};
   take_out_power_of_two(e);
   Exact_face face = {dot(e[0], e[0]), dot(e[0], e[1]), dot(e[0], e[2]), 0};
-  face.doubled_area_squared = face.squared_length * dot(e[1], e[1]) - face.dot_next * face.dot_next; // [Lagrange]
+  face.doubled_area_squared = face.squared_length * dot(e[1], e[1]) - face.dot_next * face.dot_next; // by Lagrange
   return face;
 }
 

@@ -56,9 +56,8 @@ struct Portal
 };
 
 /*
- * The shortest path in a sleeve of unfolded faces, by a funnel that restarts at each bend [Lee, Preparata, Euclidean
- * Shortest Paths in the Presence of Rectilinear Barriers, 1984]. The portals are the edges that the path crosses
- * between its two ends, neither of which is an end of a portal.
+ * The shortest path in a sleeve of unfolded faces, by a funnel that restarts at each bend [LP84]. The portals are the
+ * edges that the path crosses between its two ends, neither of which is an end of a portal.
  */
 class Funnel
 {
@@ -150,7 +149,7 @@ private:
 /*
  * The area and the shape of a triangle given by its lengths, in doubles; side i leads from corner i to corner i + 1.
  *
- * The area is computed by Kahan's formula ("Miscalculating Area and Angles of a Needle-like Triangle"), which is
+ * The area is computed by Kahan's formula [K14], which is
  * accurate to a few units in the last place for the given lengths. A triangle whose lengths violate the inequality has
  * area 0.
  */

@@ -311,7 +311,7 @@ private:
 
 /*
  * Searches for loops along edges through a vertex, the root. A shortest loop of a kind consists of a shortest path, an
- * edge and a shortest path back [Erickson, Har-Peled 2004]. Both ends of the edge are nearer than half of its length,
+ * edge and a shortest path back [EH04]. Both ends of the edge are nearer than half of its length,
  * so that a search ends at half of the best length found. The class of a path is stored at its end; the classes of the
  * two paths and of the edge determine that of the loop.
  */
@@ -422,7 +422,7 @@ enum class Borders {
 
 /*
  * A spanning tree of the faces of each component, over edges not on the paths of a forest, which leaves the shortest
- * loops [Erickson, Whittlesey 2005]. The loop of an edge is the path to one end, the edge, and the path back from the
+ * loops [EW05]. The loop of an edge is the path to one end, the edge, and the path back from the
  * other end. The edges that are neither in the forest nor crossed by the cotree are the *generators*, and their loops
  * form a shortest basis.
  *

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Pseudorandom numbers, the same in each run [Steele, Lea, Flood 2014]. */
+/* Pseudorandom numbers, the same in each run [SLF14]. */
 inline std::uint64_t scrambled(std::uint64_t n)
 {
   n += 0x9e3779b97f4a7c15;
@@ -164,8 +164,8 @@ private:
  * generators' loops has one vertex, at which all 4g ends meet in one cycle. No two adjacent letters therefore occur
  * twice in the relation and its inverse: common parts consist of a single letter, 1/4g of the relation. From genus 2 on
  * that is below 1/6, and Dehn's algorithm applies: each nonempty word for the neutral element has adjacent inverse
- * letters or more than half of the relation as a subword, which the other half can replace [Lyndon, Schupp 1977,
- * Theorem V.4.4]. The group of the torus is that of pairs of integers.
+ * letters or more than half of the relation as a subword, which the other half can replace [LS77, Theorem V.4.4]. The
+ * group of the torus is that of pairs of integers.
  */
 class Surface_group
 {

@@ -468,7 +468,7 @@ public:
   /* Returns the angle at corner i. */
   double angle(int i) const
   {
-    // The half-angle formula [Kahan] is accurate for every shape if differences are evaluated in this order.
+    // The half-angle formula [K14] is accurate for every shape if differences are evaluated in this order.
     const double a = m_lengths[(i + 1) % 3], b = (std::max)(m_lengths[i], m_lengths[(i + 2) % 3]),
                  c = (std::min)(m_lengths[i], m_lengths[(i + 2) % 3]);
     const double rest = c >= a ? a - (b - c) : c - (b - a);
@@ -642,7 +642,7 @@ private:
 };
 
 /*
- * Delaunay refinement [Chew 1993, Ruppert 1995, Shewchuk 1997] of an intrinsic triangulation [SSC19, section 4.3]: a
+ * Delaunay refinement [C93, R95, S02] of an intrinsic triangulation [SSC19, section 4.3]: a
  * vertex is inserted at the circumcenter of each bad face, the worst first. If a constrained edge is in the way, or if
  * the vertex would see one under an angle above 120 degrees, that edge is split instead and the vertex is rolled back
  * by the log.
@@ -727,7 +727,7 @@ public:
    * Returns the badness of a face; 0 if it is good or exempt. A face is exempt from the bound on angles if no insertion
    * could enlarge its smallest angle: between constrained edges that meet at less than 60 degrees, around a vertex with
    * a smaller total angle, or if the shortest side spans such an angle between points at equal distances from the
-   * vertex [Shewchuk 2002].
+   * vertex [S02].
    */
   double badness(Halfedge_index h)
   {
@@ -998,7 +998,7 @@ private:
   /*
    * Returns the midpoint or, if one end is an old vertex, a power of two as the distance from it. Constrained edges
    * that meet there are then split at equal distances, and their halves do not keep encroaching upon each other
-   * [Ruppert 1995].
+   * [R95].
    */
   double split_position(Halfedge_index h) const
   {

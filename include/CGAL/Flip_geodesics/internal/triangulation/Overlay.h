@@ -774,7 +774,7 @@ private:
 
 /*
  * Triangulates the polygons of an overlay, which are convex up to rounding errors, by diagonals. Dynamic programming
- * finds the triangulation whose worst triangle is best [Klincsek, Minimal Triangulations of Polygonal Domains].
+ * finds the triangulation whose worst triangle is best [K80].
  *
  * No diagonal connects two vertices of one straight line, that is, of a run of sides along one edge. Labels decide
  * this, not positions, so that the result has no double edges, whatever the rounding errors are.

@@ -235,7 +235,7 @@ inline std::array<double, 3> barycentric_difference(const std::array<double, 3>&
   std::array<double, 3> result;
   for(int i = 0; i < 3; ++i) {
     const Double_double product = exact_product(from[i], to_sum.high);
-    const double difference = std::fma(to[i], from_sum.high, -product.high) - product.low; // [Kahan]
+    const double difference = std::fma(to[i], from_sum.high, -product.high) - product.low; // [JLM13]
     result[i] =
         (difference + (unfused(to[i] * from_sum.low) - unfused(from[i] * to_sum.low))) / (from_sum.high * to_sum.high);
   }
@@ -655,7 +655,7 @@ public:
       return {0.5 * twice.high, 0.5 * twice.low};
     }
 
-    static Double_double doubled_area(double a, double b, double c) // [Heron]
+    static Double_double doubled_area(double a, double b, double c) // by Heron's formula
     {
       const Double_double twice = sqrt((sum(a, b, c) * sum(a, b, -c)) * (sum(b, c, -a) * sum(c, a, -b)));
       return {0.5 * twice.high, 0.5 * twice.low};
