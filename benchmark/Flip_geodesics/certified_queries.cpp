@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What certified decisions cost: whole queries, from nothing to the points of a path, with certified and with plain
+// The cost of exact predicates: whole queries, from nothing to the points of a path, with certified and with plain
 // traits in turn, on meshes that are given or, if none is, on generated ones that are full of ties. Writes CSV, a row for
 // each mesh: the times of a query, the median of their ratio over the rounds, and how often each stage has decided. A
 // summary goes to the standard error: the ratio in the median, in nine meshes of ten, at most, and the meshes above a
@@ -379,7 +379,7 @@ bool summarize(std::vector<Row> rows, double limit)
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"What certified decisions cost"};
+  CLI::App app{"Measures the cost of exact predicates"};
   Options options;
   app.add_option("paths", options.paths, "Meshes, and folders of meshes; generated ones if none is given");
   app.add_option("--pairs", options.pairs, "Paths on each mesh")->check(CLI::PositiveNumber)->capture_default_str();

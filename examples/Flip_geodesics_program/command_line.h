@@ -310,7 +310,7 @@ private:
   void add_arithmetic()
   {
     m_group = "How curves are computed";
-    add_text("--kernel", "NAME", m_options.kernel, "certified, with exact decisions, or double [certified]")
+    add_text("--kernel", "NAME", m_options.kernel, "certified, with exact predicates, or double [certified]")
         ->check(CLI::IsMember({"certified", "double"}).description(""));
     add_mollify();
     add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 /*
- * What most tests and examples include and instantiate: the package over a `Surface_mesh` with certified decisions, and
- * for tests, which have points of Simple_cartesian<double>, with decisions in double. clang++ precompiles it together with the instances, whose code is made once, optimized, for
+ * What most tests and examples include and instantiate: the package over a `Surface_mesh` with certified predicates, and
+ * for tests, which have points of Simple_cartesian<double>, with predicates in double. clang++ precompiles it together with the instances, whose code is made once, optimized, for
  * all programs (see Flip_geodesics_shared_instances.cmake). No program depends on it: what is missing here is instantiated
  * where it is used.
  */

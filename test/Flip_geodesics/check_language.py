@@ -46,6 +46,7 @@ WORDS = [(better, re.compile(expression)) for better, expression in [
     ('rounding errors', r'\broundings\b'),
     ('double-double arithmetic', r'\bpairs of doubles\b'),
     ('free functions', r'\bone-call\b'),
+    ('predicates', r'\b(?:in)?(?:exact|certified|close) decisions?\b|\bdecisions (?:that|which) (?:can )?err'),
     ('must, should', r'\b(?:is|are) to (?:be|have|go|become)\b'),
 ]]
 

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(points_of_a_kernel_of_floats)
   BOOST_TEST((path_on_tetrahedron<CGAL::Surface_mesh<Point>, Point>().size() == 2u));
 }
 
-// A metric of one's own may lack what exact decisions need.
+// A user-defined metric may lack what exact predicates require.
 template <class Metric>
 struct Metric_without_exact_faces
 {

@@ -126,7 +126,7 @@ std::unique_ptr<Curve_engine> make_double_engine(const Mesh& mesh, const Program
 std::unique_ptr<Curve_engine> make_double_engine(const Mesh& mesh, const Weighted_program_metric& metric,
                                                  const Run_options& options, Progress& progress);
 
-/// An engine whose decisions are those of exact arithmetic.
+/// An engine with exact predicates.
 std::unique_ptr<Curve_engine> make_certified_engine(const Mesh& mesh, const Program_metric& metric,
                                                     const Run_options& options, Progress& progress);
 std::unique_ptr<Curve_engine> make_certified_engine(const Mesh& mesh, const Weighted_program_metric& metric,

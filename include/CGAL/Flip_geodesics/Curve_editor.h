@@ -154,7 +154,7 @@ public:
       worst = (std::max)(worst, verdict(leg));
     return worst;
   }
-  /// Returns how the comparisons of all certificates were decided.
+  /// Returns how the filter failures of the predicates in all certificates were resolved.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
   /// @}

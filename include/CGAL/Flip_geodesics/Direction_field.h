@@ -109,8 +109,8 @@ public:
   /*!
    * Computes the field. This takes one sparse Cholesky factorization and, without alignment, some tens or hundreds of
    * solves, until the relative change of the energy is less than 1e-12.
-   * \throws Singular_problem_error if curves are given but none lies in a component with faces, or the matrix cannot be
-   *         factorized
+   * \throws Singular_problem_error if curves are given but none lies in some component with faces, or the matrix cannot
+   *         be factorized
    */
   void compute()
   {
@@ -202,8 +202,9 @@ private:
   {
     solver.compute(matrix);
     if(solver.info() != Eigen::Success)
-      throw Singular_problem_error("the matrix of the direction field cannot be factored; flip the triangulation to "
-                                   "Delaunay or refine it first");
+      throw Singular_problem_error(
+          "the matrix of the direction field cannot be factorized in double precision; flip the "
+          "triangulation to Delaunay or refine it first");
   }
 
   void solve_aligned(const std::vector<char>& is_given, const std::vector<char>& is_isolated)

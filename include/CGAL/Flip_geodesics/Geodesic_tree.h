@@ -94,8 +94,9 @@ struct Geodesic_tree_report
 template <class Triangulation_>
 class Geodesic_tree
 {
-  static_assert(internal::has_edge_sequences<Triangulation_> || !Triangulation_::Traits::Has_drift::value,
-                "decisions that can err are measured from the input, with which the triangulation does not correspond");
+  static_assert(
+      internal::has_edge_sequences<Triangulation_> || !Triangulation_::Traits::Has_drift::value,
+      "results of inexact predicates are measured from the input, to which the triangulation has no correspondence");
 
 public:
   using Triangulation = Triangulation_; ///< the template parameter

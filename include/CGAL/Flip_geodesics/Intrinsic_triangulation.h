@@ -736,9 +736,14 @@ public:
    * Returns the sequence of input edges that halfedge `h` crosses, from tail to head. It is exact, since it is computed
    * with integers only \cgalCite{GSC21,section 3}.
    *
-   * The sequence is computed from the crossing numbers around the edge when it is first requested, and then stored. If
-   * points have been inserted, or if no input edge remains at either end, the sequence is derived from the flip log,
-   * for which about as many sequences are computed as there are joints in the history of the edge.
+   * The sequence is computed when it is first requested, and then stored; the least recently used sequences are dropped
+   * if they take too much memory.
+   *
+   * Complexity: linear in the length of a stored sequence. A sequence that is not stored is computed from the crossing
+   * numbers, in time linear in the degree of the tail of the edge and in the number of triangles through which the
+   * crossed edges are followed until each separates from the next. If points have been inserted, or if flips have
+   * replaced all input edges at both ends, the sequence is derived from the flip log instead, in time linear in the
+   * total length of the sequences of all earlier edges from which the edge descends and that are not stored.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 

@@ -330,8 +330,9 @@ public:
     if(m_system.inner().rows() > 0)
       m_factors.compute(m_system.inner());
     if(m_system.inner().rows() > 0 && m_factors.info() != Eigen::Success)
-      throw Singular_problem_error("the Laplacian cannot be factored: the triangulation has faces too thin for double; "
-                                   "flip it to Delaunay or refine it first");
+      throw Singular_problem_error(
+          "the Laplacian cannot be factorized: faces of the triangulation are too thin for double "
+          "precision; flip it to Delaunay or refine it first");
   }
 
   /*!

@@ -190,11 +190,11 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsProving
-/// Contains the verdicts on all curves of a network, and how the comparisons were decided.
+/// Contains the verdicts on all curves of a network, and the statistics of the predicates.
 struct Network_certificate
 {
   std::vector<Curve_certificate> curves; ///< one per curve of the network, by its index
-  Decision_statistics statistics;        ///< how the comparisons were decided
+  Decision_statistics statistics;        ///< how filter failures were resolved
 
   /// Returns whether all curves are locally shortest, that is, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const

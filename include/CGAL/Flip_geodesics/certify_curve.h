@@ -75,7 +75,7 @@ struct Given_curve_certificate
   /// length of the edge and by the sine of the angle at which the edge is crossed. The entry is 0 for points that are
   /// not crossed edges. Empty if the curve is bent.
   std::vector<double> places;
-  Decision_statistics statistics; ///< how the comparisons were decided
+  Decision_statistics statistics; ///< how filter failures were resolved
 
   /// Returns whether the curve is locally shortest, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return is_confirmed(verdict); }

@@ -216,8 +216,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a linear system has no unique solution, because a component of the surface has no given value, or
-/// because the numbers of its faces exceed the range of double.
+/// Is thrown if a linear system cannot be solved: its solution is not unique, because no value is given in a component of
+/// the surface, or its matrix cannot be factorized in double precision, because faces are too thin.
 class Singular_problem_error : public Error
 {
 public:

@@ -153,11 +153,12 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point
  * inside them. They are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
- * length is a million times its thickness. The latter case is detected in advance. A face of area \f$A\f$ with shortest
- * side \f$s\f$ requires about \f$A/s^2\f$ vertices if all faces are equally thin, and far fewer otherwise. If the sum
- * over all bad faces is 16 times the allowed number, and twice in a row does not decrease by a tenth while as many
- * faces are processed, the worst faces are given up, together with all faces that have an equally short side. The
- * others are improved until these sums do not decrease either.
+ * length is a million times its thickness. The latter case is detected early by an estimate: a face of area \f$A\f$ with
+ * shortest side \f$s\f$ requires about \f$A/s^2\f$ vertices if its neighbors are equally thin, and far fewer otherwise.
+ * Faces are processed in generations, each of which consists of the faces that are bad at its beginning. If the sum of
+ * the estimates is more than 16 times the number of vertices that may still be inserted, and falls by less than 10 % in
+ * each of two consecutive generations, the faces with the largest estimates are given up, and so are all faces whose
+ * shortest side is not longer than theirs. The other faces are improved until the sum stagnates again.
  *
  * Edges that are too long are never given up. They are divided, the longest first, until no such edge is left or the
  * limit is reached. Since edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$, a

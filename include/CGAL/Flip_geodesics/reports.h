@@ -93,7 +93,8 @@ struct Decision_statistics
   /// The number of angles assumed to be exactly straight without proof, because 50 digits do not suffice and the work
   /// limit was reached; see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
-  /// The largest number of roots, no two of which are rational multiples of each other, in the computation of one sign.
+  /// The largest number of square roots with which a single predicate was evaluated exactly, where roots that are rational
+  /// multiples of one another count once.
   std::size_t most_roots = 0;
 
   /// Adds further statistics.

@@ -39,9 +39,10 @@ namespace Flip_geodesics {
 template <class Network_>
 class Shortener
 {
-  static_assert(internal::has_edge_sequences<typename Network_::Triangulation> ||
-                    !Network_::Triangulation::Traits::Has_drift::value,
-                "decisions that can err are measured from the input, with which the triangulation does not correspond");
+  static_assert(
+      internal::has_edge_sequences<typename Network_::Triangulation> ||
+          !Network_::Triangulation::Traits::Has_drift::value,
+      "results of inexact predicates are measured from the input, to which the triangulation has no correspondence");
 
   using Traits = typename Network_::Triangulation::Traits;
   using Verdicts = internal::Indexed_by<Curve_index, std::vector<Verdict>>;

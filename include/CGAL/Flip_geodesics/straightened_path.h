@@ -24,7 +24,7 @@ namespace internal {
 
 /*
  * Straightens an edge path on the input mesh by `Iterative_unfolding`, in plain doubles: an initial path for FlipOut,
- * which makes all decisions afterwards. The result is a chain of geodesic segments between vertices that is not longer
+ * which determines afterwards what is straight. The result is a chain of geodesic segments between vertices that is not longer
  * than the path.
  *
  * The path first passes each of its vertices on the side with fewer faces, and then each vertex at which the funnel

@@ -176,7 +176,7 @@ inline constexpr double short_coordinate_shift = 0x1p39;
 /* The smallest power of two that is a sign tolerance of a number type with many digits. */
 inline constexpr int least_tolerance_exponent = -1000;
 
-// ---- Decisions
+// ---- Predicates
 
 /* Radians by which a straight angle may be missed by the traits of double arithmetic: far more than the rounding
  * errors of one flip, which are some u. A curve that bends by less is not shortened. Curves are measured from the

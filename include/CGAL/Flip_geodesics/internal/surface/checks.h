@@ -186,7 +186,7 @@ typename Traits::Face_geometry face_geometry(const Metric& metric, const Mesh& m
 template <class Metric, class Mesh>
 Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_index h)
 {
-  static_assert(has_exact_faces<Metric>, "the metric has no squared_length(), which exact decisions need");
+  static_assert(has_exact_faces<Metric>, "the metric has no squared_length(), which exact predicates require");
   if constexpr(has_squared_lengths<Metric>)
     return exact_face_from_squares(squared_lengths(metric, mesh, h).numerators);
   else
