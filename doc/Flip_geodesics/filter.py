@@ -94,8 +94,8 @@ def write_formulas(line):
 
     line = re.sub(r'\\f\$(\d?)\\(pi|alpha|gamma|Delta)\\f\$', r'\1&\2;', line)
     line = re.sub(r'\\f\$(\d+)\^\{-(\d+)\}\\f\$', r'\1<sup>&minus;\2</sup>', line)
-    return re.sub(r'\\f\$([A-Za-z]{1,2}|O\([a-z]( \\log [a-z])?\))\\f\$',
-                  lambda m: letters(m[1].replace('\\log', 'log')), line)
+    line = re.sub(r'\\cgalBigO\{([a-z](?: \\log [a-z])?)\}', lambda m: letters(rf'O({m[1]})'.replace('\\log', 'log')), line)
+    return re.sub(r'\\f\$([A-Za-z]{1,2})\\f\$', lambda m: letters(m[1]), line)
 
 
 def without_conditions(text):

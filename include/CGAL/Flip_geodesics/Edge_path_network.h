@@ -54,9 +54,9 @@ namespace Flip_geodesics {
  * such edges, and each of them can leave such an edge to either side. Curves that must not cross have to belong to the
  * same network.
  *
- * The network refers to its triangulation, which must not be destroyed or moved while the network has curves. To move
- * both, use the constructor from a network and a triangulation. A moved-from network can only be cleared, assigned to
- * and destroyed.
+ * \attention The network refers to its triangulation, which must not be destroyed or moved while the network has
+ * curves. To move both, use the constructor from a network and a triangulation. A moved-from network can only be
+ * cleared, assigned to and destroyed.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, a model of
  *         `IntrinsicTriangulationOfMesh`
@@ -728,10 +728,12 @@ Order_conflict order_if_possible(Network& network)
  * Computes an order of the overlapping segments on each edge of a network such that no two curves cross and no curve
  * crosses itself.
  *
- * The function must be called after the curves have been added, because `add_curve()` orders segments by insertion. The
- * result depends on the connectivity only and is exact: if an order without crossings exists, it is found. Otherwise
- * the curves cross in every order; examples are two curves that part on opposite sides at the ends of a common chain of
- * edges, and a curve that goes around an annulus twice before it closes.
+ * \attention The function must be called after the curves have been added, because `add_curve()` orders segments by
+ * insertion.
+ *
+ * The result depends on the connectivity only and is exact: if an order without crossings exists, it is found.
+ * Otherwise the curves cross in every order; examples are two curves that part on opposite sides at the ends of a
+ * common chain of edges, and a curve that goes around an annulus twice before it closes.
  *
  * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. The
  * end of a path or a fixed node does not determine an order, but all such ends at a vertex, and the border, must lie on
@@ -747,10 +749,10 @@ Order_conflict order_if_possible(Network& network)
  *         repeatedly and their choices interlock; the elements are the vertices of a shared edge. After either
  *         exception the curves are unchanged, but the order of their segments may have changed
  *
- * Complexity: \f$O(n \log n)\f$ for \f$n\f$ segments, plus the degrees of the vertices that they pass. If edges have
- * several segments, the \f$p\f$ pairs of segments that lie on the same edge take \f$O(p \log p)\f$ time, half a second
- * per million pairs, and \f$O(p)\f$ memory. If the choices described above are inconsistent, the time is \f$p\f$ times
- * the maximal number of segments on one edge.
+ * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the degrees of the vertices that they pass. If edges have
+ * several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time, half a
+ * second per million pairs, and \cgalBigO{p} memory. If the choices described above are inconsistent, the time is
+ * \f$p\f$ times the maximal number of segments on one edge.
  */
 template <class Network>
 void order_overlapping_curves(Network& network)

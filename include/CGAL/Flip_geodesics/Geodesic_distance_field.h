@@ -312,7 +312,7 @@ public:
    *
    * Complexity: linear in the number of windows, plus the number of edges of the front in each round. Smooth meshes of
    * up to some ten thousand faces have 10 to 25 windows per face, a number that grows like \f$\sqrt{n}\f$ with the
-   * number \f$n\f$ of faces. The worst case is \f$O(n^2)\f$ windows in total.
+   * number \f$n\f$ of faces. The worst case is \cgalBigO{n^2} windows in total.
    */
   template <class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   Distance_field_report compute(const NamedParameters&... np)

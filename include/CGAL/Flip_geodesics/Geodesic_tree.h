@@ -143,7 +143,7 @@ public:
    * \throws Invalid_mesh_error if the connectivity of a visited face is invalid
    * \throws Occupied_triangulation_error if a network in the triangulation has curves
    *
-   * Complexity: about \f$O(n \log n)\f$ for the \f$n\f$ vertices within `max_distance`, with constant time per flip.
+   * Complexity: about \cgalBigO{n \log n} for the \f$n\f$ vertices within `max_distance`, with constant time per flip.
    */
   template <class Source = Surface_location, class... NamedParameters>
   Geodesic_tree_report grow(const Source& source, const NamedParameters&... np)
@@ -654,7 +654,7 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
  * \return the polar coordinates of all vertices
  * \throws Invalid_location_error if `zero` does not start at the source
  *
- * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \f$O(n)\f$ for
+ * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \cgalBigO{n} for
  * the result.
  */
 template <class Triangulation>

@@ -397,8 +397,9 @@ enum class Zero_length_edges {
  * as further vertices, which receive the next indices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
- * `Surface_mesh`, and \f$O(n \log n)\f$ for other meshes, whose elements are indexed first. The mesh and its points
- * must outlive the triangulation and must not be changed.
+ * `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, whose elements are indexed first.
+ *
+ * \attention The mesh and its points must outlive the triangulation and must not be changed.
  *
  * The triangulation satisfies an invariant that `is_valid()` checks: the vectors of a face sum to zero, the two sides
  * of an edge have the same length, and the crossing numbers of the edges are those of the input edges.

@@ -96,7 +96,7 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
  * \cgalCite{EW05}. A different base point leads to a different basis. Lengths are those of the metric.
  *
  * The class reads only the input, so it remains valid when the triangulation is flipped, and does not change the
- * triangulation. Construction takes \f$O(n \log n)\f$ time and linear memory.
+ * triangulation. Construction takes \cgalBigO{n \log n} time and linear memory.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -459,7 +459,7 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * \throws Degenerate_face_error if degenerate faces prevent the computation
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  *
- * Complexity: \f$O(n \log n)\f$, plus the cube of the genus times the size of the numbers. For loops of \f$m\f$ edges,
+ * Complexity: \cgalBigO{n \log n}, plus the cube of the genus times the size of the numbers. For loops of \f$m\f$ edges,
  * up to \f$m^2\f$ pairs of edges that are close in the projection are processed in addition.
  */
 template <class Triangulation, class... NamedParameters>

@@ -43,7 +43,7 @@ namespace Flip_geodesics {
  * \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of the face and whose second axis
  * points to its left.
  *
- * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \f$O(m)\f$ time and space. They are snapshots, which later
+ * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \cgalBigO{m} time and space. They are snapshots, which later
  * flips of the triangulation do not affect.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
@@ -57,7 +57,7 @@ public:
   using Vector = Eigen::VectorXd;             ///< a number per vertex or face, or two per face
 
   /*!
-   * Reads all faces of a triangulation in \f$O(n + m)\f$ time.
+   * Reads all faces of a triangulation in \cgalBigO{n + m} time.
    * \throws Degenerate_face_error if the area of a face, rounded to double, is zero or so small that the cotangents are
    *         not finite
    * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle

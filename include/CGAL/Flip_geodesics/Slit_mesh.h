@@ -233,7 +233,7 @@ public:
    * \param slits a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value type, which is
    *        read once; edges of the border need not be marked
    *
-   * Complexity: linear in the size of the mesh, plus \f$O(n \log n)\f$ for \f$n\f$ edges at slits.
+   * Complexity: linear in the size of the mesh, plus \cgalBigO{n \log n} for \f$n\f$ edges at slits.
    */
   template <class EdgeIsSlitMap>
   Slit_mesh(const TriangleMesh& mesh, const EdgeIsSlitMap& slits)

@@ -339,7 +339,7 @@ private:
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
  * Complexity: linear in the number of crossed edges and the degrees of passed vertices if the floating-point filter
- * suffices. Meshes other than `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ * suffices. Meshes other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
  *
  * \sa `certify()`
  */

@@ -361,7 +361,7 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \throws Invalid_mesh_error for a face along the curve
  *
  * Complexity: linear in the number of locations of the curve, and for each sample logarithmic in this number. Meshes
- * other than `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ * other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve, std::size_t number,

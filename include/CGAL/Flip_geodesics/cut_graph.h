@@ -67,7 +67,7 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Invalid_coordinate_error as `Loop_basis` does
  *
- * Complexity: \f$O(n \log n)\f$.
+ * Complexity: \cgalBigO{n \log n}.
  */
 template <class Network, class VertexRange, class... NamedParameters,
           std::enable_if_t<!internal::is_named_parameters<VertexRange>, int> = 0>

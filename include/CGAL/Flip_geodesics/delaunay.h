@@ -137,7 +137,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParame
  *
  * Returns the edges near the curves of a network, in increasing order: the edges of the faces around the vertices that
  * a curve passes, extended to `rings` rings of vertices. With these edges, `flip_to_delaunay()` is local, at a cost
- * that does not depend on the size of the mesh: \f$O(k \log k)\f$ for \f$k\f$ edges.
+ * that does not depend on the size of the mesh: \cgalBigO{k \log k} for \f$k\f$ edges.
  */
 template <class Network>
 std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)

@@ -837,8 +837,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. Locating
- * points in space takes \f$O(n \log n)\f$, and logarithmic time for each point close to the surface. The search takes
- * \f$O(w \log w)\f$ for \f$w\f$ windows, whose number is limited as for the field. If the errors of doubles are too
+ * points in space takes \cgalBigO{n \log n}, and logarithmic time for each point close to the surface. The search takes
+ * \cgalBigO{w \log w} for \f$w\f$ windows, whose number is limited as for the field. If the errors of doubles are too
  * large, it creates twice as many, in double-double arithmetic.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
@@ -1097,8 +1097,8 @@ private:
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
  * Complexity: for \f$k\f$ points that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()` that end at the
- * farthest point, and \f$O(k^2)\f$ memory for the matrix. Locating \f$k\f$ points in space in a mesh with \f$n\f$
- * faces takes \f$O(n \log n + k \log n)\f$ time if they lie close to the surface.
+ * farthest point, and \cgalBigO{k^2} memory for the matrix. Locating \f$k\f$ points in space in a mesh with \f$n\f$
+ * faces takes \cgalBigO{n \log n + k \log n} time if they lie close to the surface.
  *
  * \sa `geodesic_distances()`
  */

@@ -60,7 +60,7 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  * \throws Degenerate_face_error as `geodesic_path()` does
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  *
- * Complexity: \f$O(n \log n)\f$, plus the time of `shorten()` for each loop.
+ * Complexity: \cgalBigO{n \log n}, plus the time of `shorten()` for each loop.
  *
  * \sa `Loop_basis`
  */
@@ -341,7 +341,7 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Invalid_coordinate_error as `Loop_basis` does
  *
- * Complexity: \f$O(n \log n)\f$ for a fixed genus and number of borders.
+ * Complexity: \cgalBigO{n \log n} for a fixed genus and number of borders.
  */
 template <class Triangulation, class... NamedParameters>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Vertex_index v,
@@ -364,7 +364,7 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  *
  * \return the halfedges of the loop; empty if no such loop exists
  *
- * Complexity: \f$O(n \log n + c\,m \log m)\f$ for a fixed genus and number of borders, with \f$c\f$ vertices of the cut
+ * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders, with \f$c\f$ vertices of the cut
  * graph, and at most \f$m\f$ vertices nearer to one of them than half the length of the loops found during the search.
  */
 template <class Triangulation, class... NamedParameters>

@@ -69,9 +69,11 @@ struct Geodesics_result
  * Computes a geodesic, that is, a locally shortest path, between two vertices of a triangle mesh.
  *
  * A nearly shortest edge path (`Search_method::LOOK_BACK`) is straightened by `add_straightened_path()` and then
- * shortened to a geodesic as by `shorten()`. The geodesic is not necessarily a globally shortest path, since a path on
- * the other side of a hole or a bump may be shorter, and the path from `target` to `source` may differ; see
- * `shortest_path()`. The functions of `curves_through_points.h` accept end points anywhere on the surface.
+ * shortened to a geodesic as by `shorten()`. The functions of `curves_through_points.h` accept end points anywhere on
+ * the surface.
+ *
+ * \note The geodesic is not necessarily a globally shortest path, since a path on the other side of a hole or a bump
+ * may be shorter, and the path from `target` to `source` may differ; see `shortest_path()`.
  *
  * If the two vertices coincide, the path has length zero, the status `Shortening_status::CONTRACTED` and the verdict
  * `Verdict::PROVEN`, and is written as its two end points. The end points of a degenerate edge coincide in this sense.
@@ -132,8 +134,8 @@ struct Geodesics_result
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  * \throws Invalid_mesh_error if a visited face is not a triangle, or a `Surface_mesh` contains removed elements
  *
- * Complexity: \f$O(k \log k)\f$ for the \f$k\f$ vertices that the search visits, plus the time of `shorten()`. Meshes
- * other than `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices that the search visits, plus the time of `shorten()`. Meshes
+ * other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
  *
  * \sa `shortest_path()`
  * \sa `geodesic_paths()`

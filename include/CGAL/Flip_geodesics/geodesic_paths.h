@@ -278,7 +278,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  * \return the past-the-end output iterator
  *
  * Complexity: that of the searches and of `shorten()`. Meshes other than `Surface_mesh` are indexed once per thread, in
- * \f$O(n \log n)\f$. Locating points in space takes \f$O(n \log n)\f$ once per thread, and
+ * \cgalBigO{n \log n}. Locating points in space takes \cgalBigO{n \log n} once per thread, and
  * logarithmic time for each point close to the surface.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,

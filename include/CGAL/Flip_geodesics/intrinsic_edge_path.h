@@ -160,7 +160,7 @@ std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulati
  * \throws Degenerate_face_error if a face that the search visits is degenerate
  * \throws Invalid_coordinate_error if a face that the search visits is not finite
  *
- * Complexity: \f$O(k \log k)\f$ for the \f$k\f$ vertices visited.
+ * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices visited.
  */
 template <class Triangulation>
 std::vector<Halfedge_index> shortest_intrinsic_edge_path(const Triangulation& triangulation, Vertex_index source,

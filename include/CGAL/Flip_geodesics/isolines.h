@@ -150,9 +150,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
  * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of isoline as long as the
- * tolerance. An isoline has one point for each edge that it crosses, and \f$O(\ell / \sqrt{r t})\f$ more for a length
+ * tolerance. An isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more for a length
  * \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are indexed
- * first, in \f$O(n \log n)\f$.
+ * first, in \cgalBigO{n \log n}.
  *
  * \sa `voronoi_boundaries()`
  */

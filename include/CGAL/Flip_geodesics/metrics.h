@@ -66,7 +66,7 @@ template <class TriangleMesh>
 class Numbered_mesh
 {
 public:
-  /// Numbers a mesh, which must outlive the object. Takes \f$O(n \log n)\f$ time, but constant time for a
+  /// Numbers a mesh, which must outlive the object. Takes \cgalBigO{n \log n} time, but constant time for a
   /// `Surface_mesh`, which is already numbered and not copied.
   explicit Numbered_mesh(const TriangleMesh& mesh);
 

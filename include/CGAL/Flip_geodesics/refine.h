@@ -148,7 +148,9 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * The triangulation is first flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, the
  * worst face first, each followed by flips \cgalCite{SSC19,section 4.3}. Curves and the border are constrained: if they
  * are in the way, they are split at vertices on them, and thus remain geodesics of the same length. The surface does
- * not change. Since the positions of vertices on curves are rounded, `certify()` considers the curves bent there by a
+ * not change.
+ *
+ * \attention Since the positions of vertices on curves are rounded, `certify()` considers the curves bent there by a
  * rounding error and should be called before refinement.
  *
  * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point

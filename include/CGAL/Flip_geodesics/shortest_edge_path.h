@@ -57,7 +57,7 @@ public:
    *        `false`, and all bounds are zero
    * \throws Invalid_coordinate_error as `Shortest_edge_path` does, for any edge
    *
-   * Complexity: 17 searches over the whole mesh, \f$O(n \log n)\f$.
+   * Complexity: 17 searches over the whole mesh, \cgalBigO{n \log n}.
    */
   template <class Search, class... NamedParameters>
   explicit Landmark_distances(Search& search, const NamedParameters&... np)
@@ -152,7 +152,7 @@ namespace Flip_geodesics {
  * Searches for paths along the edges of the input mesh, which are the usual initial curves. The paths are shortest, or
  * close to geodesics so that few flips are needed. Only the input is read, and the triangulation does not change.
  *
- * Labels are allocated once and distinguished by epoch, so a search takes \f$O(k \log k)\f$ time for the \f$k\f$
+ * Labels are allocated once and distinguished by epoch, so a search takes \cgalBigO{k \log k} time for the \f$k\f$
  * vertices that it visits. Of several paths of equal length, the same one is always found.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`

@@ -93,7 +93,7 @@ public:
    * \throws Invalid_coordinate_error for any face for which `Intrinsic_triangulation` throws it on access
    * \throws Invalid_mesh_error for any face for which `Intrinsic_triangulation` throws it on access
    *
-   * Complexity: \f$O(n \log n)\f$ for each landmark, and more on meshes of needles.
+   * Complexity: \cgalBigO{n \log n} for each landmark, and more on meshes of needles.
    */
   template <class Triangulation, class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number,
@@ -119,7 +119,7 @@ public:
    * \throws Invalid_coordinate_error for any face for which `Intrinsic_triangulation` throws it on access
    * \throws Invalid_mesh_error for any face for which `Intrinsic_triangulation` throws it on access
    *
-   * Complexity: \f$O(n \log n)\f$ for each landmark, and more on meshes of needles.
+   * Complexity: \cgalBigO{n \log n} for each landmark, and more on meshes of needles.
    */
   template <class Triangulation, class VertexRange = std::vector<Vertex_index>, class ConcurrencyTag = Sequential_tag,
             class... NamedParameters, std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>
@@ -661,9 +661,9 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing changes in this
  *         case. After any other exception, including those of the visitor, the network is empty and nothing is flipped
  *
- * Complexity: that of `geodesic_path()`, plus \f$O(n \log n)\f$ for the \f$n\f$ vertices whose distances in space from
- * both ends add up to less than the length of the path, plus \f$O(w \log w)\f$ for \f$w\f$ windows. The windows lie in
- * a region around the path that narrows as the bounds become tighter; their number is \f$O(n^2)\f$ in the worst case.
+ * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n} for the \f$n\f$ vertices whose distances in space from
+ * both ends add up to less than the length of the path, plus \cgalBigO{w \log w} for \f$w\f$ windows. The windows lie in
+ * a region around the path that narrows as the bounds become tighter; their number is \cgalBigO{n^2} in the worst case.
  *
  * The algorithm starts with a geodesic that is obtained by shortening an edge path, after initial straightening
  * (`add_straightened_path()`) unless a visitor must observe the whole process. A lower-bound propagation from the

@@ -452,7 +452,7 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * \throws Invalid_mesh_error for a face along the curve
  *
  * Complexity: linear in the number of locations and the degrees of the vertices among them. Meshes other than
- * `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ * `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
  *
  * \sa `Parallel_transport`
  */
@@ -496,7 +496,7 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * \throws Invalid_mesh_error for a face along the curve
  *
  * Complexity: linear in the number of locations and the degrees of the vertices among them. Meshes other than
- * `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ * `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
  */
 template <class TriangleMesh, class LocationRange, class Vector_3, class... NamedParameters,
           std::enable_if_t<internal::is_vector_in_space<Vector_3>, int> = 0>

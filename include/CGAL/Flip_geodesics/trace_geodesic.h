@@ -574,7 +574,7 @@ private:
  * \throws Invalid_mesh_error if a face is not a triangle
  *
  * Complexity: linear in the number of crossed edges if the floating-point filter suffices. Meshes other than
- * `Surface_mesh` are indexed first, in \f$O(n \log n)\f$.
+ * `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
  *
  * \sa `Geodesic_tracer`, for many geodesics on one mesh
  */

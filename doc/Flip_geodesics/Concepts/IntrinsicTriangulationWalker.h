@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/*!
+ * \ingroup PkgFlipGeodesicsConcepts
+ * \cgalConcept
+ *
+ * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation` that moves
+ * to other halfedges. Except for the last four, its members correspond to those of the triangulation.
+ *
+ * \sa `IntrinsicTriangulation`
+ */
+class IntrinsicTriangulationWalker
+{
+public:
+  /// The position of an edge in memory; default constructible and copyable.
+  typedef unspecified_type Place;
+
+  /// Returns the halfedge.
+  Halfedge_index index() const;
+  /// Returns the position of the edge.
+  Place place() const;
+  /// Returns whether the walker has no halfedge because it met the border.
+  bool is_none() const;
+
+  /// Returns the vertex at which the halfedge starts.
+  Vertex_index tail() const;
+  /// Returns a walker at the opposite halfedge.
+  IntrinsicTriangulationWalker twin() const;
+  /// Returns a walker at the previous halfedge of the face. \pre the halfedge is not on the border
+  IntrinsicTriangulationWalker previous() const;
+  /// Returns a walker at the next halfedge clockwise around the tail, or one without a halfedge at the border.
+  IntrinsicTriangulationWalker clockwise() const;
+  /// Returns a walker at the next halfedge counterclockwise around the tail, or one without a halfedge at the border.
+  IntrinsicTriangulationWalker counterclockwise() const;
+
+  /// Returns the length of the edge.
+  double length() const;
+  /// Announces that the face on the left will be read soon.
+  void prefetch_face() const;
+  /// Adds to `turn` the corner on the right at the tail, and returns `clockwise()`. At the border, `turn` is unchanged.
+  IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
+
+  /// Returns a constant number that is unique to the edge and can index arrays of data of edges. It is the number of
+  /// the edge, or a number that is small for edges that were used early, which keeps such arrays short.
+  std::size_t edge_place() const;
+  /// Returns whether the edge is held.
+  bool is_held() const;
+  /// Adds a hold to the edge.
+  void hold() const;
+  /// Releases a hold on the edge.
+  void release() const;
+};
