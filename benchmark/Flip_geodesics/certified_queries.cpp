@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The cost of exact predicates: whole queries, from nothing to the points of a path, with certified and with plain
-// traits in turn, on meshes that are given or, if none is, on generated ones that are full of ties. Writes CSV, a row for
-// each mesh: the times of a query, the median of their ratio over the rounds, and how often each stage has decided. A
-// summary goes to the standard error: the ratio in the median, in nine meshes of ten, at most, and the meshes above a
+// traits in turn, on meshes that are given or, if none is, on generated ones that are full of ties. Writes CSV, a row
+// for each mesh: the times of a query, the median of their ratio over the rounds, and how often each stage has decided.
+// A summary goes to the standard error: the ratio in the median, in nine meshes of ten, at most, and the meshes above a
 // limit.
 //
 //   certified_queries [MESHES OR FOLDERS...] [--pairs N] [--rounds N] [--limit RATIO]

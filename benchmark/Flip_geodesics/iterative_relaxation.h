@@ -13,9 +13,10 @@
 namespace opponents {
 
 /*!
- * Straightens an edge path by iterative relaxation [MVC05]: in sweeps along the path, each point moves to where the straight line
- * between its neighbors crosses its edge in the two unfolded faces there, and a point at a vertex moves off it on a side
- * with an angle below \f$\pi\f$, until all angles are straight within a tolerance, which is 0.005 in the paper.
+ * Straightens an edge path by iterative relaxation [MVC05]: in sweeps along the path, each point moves to where the
+ * straight line between its neighbors crosses its edge in the two unfolded faces there, and a point at a vertex moves
+ * off it on a side with an angle below \f$\pi\f$, until all angles are straight within a tolerance, which is 0.005 in
+ * the paper.
  */
 template <class Mesh>
 class Iterative_relaxation

@@ -23,7 +23,7 @@ inline std::string with_advice(const std::exception& error, const std::string& a
 /// Returns the message of an error where neither contraction nor `--mollify` is available.
 inline std::string with_advice_to_repair(const std::exception& error)
 {
-  return with_advice(error, "give --repair, which drops such edges");
+  return with_advice(error, "use --repair, which removes such edges");
 }
 
 } // namespace program

@@ -56,7 +56,7 @@ class Command_line
 public:
   explicit Command_line(Options& options)
     : m_options(options)
-    , m_app("Computes geodesic curves on a triangle mesh", "flip_geodesics")
+    , m_app("Compute geodesic curves on a triangle mesh", "flip_geodesics")
   {
     m_app.set_version_flag("--version", "flip_geodesics " FLIP_GEODESICS_VERSION, "Print the version and exit");
     m_app.require_subcommand(1);
@@ -91,15 +91,15 @@ public:
     const auto is_word = [](const std::string& argument) { return !is_like_an_option(argument); };
     const auto word = std::find_if(remaining.begin(), remaining.end(), is_word);
     if(given.empty() && word != remaining.end())
-      return "'" + *word + "' is not a command; give one before the mesh: " + names_of_commands();
+      return "'" + *word + "' is not a command; specify one before the mesh: " + names_of_commands();
     if(given.empty())
-      return "give a command: " + names_of_commands() + "; see --help";
+      return "specify a command: " + names_of_commands() + "; see --help";
     const std::string help = "; see flip_geodesics " + given.front()->get_name() + " --help";
     for(const std::string& argument : remaining)
       if(is_like_an_option(argument))
         return describe_unknown(argument.substr(0, argument.find('=')), *given.front(), help);
     if(word != remaining.end())
-      return "'" + *word + "' is not expected: one mesh, and an option before each other value" + help;
+      return "'" + *word + "' is unexpected: there is one mesh, and every other value follows an option" + help;
     return error.what() + help;
   }
 
@@ -141,7 +141,8 @@ private:
     using Type = Value;
   };
 
-  static constexpr const char* m_points = "Points are `v`, x,y,z in space, a,b,t on an edge, a,b,c,t,u in a face";
+  static constexpr const char* m_points =
+      "A POINT is a vertex `v`, x,y,z in space, a,b,t on an edge or a,b,c,t,u in a face";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 
@@ -153,7 +154,7 @@ private:
     if(const char* const error = parse_number(text, result))
       throw CLI::ValidationError(name, "'" + text + "' " + error);
     if(!range.contains(static_cast<double>(result)))
-      throw CLI::ValidationError(name, "'" + text + "' is out of range; give " + range.text());
+      throw CLI::ValidationError(name, "'" + text + "' is out of range; use " + range.text());
     return result;
   }
 
@@ -221,11 +222,11 @@ private:
       if(option->count() == 0)
         continue;
       if(given != nullptr && choice.is_exclusive)
-        throw Bad_input(given->get_name() + " and " + option->get_name() + " do not go together; give one of them");
+        throw Bad_input(given->get_name() + " and " + option->get_name() + " cannot be combined; use one of them");
       given = option;
     }
     if(given == nullptr && choice.is_required)
-      throw Bad_input("give one of " + names);
+      throw Bad_input("use one of " + names);
   }
 
   // A command, with the options that all of them have.
@@ -234,30 +235,29 @@ private:
     m_command = m_app.add_subcommand(name, description);
     m_command->footer(std::string("\nExamples:\n") + examples);
     m_group = "Options";
-    add_text("MESH", "FILE", m_options.mesh, "OFF, OBJ, PLY, STL or TS file; - for standard input")
+    add_text("MESH", "FILE", m_options.mesh, "read an OFF, OBJ, PLY, STL or TS file; - for standard input")
         ->group("Positionals")
         ->required();
-    add_text("--format", "NAME", m_options.format, "off, obj, ply, stl or ts [by the extension]");
+    add_text("--format", "NAME", m_options.format, "read this format: off, obj, ply, stl or ts [by the extension]");
     const std::string command = name;
     CLI::Option* const repair = command == "repair" || command == "info"
                                     ? nullptr
                                     : add("--repair", m_options.is_repaired, "repair the mesh first");
     CLI::Option* const weld = add("--weld", "TOLERANCE", m_options.weld, {0, 1, false, true},
-                                  "merge points this close in the repair, relative to the box [0]");
+                                  "merge points closer than this fraction of the bounding box [0]");
     if(repair != nullptr)
       weld->needs(repair);
-    add("--force", m_options.is_replacing_input, "let a result replace a file that is read");
-    add("-q,--quiet", m_options.is_quiet, "print neither table nor progress");
-    add_text("--json", "FILE", m_options.results.json, "all results as JSON; - for standard output");
-    add_text("--output-format", "NAME", m_options.output_format,
-             "format of what --output writes to -, standard output");
+    add("--force", m_options.is_replacing_input, "allow a result to replace an input file");
+    add("-q,--quiet", m_options.is_quiet, "do not print the table and the progress");
+    add_text("--json", "FILE", m_options.results.json, "write all results as JSON; - for standard output");
+    add_text("--output-format", "NAME", m_options.output_format, "use this format if --output is -, standard output");
   }
 
   void add_ends()
   {
-    m_group = std::string("Curves: one kind of them. ") + m_points;
-    CLI::Option* const from = add_text("--from", "POINT", m_options.from, "source of one path");
-    CLI::Option* const to = add_text("--to", "POINT", m_options.to, "target of one path");
+    m_group = std::string("Curves, of one kind. ") + m_points;
+    CLI::Option* const from = add_text("--from", "POINT", m_options.from, "start a path here");
+    CLI::Option* const to = add_text("--to", "POINT", m_options.to, "end the path here");
     from->needs(to);
     to->needs(from);
   }
@@ -265,15 +265,15 @@ private:
   void add_pairs()
   {
     add_ends();
-    add_text("--pairs", "FILE", m_options.pairs, "a path per line `source target`, of points; # starts a comment");
-    add("--random", "NUMBER", m_options.random, {1, 1e7}, "paths between random vertices of one component");
-    add("--seed", "NUMBER", m_options.seed, not_negative, "seed of --random [1]");
+    add_text("--pairs", "FILE", m_options.pairs, "read a path per line, `source target`; # starts a comment");
+    add("--random", "NUMBER", m_options.random, {1, 1e7}, "compute this many paths between random vertices");
+    add("--seed", "NUMBER", m_options.seed, not_negative, "set the seed of --random [1]");
   }
 
   void add_files_of_paths()
   {
-    add_text("--edges", "FILE", m_options.edges, "a path of edges per line, as vertices");
-    add_text("--points", "FILE", m_options.points, "a path per line, through points");
+    add_text("--edges", "FILE", m_options.edges, "read a path of edges per line, as vertices");
+    add_text("--points", "FILE", m_options.points, "read a path through points per line");
     add_draw();
     add("--snap", m_options.is_snapped, "move the polylines of --draw to edges first")
         ->needs(m_command->get_option("--draw"));
@@ -282,35 +282,37 @@ private:
   CLI::Option* add_draw()
   {
     return add_text("--draw", "FILE", m_options.draw,
-                    "a polyline per line, through points, after `o` closed; or FILE.polylines.txt");
+                    "read a polyline per line, closed after `o`; or FILE.polylines.txt");
   }
 
   CLI::Option* add_loop()
   {
-    return add_text("--loop", "FILE", m_options.loop, "a closed loop of edges per line, as vertices");
+    return add_text("--loop", "FILE", m_options.loop, "read a closed loop of edges per line, as vertices");
   }
 
   void add_networks()
   {
-    add_text("--network", "FILE", m_options.network, "a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
-    add_text("--segmentation", "FILE", m_options.segmentation, "a label per line for each face: their boundaries");
-    add("--free-junctions", m_options.has_free_junctions, "let the vertices move where boundaries of labels meet")
+    add_text("--network", "FILE", m_options.network,
+             "read a path per line; `o v v ...` is a loop, `! v ...` fixes vertices");
+    add_text("--segmentation", "FILE", m_options.segmentation,
+             "read a label per face and line, and shorten the boundaries");
+    add("--free-junctions", m_options.has_free_junctions, "allow the vertices at which boundaries meet to move")
         ->needs(m_command->get_option("--segmentation"));
-    add("--seams", m_options.has_seams, "the texture seams of an OBJ file");
+    add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
   }
 
   void add_splines()
   {
     add_text("--bezier", "FILE", m_options.bezier,
-             "control points per line; after `s` of a cubic B-spline, after `o` of a closed one");
-    add("--rounds", "NUMBER", m_options.rounds, {0, 16}, "how often the pieces of splines are halved [5]")
+             "read control points per line; after `s` of a B-spline, after `o` of a closed one");
+    add("--rounds", "NUMBER", m_options.rounds, {0, 16}, "halve the pieces of splines this many times [5]")
         ->needs(m_command->get_option("--bezier"));
   }
 
   void add_arithmetic()
   {
-    m_group = "How curves are computed";
-    add_text("--kernel", "NAME", m_options.kernel, "certified, with exact predicates, or double [certified]")
+    m_group = "Computation";
+    add_text("--kernel", "NAME", m_options.kernel, "use exact predicates (certified) or double [certified]")
         ->check(CLI::IsMember({"certified", "double"}).description(""));
     add_mollify();
     add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");
@@ -320,7 +322,7 @@ private:
   void add_mollify()
   {
     add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
-        "lengthen all edges by this part of their mean length");
+        "lengthen all edges by this fraction of their mean length");
   }
 
   void add_weights()
@@ -339,43 +341,45 @@ private:
   void add_most_memory()
   {
     add("--most-memory", "MEGABYTES", m_options.most_memory, {0, 1e9, true},
-        "stop when a curve takes more [3/4 of the machine's memory]");
+        "stop when a curve requires more memory [3/4 of the machine's]");
   }
 
   void add_search()
   {
-    add_text("--search", "NAME", m_options.search, "of edge paths: lookback, astar or dijkstra [lookback]")
+    add_text("--search", "NAME", m_options.search, "search edge paths by lookback, astar or dijkstra [lookback]")
         ->check(CLI::IsMember({"lookback", "astar", "dijkstra"}).description(""));
   }
 
   void add_threads()
   {
     if(has_threads)
-      add("--threads", "NUMBER", m_options.threads, {1, 1024}, "compute so many curves at the same time [1]");
+      add("--threads", "NUMBER", m_options.threads, {1, 1024}, "compute this many curves at the same time [1]");
   }
 
   void add_stop_length()
   {
-    add("--stop-length", "RATIO", m_options.stop_length, {0, 1}, "stop at this share of the initial length [0]");
+    add("--stop-length", "RATIO", m_options.stop_length, {0, 1}, "stop at this fraction of the initial length [0]");
   }
 
   void add_files_of_curves()
   {
     m_group = "Results";
     CLI::Option* const output =
-        add_outputs("-o,--output,--mesh", "surface and curves: .obj, .ply, .vtp or .glb; curves: .polylines.txt; "
-                                          "also .json, .csv, .html; may be repeated");
+        add_outputs("-o,--output,--mesh", "write surface and curves (.obj, .ply, .vtp, .glb), curves "
+                                          "(.polylines.txt), or .json, .csv, .html; may be repeated");
     add("--tubes", "RADIUS", m_options.results.tubes, not_negative,
-        "of curves in --output, 0 for lines [1/500 of the mesh]")
+        "draw curves as tubes, or as lines with 0 [1/500 of the mesh size]")
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
-        "write points at this distance along curves, not where they cross edges");
-    add_text("--page", "FILE", m_options.results.page, "page for a browser: surface, curves and flips");
-    add_text("--polylines", "FILE", m_options.results.polylines, "line per point, `curve a b t x y z`: (1-t) a + t b");
-    add_text("--stats", "FILE", m_options.results.stats, "CSV, a line per curve");
+        "write points at this distance along curves instead of crossings");
+    add_text("--page", "FILE", m_options.results.page, "write a page for a browser: surface, curves and flips");
+    add_text("--polylines", "FILE", m_options.results.polylines,
+             "write a line per point, `curve a b t x y z`: (1-t) a + t b");
+    add_text("--stats", "FILE", m_options.results.stats, "write a line per curve as CSV");
     add_text("--insert", "FILE", m_options.meshes.insertion,
-             "mesh with the curves as edges: .off, .obj, .ply, .stl, .vtp");
-    add_text("--cut", "FILE", m_options.meshes.cut, "mesh cut open along the curves, as above");
+             "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
+    add_text("--cut", "FILE", m_options.meshes.cut,
+             "write the mesh cut open along the curves (formats as for --insert)");
     if(m_command->get_option_no_throw("--threads") != nullptr)
       exclude("--threads", {"--page"}); // which shows the steps of the curves one after the other
   }
@@ -388,7 +392,7 @@ private:
 
   void add_commands_of_triangulations()
   {
-    begin("path", "Shorten paths to geodesics, each by itself",
+    begin("path", "Shorten paths to geodesics, independently of one another",
           "  flip_geodesics path bunny.off --from 0 --to 1000 -o path.glb -o path.json\n"
           "  flip_geodesics path bunny.off --random 100 --seed 1 --stats paths.csv\n"
           "  flip_geodesics path bunny.off --draw pen.polylines.txt --page paths.html");
@@ -402,7 +406,7 @@ private:
     add_threads();
     add_files_of_curves();
 
-    begin("loop", "Shorten closed curves to geodesics, each by itself",
+    begin("loop", "Shorten closed curves to geodesics, independently of one another",
           "  flip_geodesics loop bunny.off --loop loops.txt -o loops.vtp\n"
           "  flip_geodesics loop bunny.off --loop loops.txt --stop-length 0.9 --polylines loops.out\n"
           "  flip_geodesics loop bunny.off --loop loops.txt --page loops.html");
@@ -419,8 +423,8 @@ private:
           "  flip_geodesics loops torus.off --handles --stats loops.csv\n"
           "  flip_geodesics loops torus.off --cut-graph --cut disk.off");
     m_group = "Curves [a basis of the homology]";
-    add("--handles", m_options.are_handles, "handle loops, and then tunnel loops, of the solid inside");
-    add("--cut-graph", m_options.is_cut_graph, "curves that cut each component open to a disk");
+    add("--handles", m_options.are_handles, "compute handle loops, then tunnel loops, of the enclosed solid");
+    add("--cut-graph", m_options.is_cut_graph, "compute curves that cut each component open to a disk");
     choose({"--handles", "--cut-graph"}, false);
     add_arithmetic();
     add_stop_length();
@@ -432,14 +436,14 @@ private:
           "  flip_geodesics network bunny.off --network curves.txt --stop-length 0.9 -o curves.ply\n"
           "  flip_geodesics network bunny.off --segmentation labels.seg -o boundaries.ply\n"
           "  flip_geodesics network textured.obj --seams --cut pieces.off");
-    m_group = "Curves: one kind of them";
+    m_group = "Curves, of one kind";
     add_networks();
     choose({"--network", "--segmentation", "--seams"}, true);
     add_arithmetic();
     add_weights();
     add_stop_length();
     add("--stop-curve-length", "RATIO", m_options.stop_curve_length, {0, 1},
-        "the same for each curve, so that small loops stay [0]");
+        "stop each curve at this fraction of its length [0]");
     add_files_of_curves();
 
     begin("spline", "Compute geodesic Bezier curves and B-splines",
@@ -455,7 +459,7 @@ private:
     add_threads();
     add_files_of_curves();
 
-    begin("refine", "Flip and refine the triangulation that has the curves as edges",
+    begin("refine", "Flip and refine the triangulation that contains the curves as edges",
           "  flip_geodesics refine bunny.off --from 0 --to 1000 --refine 25 --subdivision refined.off\n"
           "  flip_geodesics refine bunny.off --network curves.txt --delaunay --subdivision common.vtp\n"
           "  flip_geodesics refine bunny.off --loop loop.txt --refine 0 --longest-edge 0.01 --subdivision fine.ply");
@@ -467,14 +471,16 @@ private:
     choose({"--from", "--edges", "--points", "--draw", "--loop", "--network", "--segmentation", "--seams", "--bezier"},
            true);
     m_group = "The triangulation";
-    add("--delaunay", m_options.meshes.is_delaunay, "flip the other edges to constrained Delaunay");
+    add("--delaunay", m_options.meshes.is_delaunay, "flip the other edges to a constrained Delaunay triangulation");
     CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
                                     "insert vertices until no angle is smaller, in degrees");
-    add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70}, "and until no edge is longer")
+    add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70}, "insert vertices until no edge is longer")
         ->needs(refine);
-    add("--most-vertices", "NUMBER", m_options.meshes.most_vertices, not_negative, "insert no more [1000000]")
+    add("--most-vertices", "NUMBER", m_options.meshes.most_vertices, not_negative,
+        "insert at most this many vertices [1000000]")
         ->needs(refine);
-    add_text("--subdivision", "FILE", m_options.meshes.subdivision, "common subdivision of mesh and triangulation");
+    add_text("--subdivision", "FILE", m_options.meshes.subdivision,
+             "write the common subdivision of mesh and triangulation");
     choose({"--delaunay", "--refine", "--subdivision"}, true, false);
     add_arithmetic();
     add_search();
@@ -485,21 +491,21 @@ private:
 
   void add_commands_of_distances()
   {
-    begin("shortest", "Compute globally shortest paths, or the shortest ones of several homotopy classes",
+    begin("shortest", "Compute globally shortest paths, optionally of several homotopy classes",
           "  flip_geodesics shortest bunny.off --from 0 --to 1000 -o path.glb\n"
           "  flip_geodesics shortest bunny.off --pairs pairs.txt --landmarks 8 --stats paths.csv\n"
           "  flip_geodesics shortest torus.off --from 0 --to 150 --ways 4 --avoid walls.txt -o ways.vtp");
     add_pairs();
     choose({"--from", "--pairs", "--random"}, true);
     m_group = "Homotopy classes and obstacles";
-    add("--ways", "NUMBER", m_options.ways, {1, 1000}, "shortest paths of so many homotopy classes");
+    add("--ways", "NUMBER", m_options.ways, {1, 1000}, "compute the shortest paths of this many homotopy classes");
     add_avoid();
     add_arithmetic();
     add_weights();
     add_search();
     add_threads();
     add("--landmarks", "NUMBER", m_options.landmarks, {1, 1000},
-        "make so many first, for hundreds of paths; 8 are good");
+        "precompute landmarks, recommended for hundreds of paths: 8");
     for(const char* const name : {"--ways", "--avoid"})
       exclude(name, {"--kernel", "--mollify", "--refuse-zero-edges", "--search", "--landmarks", "--face-weights",
                      "--edge-weights"});
@@ -510,7 +516,8 @@ private:
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --trace 0,1,2,0.3,0.3,4.71,20 --polylines straight.txt\n"
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
     m_group = m_points;
-    add_text("--trace", "POINT,ANGLE,LENGTH", m_options.traces, "a curve: its start, direction in radians, and length")
+    add_text("--trace", "POINT,ANGLE,LENGTH", m_options.traces,
+             "trace a curve from a point, in a direction in radians; may be repeated")
         ->allow_extra_args(false)
         ->required();
     m_group = "How lengths are measured";
@@ -524,25 +531,24 @@ private:
           "  flip_geodesics distance bunny.off --source 0 --spacing 0.1 --polylines isolines.txt\n"
           "  flip_geodesics distance bunny.off --sources points.txt --map distances.csv --values -o distances.vtp");
     m_group = m_points;
-    add_text("--source", "POINT", m_options.sources, "a source of the distances, or vertices v,v,...; may be repeated")
+    add_text("--source", "POINT", m_options.sources, "measure from a point, or from vertices v,v,...; may be repeated")
         ->allow_extra_args(false);
-    add_text("--sources", "FILE", m_options.sources_file,
-             "further sources, as points between blanks or commas and blanks");
+    add_text("--sources", "FILE", m_options.sources_file, "read further sources, separated by blanks");
     choose({"--source", "--sources"}, true, false);
-    add_list("--isolines", "DISTANCE,...", m_options.isolines, positive, "curves at these distances from the nearest");
-    add("--spacing", "DISTANCE", m_options.spacing, positive, "curves at all multiples of this distance");
-    add("--voronoi", m_options.has_voronoi, "curves on which the nearest source changes");
+    add_list("--isolines", "DISTANCE,...", m_options.isolines, positive, "compute curves at these distances");
+    add("--spacing", "DISTANCE", m_options.spacing, positive, "compute curves at all multiples of this distance");
+    add("--voronoi", m_options.has_voronoi, "compute the curves on which the nearest source changes");
     add("--tolerance", "LENGTH", m_options.tolerance, positive,
-        "how far these may lie from the true curves [1/1000 of the mesh]");
+        "allow this deviation of these curves [1/1000 of the mesh size]");
     m_group = "How lengths are measured";
     add_avoid();
     add_mollify();
     add_weights();
     add_files_of_curves();
-    add_text("--map", "FILE", m_options.results.map, "CSV, a line `vertex,distance,source` per vertex");
-    add("--values", m_options.results.has_values, "write distances at vertices to .ply and .vtp, which are binary then")
+    add_text("--map", "FILE", m_options.results.map, "write a line `vertex,distance,source` per vertex as CSV");
+    add("--values", m_options.results.has_values, "add the distances of vertices to binary .ply and .vtp files")
         ->needs(m_command->get_option("--output"));
-    add_text("--matrix", "FILE", m_options.results.matrix, "CSV, the distances between the sources");
+    add_text("--matrix", "FILE", m_options.results.matrix, "write the distances between the sources as CSV");
     choose({"--isolines", "--spacing"}, false);
     choose({"--isolines", "--spacing", "--voronoi", "--map", "--values", "--matrix"}, true, false);
 
@@ -551,17 +557,17 @@ private:
           "  flip_geodesics log bunny.off --source 0 --shortest --map map.csv -o tree.ply\n"
           "  flip_geodesics log bunny.off --source 0 --kernel double --stats tree.csv");
     m_group = m_points;
-    add_text("--source", "POINT", m_options.sources, "source of the tree")->required()->expected(1);
+    add_text("--source", "POINT", m_options.sources, "grow the tree from this point")->required()->expected(1);
     add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest");
     add_arithmetic();
     add_weights();
     add_files_of_curves();
-    add_text("--map", "FILE", m_options.results.map, "line per vertex, `vertex,distance,angle,x,y`");
+    add_text("--map", "FILE", m_options.results.map, "write a line per vertex, `vertex,distance,angle,x,y`");
   }
 
   void add_commands_of_meshes()
   {
-    begin("cut", "Cut a mesh along polylines as they are drawn, which may cross",
+    begin("cut", "Cut a mesh along drawn polylines, which may cross",
           "  flip_geodesics cut bunny.off --draw pen.polylines.txt --cut pieces.off\n"
           "  flip_geodesics cut bunny.off --draw pen.txt --insert lines.ply\n"
           "  flip_geodesics cut bunny.off --draw pen.txt -o lines.glb --stats lines.csv");
@@ -577,33 +583,34 @@ private:
     add_draw()->required();
     add_files_of_curves();
 
-    begin("repair", "Make a triangle mesh of any polygons: triangulate, orient, split, stitch, remove",
+    begin("repair", "Convert any polygons to a triangle mesh: triangulate, orient, split, stitch, remove",
           "  flip_geodesics repair polygons.obj --output mesh.off\n"
           "  flip_geodesics repair scan.stl --weld 1e-9 --output scan.ply\n"
           "  flip_geodesics repair - --format off --output - --output-format off");
-    add_outputs("-o,--output", ".off, .obj, .ply, .stl or .vtp; may be repeated")->required();
+    add_outputs("-o,--output", "write .off, .obj, .ply, .stl or .vtp; may be repeated")->required();
 
-    begin("flatten", "Cut a connected surface open and flatten it conformally, as texture coordinates",
+    begin("flatten", "Cut a connected surface open and flatten it conformally to texture coordinates",
           "  flip_geodesics flatten bunny.off --output flat.obj\n"
           "  flip_geodesics flatten bunny.off --network seams.txt --output flat.glb\n"
           "  flip_geodesics flatten textured.obj --seams --output flat.obj");
     m_group = "Curves to cut along, shortened first [the cut graph]";
-    add_text("--network", "FILE", m_options.network, "a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
-    add("--seams", m_options.has_seams, "the texture seams of an OBJ file");
+    add_text("--network", "FILE", m_options.network,
+             "read a path per line; `o v v ...` is a loop, `! v ...` fixes vertices");
+    add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
     choose({"--network", "--seams"}, false);
-    add_outputs("-o,--output", ".obj or .glb, with texture coordinates; may be repeated")->required();
+    add_outputs("-o,--output", "write .obj or .glb with texture coordinates; may be repeated")->required();
 
     begin("info", "Print components, borders, genus, size and defects of a mesh",
           "  flip_geodesics info bunny.off\n"
           "  flip_geodesics info scan.stl --weld 1e-9\n"
           "  flip_geodesics info bunny.off --quiet --json -");
 
-    begin("view", "Write a page for a browser that computes curves through points set on the mesh",
+    begin("view", "Write a page for a browser in which curves on the mesh are drawn and edited",
           "  flip_geodesics view bunny.off --output bunny.html\n"
           "  flip_geodesics view polygons.obj --repair --output polygons.html\n"
           "  flip_geodesics view - --format stl --output scan.html");
     m_group = "Results";
-    add_text("-o,--output", "FILE", m_options.results.live, ".html")->required();
+    add_text("-o,--output", "FILE", m_options.results.live, "write this .html file")->required();
   }
 
   // Letters to insert, to drop or to exchange until one text is the other (Levenshtein distance).

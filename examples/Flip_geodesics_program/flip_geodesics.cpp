@@ -82,7 +82,7 @@ void check_names_of_inputs(const Options& options)
   std::size_t number = 0;
   for(const std::string& name : names_of_inputs(options))
     if(name == standard_stream && ++number > 1)
-      throw Bad_input("standard input can be read once only; name files for all inputs but one");
+      throw Bad_input("standard input can be read only once; use files for all inputs but one");
 }
 
 // Each result in a file of its own, and none of them in one that is read.
@@ -94,14 +94,14 @@ void check_names_of_results(const Options& options)
       continue;
     for(const std::string& other : results)
       if(is_same_file(name, other))
-        throw Bad_input(name_of_result(name) + ": two results cannot go to one file; name another one");
+        throw Bad_input(name_of_result(name) + ": two results cannot be written to one file; name another one");
     for(const std::string& input : names_of_inputs(options))
       if(!options.is_replacing_input && !input.empty() && is_same_file(name, input) && is_plain_file(input))
         throw Bad_input(printable(name) + ": a result would replace what is read; name another file, or add --force");
     results.push_back(name);
   }
   if(!options.output_format.empty() && std::none_of(results.begin(), results.end(), is_standard_output))
-    throw Bad_input("--output-format is the format of a result on standard output; give - as its name");
+    throw Bad_input("--output-format is the format of a result on standard output; use - as its name");
 }
 
 // The table goes where no result goes.
@@ -367,7 +367,7 @@ int flushed(int status)
 {
   if(std::cout.flush())
     return status;
-  std::cerr << "flip_geodesics: standard output: could not be written to its end; look for space on the disk\n";
+  std::cerr << "flip_geodesics: standard output: could not be written completely; check the free space on the disk\n";
   return status == success ? incomplete : status;
 }
 
@@ -379,7 +379,7 @@ int main(int argc, char** argv)
   Command_line command_line(options);
   try {
     if(std::find(argv + 1, argv + argc, std::string()) != argv + argc)
-      throw Bad_input("an argument is empty; leave its option out or give it a value");
+      throw Bad_input("an argument is empty; omit its option or specify a value");
     command_line.parse(argc, argv);
     sort_outputs(options);
     CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});

@@ -46,13 +46,13 @@ void write_torus(std::ostream& out, std::size_t around, std::size_t along, doubl
 int main(int argc, char** argv)
 {
   if(argc < 2) {
-    std::cerr << "generate_torus: say which file to write\n";
+    std::cerr << "generate_torus: specify the file to write\n";
     return EXIT_FAILURE;
   }
   const std::size_t around = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 400;
   const std::size_t along = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 200;
   if(around < 3 || along < 3) {
-    std::cerr << "generate_torus: 3 vertices are the least in each direction\n";
+    std::cerr << "generate_torus: at least 3 vertices are required in each direction\n";
     return EXIT_FAILURE;
   }
   std::ofstream out(argv[1]);

@@ -105,9 +105,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(help_with_threads 0 "--threads NUMBER" path --help)
     flip_geodesics_add_program_test(threads 0 "30 LOCALLY_SHORTEST" path torus.off --random 30 --seed 7 --threads 2)
     flip_geodesics_add_program_test(no_threads 2 "--threads: '0' is out of range" path torus.off --random 2 --threads 0)
-    flip_geodesics_add_program_test(threads_too_many 2 "--threads: '99999999999' is beyond the range" path torus.off
+    flip_geodesics_add_program_test(threads_too_many 2 "--threads: '99999999999' exceeds the range" path torus.off
                                     --random 1 --threads 99999999999)
-    flip_geodesics_add_program_test(threads_and_page 2 "--threads and --page do not go together" path torus.off --random 2
+    flip_geodesics_add_program_test(threads_and_page 2 "--threads and --page cannot be combined" path torus.off --random 2
                                     --threads 2 --page threads.html)
     # More than there are, without a word on standard error.
     flip_geodesics_add_program_test(many_threads 0 "30 LOCALLY_SHORTEST.*extract [^\n]*\n$" path torus.off --random 30
@@ -140,13 +140,13 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   shortest.off)
   flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 met degenerate edges" shortest
                                   zero_length.off --pairs zero_length.txt)
-  flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; leave them out, or give --mollify"
+  flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; omit them or use --mollify"
                                   shortest zero_length.off --pairs zero_length.txt --landmarks 2)
   flip_geodesics_add_program_test(landmarks_mollified 0 "2 WITHIN_ROUNDING" shortest zero_length.off --pairs
                                   zero_length.txt --landmarks 2 --mollify 1e-3)
   flip_geodesics_add_program_test(landmarks_alone 2 "--landmarks is not an option of path, but of shortest" path
                                   torus.off --random 2 --landmarks 2)
-  flip_geodesics_add_program_test(no_landmarks 2 "--landmarks: '0' is out of range. give at least 1 and at most 1000"
+  flip_geodesics_add_program_test(no_landmarks 2 "--landmarks: '0' is out of range. use at least 1 and at most 1000"
                                   shortest torus.off --random 2 --landmarks 0)
   flip_geodesics_add_program_test(shortest_loop 2 "--loop is not an option of shortest, but of loop" shortest torus.off
                                   --loop loop.txt)
@@ -236,9 +236,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   no_face.txt)
   flip_geodesics_add_program_test(reads_its_obj 0 LOCALLY_SHORTEST path path.obj --from 0 --to 150)
   set_tests_properties(program_reads_its_obj PROPERTIES DEPENDS program_path)
-  flip_geodesics_add_program_test(not_repaired 2 "turned.off: the edge.*or give --repair" path turned.off --from 0 --to
+  flip_geodesics_add_program_test(not_repaired 2 "turned.off: the edge.*or use --repair" path turned.off --from 0 --to
                                   1)
-  flip_geodesics_add_program_test(repair 0 "LOCALLY_SHORTEST.*repair: 1 polygon of more than three corners" path
+  flip_geodesics_add_program_test(repair 0 "LOCALLY_SHORTEST.*repair: 1 polygon with more than three corners" path
                                   pyramid.off --repair --from 0 --to 2)
   flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" path repaired.off --from 0 --to 2)
   set_tests_properties(program_repair_again PROPERTIES DEPENDS program_only_repaired)
@@ -257,7 +257,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --to 5)
   flip_geodesics_add_program_test(weld_alone 2 "--weld requires --repair" path seam.off --weld 1e-12 --from 0 --to 1)
   flip_geodesics_add_program_test(bad_weld 2 "--weld" path seam.off --repair --weld 2 --from 0 --to 1)
-  flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle is left by the repair: 1 degenerate triangle"
+  flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle remains after the repair: 1 degenerate triangle"
                                   path collapsed.off --repair --from 0 --to 1)
   flip_geodesics_add_program_test(only_repaired 0 "11 vertices, 7 triangles.*repair: 1 polygon" repair pyramid.off
                                   --output repaired.off)
@@ -270,7 +270,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                    several.polylines.txt
            WORKING_DIRECTORY ${program_dir})
   set_tests_properties(program_outputs_exist PROPERTIES DEPENDS program_outputs)
-  flip_geodesics_add_program_test(two_outputs_of_json 2 "another result in the format json" path torus.off --from 0 --to
+  flip_geodesics_add_program_test(two_outputs_of_json 2 "another result has the format json" path torus.off --from 0 --to
                                   150 -o a.json -o b.json)
   flip_geodesics_add_program_test(json_to_standard_output 0 "^.\"command\":\"path\",\"curves\":.\n.\"curve\":0,.*\"status\":\"LOCALLY_SHORTEST\""
                                   path torus.off --from 0 --to 150 -o - --output-format json --quiet)
@@ -314,7 +314,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(cut_graph_cuts 0 "components  1\n[^\n]*genus 0, 1 border\n" info disk.off)
   set_tests_properties(program_cut_graph_cuts PROPERTIES DEPENDS program_cut_graph)
   flip_geodesics_add_program_test(info 0 "576 triangles, genus 1, 0 borders\ndefects     none" info torus.off)
-  flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon of more than three" info
+  flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon with more than three" info
                                   pyramid.off)
   flip_geodesics_add_program_test(info_near_borders 0 "nearly coincide with others and stay open" info seam.off)
   flip_geodesics_add_program_test(info_json 0 "\"components\":.{\"vertices\":288,.*\"genus\":1}.*\"defects\":" info
@@ -374,9 +374,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   set_tests_properties(program_cut_along_isolines_is_open PROPERTIES DEPENDS program_cut_along_isolines)
   flip_geodesics_add_program_test(trace 0 "LENGTH +from vertex 0 at 0.5\n.*2 curves: 2 LENGTH" trace torus.off --trace
                                   0,0.5,2 --trace 7,-1e-1,3 --polylines traces.txt --stats traces.csv --mesh traces.vtp)
-  flip_geodesics_add_program_test(trace_without_length 2 "give a point, an angle and a length" trace torus.off --trace
+  flip_geodesics_add_program_test(trace_without_length 2 "specify a point, an angle and a length" trace torus.off --trace
                                   0,1)
-  flip_geodesics_add_program_test(trace_no_number 2 "give a point, an angle and a length" trace torus.off --trace
+  flip_geodesics_add_program_test(trace_no_number 2 "specify a point, an angle and a length" trace torus.off --trace
                                   0,a,1)
   flip_geodesics_add_program_test(trace_too_much 2 "'0,1' is not a point" trace torus.off --trace
                                   0,1,2,3)
@@ -411,17 +411,17 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   ${pair_beside_wall} --ways 2 --avoid wall.txt)
   flip_geodesics_add_program_test(ways_past_hole 0 "5 WITHIN_ROUNDING" shortest torus.off --from 13 --to 150 --ways 5
                                   --avoid hole.txt)
-  flip_geodesics_add_program_test(ways_walled_off 1 "from, --to.*: no path of edges joins vertex 13 and vertex 270"
+  flip_geodesics_add_program_test(ways_walled_off 1 "from, --to.*: no path of edges connects vertex 13 and vertex 270"
                                   shortest ${pair_beside_wall} --ways 2 --avoid two_walls.txt)
-  flip_geodesics_add_program_test(ways_from_wall 1 "vertex 3 lies on a wall of --avoid" shortest torus.off --from 3 --to
+  flip_geodesics_add_program_test(ways_from_wall 1 "vertex 3 lies on a barrier of --avoid" shortest torus.off --from 3 --to
                                   150 --ways 2 --avoid wall.txt)
-  flip_geodesics_add_program_test(ways_inside_obstacle 1 "vertex 13 lies inside of an obstacle" shortest
+  flip_geodesics_add_program_test(ways_inside_obstacle 1 "vertex 13 lies inside an obstacle" shortest
                                   ${pair_beside_wall} --ways 2 --avoid all_faces.txt)
-  flip_geodesics_add_program_test(ways_given_up 1 "the search was given up at .* vertices of the covering" shortest
+  flip_geodesics_add_program_test(ways_given_up 1 "the search was aborted at .* vertices of the covering" shortest
                                   torus.off --from 13 --to 150 --ways 30 --most-memory 0.1)
-  flip_geodesics_add_program_test(no_ways 2 "--ways: '0' is out of range. give at least 1" shortest torus.off --from 0
+  flip_geodesics_add_program_test(no_ways 2 "--ways: '0' is out of range. use at least 1" shortest torus.off --from 0
                                   --to 1 --ways 0)
-  flip_geodesics_add_program_test(ways_double 2 "--ways and --kernel do not go together" shortest torus.off --random 2
+  flip_geodesics_add_program_test(ways_double 2 "--ways and --kernel cannot be combined" shortest torus.off --random 2
                                   --ways 2 --kernel double)
   flip_geodesics_add_program_test(avoid_alone 0 "1 curve: 1 WITHIN_ROUNDING" shortest torus.off --from 13 --to 150
                                   --avoid hole.txt)
@@ -441,7 +441,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(distance_from_wall 2 "^flip_geodesics: vertex 3 lies on a wall of --avoid, on both"
                                   distance torus.off --source 3 --map x.csv --avoid wall.txt)
   flip_geodesics_add_program_test(distance_inside_obstacle 2
-                                  "point 1.0,2.0,0.3 lies inside of an obstacle of --avoid; choose another one" distance
+                                  "point 1.0,2.0,0.3 lies inside an obstacle of --avoid; choose another one" distance
                                   torus.off --source 1.0,2.0,0.3 --map x.csv --avoid all_faces.txt)
   flip_geodesics_add_program_test(trace_from_wall 2 "vertex 3 lies on a wall" trace torus.off --trace 3,0,1 --avoid
                                   wall.txt)
@@ -507,7 +507,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   "0 curves.*no isoline at distance 99: the farthest vertex is [0-9.]+ away" distance
                                   torus.off --source 0 --isolines 99)
   flip_geodesics_add_program_test(near_isoline 0 "1 curve: 1 ISOLINE" distance torus.off --source 0 --isolines 1e-9)
-  flip_geodesics_add_program_test(isoline_at_source 2 "--isolines: '0' is out of range. give more than 0" distance
+  flip_geodesics_add_program_test(isoline_at_source 2 "--isolines: '0' is out of range. use more than 0" distance
                                   torus.off --source 0 --isolines 0.3,0)
   flip_geodesics_add_program_test(spacing 0 "curves: [1-9][0-9]* ISOLINE" distance torus.off --source 0,100 --spacing
                                   0.3 --mesh spacing.vtp)
@@ -515,11 +515,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --source 0 --spacing 99)
   flip_geodesics_add_program_test(spacing_too_small 2 "--spacing 1e-09 makes more than 10000 isolines" distance
                                   torus.off --source 0 --spacing 1e-9)
-  flip_geodesics_add_program_test(spacing_zero 2 "--spacing: '0' is out of range. give more than 0" distance torus.off
+  flip_geodesics_add_program_test(spacing_zero 2 "--spacing: '0' is out of range. use more than 0" distance torus.off
                                   --source 0 --spacing 0)
   flip_geodesics_add_program_test(voronoi_of_one_source 0 "0 curves.*no boundary: there is only one source" distance
                                   torus.off --source 0 --voronoi)
-  flip_geodesics_add_program_test(spacing_and_isolines 2 "--isolines and --spacing do not go together" distance
+  flip_geodesics_add_program_test(spacing_and_isolines 2 "--isolines and --spacing cannot be combined" distance
                                   torus.off --source 0 --spacing 1 --isolines 1)
   flip_geodesics_add_program_test(isoline_no_number 2 "--isolines: 'nan' is not a finite number" distance torus.off
                                   --source 0 --isolines 1,nan --mesh no_isolines.vtp)
@@ -535,11 +535,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0,99999999999999999999 --isolines 1)
   flip_geodesics_add_program_test(vertex_too_large 2 "--from: a point has a vertex that is not a whole number below 1e15" path
                                   torus.off --from 99999999999999999999 --to 3)
-  flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is beyond the range" path torus.off
+  flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' exceeds the range" path torus.off
                                   --random 1 --seed 99999999999999999999)
-  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' is beyond the range" distance torus.off
+  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' exceeds the range" distance torus.off
                                   --source 0 --spacing 1e999)
-  flip_geodesics_add_program_test(edges_too_short 2 "--longest-edge: '1e-300' is out of range. give at least 1e-70"
+  flip_geodesics_add_program_test(edges_too_short 2 "--longest-edge: '1e-300' is out of range. use at least 1e-70"
                                   refine torus.off --from 0 --to 9 --refine 20 --longest-edge 1e-300 --subdivision
                                   refined.off)
   # Decimal everywhere, as in files; finite; and the option is named.
@@ -568,7 +568,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --refine nan --subdivision refined.off)
   flip_geodesics_add_program_test(isoline_next_to_the_source 0 "1 curve: 1 ISOLINE" distance torus.off --source 0
                                   --isolines 1e-150)
-  flip_geodesics_add_program_test(isolines_of_nothing 2 "give one of --source, --sources" distance torus.off --isolines 1)
+  flip_geodesics_add_program_test(isolines_of_nothing 2 "use one of --source, --sources" distance torus.off --isolines 1)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" distance torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest is not an option of distance, but of log" distance
                                   torus.off --source 0 --isolines 1 --shortest)
@@ -576,7 +576,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(bad_tolerance 2 "--tolerance" distance torus.off --source 0 --voronoi --tolerance 0)
   flip_geodesics_add_program_test(tolerance_too_small 2 "--tolerance 1e-300 is less than a millionth" distance torus.off
                                   --source 0 --voronoi --tolerance 1e-300)
-  flip_geodesics_add_program_test(tolerance_of_nothing 2 "give one of --isolines, --spacing, --voronoi" distance
+  flip_geodesics_add_program_test(tolerance_of_nothing 2 "use one of --isolines, --spacing, --voronoi" distance
                                   torus.off --source 0 --tolerance 0.1)
   flip_geodesics_add_program_test(map_without_source 2 "--source is required" log torus.off --map map.csv)
   flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 missed" refine torus.off --from 0 --to 150
@@ -621,9 +621,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(help_of_${command} 0 "Usage: flip_geodesics ${command} .*Examples:\n${example}${example}${example}$"
                                     ${command} --help)
   endforeach()
-  flip_geodesics_add_program_test(no_command 2 "'torus.off' is not a command. give one before the mesh: path, " torus.off
+  flip_geodesics_add_program_test(no_command 2 "'torus.off' is not a command. specify one before the mesh: path, " torus.off
                                   --from 0 --to 5)
-  flip_geodesics_add_program_test(nothing 2 "give a command: path, ")
+  flip_geodesics_add_program_test(nothing 2 "specify a command: path, ")
   flip_geodesics_add_program_test(version 0 "^flip_geodesics ${PROJECT_VERSION}" --version)
   flip_geodesics_add_program_test(misspelt 2 "--radnom is not known; did you mean --random." path torus.off --radnom 3)
   flip_geodesics_add_program_test(one_dash 2 "-randm is not known; did you mean --random." path torus.off -randm 3)
@@ -633,18 +633,18 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(begun 2 "--seg is not known. did you mean --segmentation." network torus.off --seg=x)
   flip_geodesics_add_program_test(unlike_any 2 "--xyzzyx is not known; see" path torus.off --xyzzyx)
   flip_geodesics_add_program_test(zero_length 1
-                                  "0 .zero_length.txt line 1.: .*length zero; leave out --refuse-zero-edges" path
+                                  "0 .zero_length.txt line 1.: .*length zero; omit --refuse-zero-edges" path
                                   zero_length.off --pairs zero_length.txt --refuse-zero-edges)
-  flip_geodesics_add_program_test(zero_length_field 2 "length zero; give --repair" distance zero_length.off --source 0
+  flip_geodesics_add_program_test(zero_length_field 2 "length zero; use --repair" distance zero_length.off --source 0
                                   --isolines 1)
-  flip_geodesics_add_program_test(zero_length_trace 1 "length zero; give --repair" trace zero_length.off --trace 3,0,1)
+  flip_geodesics_add_program_test(zero_length_trace 1 "length zero; use --repair" trace zero_length.off --trace 3,0,1)
   flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met degenerate edges" path
                                   zero_length.off --pairs zero_length.txt --kernel certified)
   flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 met" log zero_length.off --source 0 --map
                                   zero_length.csv)
   flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170" path tiny.off --from 0 --to 1)
   flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" path flat.off --draw flat.polylines.txt)
-  flip_geodesics_add_program_test(no_area 2 "no face of the mesh has an area" path no_area.off --draw
+  flip_geodesics_add_program_test(no_area 2 "all faces of the mesh are degenerate" path no_area.off --draw
                                   flat.polylines.txt)
   file(WRITE ${program_dir}/distant.off
        "OFF\n4 4 0\n0 0 0\n1e60 0 0\n0 1e60 0\n0 0 1e60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
@@ -730,9 +730,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(live_and_stats 2 "--stats is not an option of view, but of path" view torus.off
                                   --output live.html --stats x.csv)
   flip_geodesics_add_program_test(unknown_option 2 "--wrong" path torus.off --wrong)
-  flip_geodesics_add_program_test(no_curves 2 "give one of --from, --pairs, --random, --edges, --points, --draw" path
+  flip_geodesics_add_program_test(no_curves 2 "use one of --from, --pairs, --random, --edges, --points, --draw" path
                                   torus.off)
-  flip_geodesics_add_program_test(two_sets_of_curves 2 "--pairs and --random do not go together. give one of them" path
+  flip_geodesics_add_program_test(two_sets_of_curves 2 "--pairs and --random cannot be combined. use one of them" path
                                   torus.off --random 2 --pairs pairs.txt)
   flip_geodesics_add_program_test(from_without_to 2 "--from requires --to" path torus.off --from 3)
   flip_geodesics_add_program_test(certified 0 "5 LOCALLY_SHORTEST.*certificates: 5 PROVEN" path torus.off --random 5)
@@ -740,7 +740,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(kernel_of_isolines 2 "--kernel is not an option of distance" distance torus.off
                                   --source 0 --isolines 0.3 --kernel certified)
   flip_geodesics_add_program_test(mollified 0 "LOCALLY_SHORTEST" path torus.off --random 5 --mollify 1e-5)
-  flip_geodesics_add_program_test(bad_mollify 2 "--mollify: '2' is out of range. give more than 0 and less than 1" path
+  flip_geodesics_add_program_test(bad_mollify 2 "--mollify: '2' is out of range. use more than 0 and less than 1" path
                                   torus.off --random 5 --mollify 2)
   flip_geodesics_add_program_test(unknown_kernel 2 "--kernel: fast not in" path torus.off --random 2 --kernel fast)
   flip_geodesics_add_program_test(unknown_search 2 "--search: best not in" path torus.off --random 2 --search best)
@@ -793,8 +793,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   early_property.ply --random 2)
   flip_geodesics_add_program_test(escape 2 "escape.txt line 2: '[?]c7' is not a point" path torus.off --pairs
                                   escape.txt)
-  flip_geodesics_add_program_test(folder 2 ": is a folder; name a file in it" path . --random 2)
-  flip_geodesics_add_program_test(folder_of_pairs 2 ": is a folder; name a file in it" path torus.off --pairs .)
+  flip_geodesics_add_program_test(folder 2 ": is a folder; specify a file" path . --random 2)
+  flip_geodesics_add_program_test(folder_of_pairs 2 ": is a folder; specify a file" path torus.off --pairs .)
   flip_geodesics_add_program_test(escape_in_name 2 "no[?]c.off: cannot be opened" path "no${escape}c.off" --random 2)
   flip_geodesics_add_program_test(escape_in_option 2 "--kernel: [?]c not in" path torus.off --random 2 --kernel
                                   "${escape}c")

@@ -6,7 +6,7 @@
 /*!
  * \file Flip_geodesics.h
  * \ingroup PkgFlipGeodesicsRef
- * Includes the headers of the package but these, which must be included separately:
+ * Includes all headers of the package except the following, which must be included separately:
  * `Exact_intrinsic_triangulation_traits.h`, those that need Eigen (`Operators.h`,
  * `Direction_field.h`, `Conformal_flattening.h`), and `insert_curves.h` and `polygon_soup_to_triangle_mesh.h`, which
  * include packages of CGAL under the GPL.

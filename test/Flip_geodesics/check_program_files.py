@@ -223,9 +223,9 @@ def case_standard_streams(folder):
         folder.run(0, 'path', 'torus.off', *pairs, '--polylines', f'/dev/fd/{log.fileno()}', pass_fds=[log.fileno()])
     check(folder.text('log.txt') == 'earlier\n' + expected, f'another open file: {folder.text("log.txt")}')
 
-    folder.refuse('standard input can be read once', 'path', '-', '--format', 'off', '--pairs', '-')
+    folder.refuse('standard input can be read only once', 'path', '-', '--format', 'off', '--pairs', '-')
     folder.refuse('two results', 'path', 'torus.off', *pairs, '--polylines', '-', '--stats', '/dev/stdout')
-    folder.refuse('give --format with one of', 'path', '-', *pairs, stdin=torus())
+    folder.refuse('use --format with one of', 'path', '-', *pairs, stdin=torus())
     folder.refuse('--output-format determines the format of --output', 'path', 'torus.off', *pairs, '--mesh', '-')
     folder.refuse('--output-format is the format', 'path', 'torus.off', *pairs, '--mesh', 'a.obj', '--output-format', 'obj')
 
@@ -315,7 +315,7 @@ def case_full_disk(folder):
     _, errors = folder.run(1, 'path', 'torus.off', '--random', '20', '--quiet', '--polylines', 'curves.txt', '--stats',
                            'stats.csv', '--page', '/dev/full', preexec_fn=small_files)
     for name in ['curves.txt', '/dev/full']:
-        check(errors.count(f'flip_geodesics: {name}: could not be written to its end') == 1, errors)
+        check(errors.count(f'flip_geodesics: {name}: could not be written completely') == 1, errors)
     check(folder.text('stats.csv').count('\n') == 21, 'the other result is not whole')
     check(folder.text('curves.txt') == 'earlier\n' and folder.names() == sorted(before), 'the files are others')
 

@@ -29,7 +29,7 @@ def check(condition, message):
 
 def read_off(path):
     words = iter(path.read_text().split())
-    check(next(words) == 'OFF', f'{path} is no OFF file')
+    check(next(words) == 'OFF', f'{path} is not an OFF file')
     vertices, faces, _ = (int(next(words)) for _ in range(3))
     points = [tuple(float(next(words)) for _ in range(3)) for _ in range(vertices)]
     return points, [tuple(int(next(words)) for _ in range(int(next(words)))) for _ in range(faces)]

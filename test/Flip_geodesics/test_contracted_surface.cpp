@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(meshes_on_a_line_are_told_truly)
   const auto is_true = [](const FG::Degenerate_face_error& error) {
     const std::string what = error.what();
     return what.find("has length zero") != std::string::npos &&
-           what.find("no surface joins the ends") != std::string::npos &&
+           what.find("no surface connects the ends") != std::string::npos &&
            error.remedy() == FG::Degeneracy_remedy::MOLLIFY && what.find(error.problem() + "; ") == 0 &&
            what.find("contract such edges") == std::string::npos && error.elements().size() == 2;
   };

@@ -80,7 +80,7 @@ void check_same(const std::vector<Path>& a, const std::vector<Path>& b)
   }
 }
 
-/// Two spheres that no edge joins.
+/// Two spheres that no edge connects.
 Mesh two_spheres()
 {
   Mesh_soup soup = bumpy_sphere(6, 0.1, 1);

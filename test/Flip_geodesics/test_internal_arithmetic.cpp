@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The numbers with which exact predicates compute, one class at a time, against numbers that are exact or much longer: the
-// decisions themselves come out right with most mistakes in them, since another stage makes up for it.
+// The numbers with which exact predicates compute, one class at a time, against numbers that are exact or much longer:
+// the decisions themselves come out right with most mistakes in them, since another stage makes up for it.
 
 #define BOOST_TEST_MODULE internal_arithmetic
 

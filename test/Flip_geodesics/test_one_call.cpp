@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(ends_in_different_components_are_named_by_vertices_of_the_m
   std::vector<Point> points;
   try {
     FG::geodesic_path(mesh, Vertex(0), Face_location(Face(6), {{0.2, 0.3, 0.5}}), std::back_inserter(points));
-    BOOST_ERROR("no path joins them");
+    BOOST_ERROR("no path connects them");
   } catch(const FG::Disconnected_endpoints_error& error) {
     BOOST_REQUIRE_EQUAL(error.elements().size(), 2u);
     BOOST_CHECK_EQUAL(error.elements()[0], 0u);

@@ -589,10 +589,10 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_repaired_is_said)
   };
   BOOST_CHECK_EQUAL(reason({{}, {}}), "the soup has no polygons");
   BOOST_CHECK_EQUAL(reason({{{0, 0, 0}}, {{0, 0, 0}}}),
-                    "no triangle is left by the repair: 1 polygon dropped: fewer than three corners in different "
-                    "places; 1 point left without faces");
+                    "no triangle remains after the repair: 1 polygon removed because they have fewer than three "
+                    "distinct corners; 1 point left without faces");
   BOOST_CHECK_EQUAL(reason({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}}).substr(0, 36),
-                    "no triangle is left by the repair: 1");
+                    "no triangle remains after the repair: 1");
 }
 
 BOOST_AUTO_TEST_CASE(each_repair_has_words)

@@ -424,7 +424,7 @@ BOOST_AUTO_TEST_CASE(shortest_edge_paths_are_as_long_as_edges_relaxed_again_and_
   }
 }
 
-// With 7 on both sides, in radians, of a vertex of angle 14, there is nothing to straighten.
+// With 7 on both sides, in radians, of a vertex of angle 14, there is nothing to shorten.
 BOOST_AUTO_TEST_CASE(paths_over_a_vertex_of_large_angle_stay)
 {
   constexpr int k = 16;

@@ -76,7 +76,7 @@ public:
   Halfedge_index counterclockwise(Halfedge_index h) const;
   /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Halfedge_index outgoing(Vertex_index v) const;
-  /// Announces that the face on the left of `h` will be read soon. An empty function is valid.
+  /// Prefetches the face on the left of `h`, which will be read soon. An empty function is valid.
   void prefetch_face(Halfedge_index h) const;
 
   /// @}

@@ -30,15 +30,16 @@ inline void check_chain(const Mesh& mesh, const Curve_request& curve)
   for(std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < v.size(); ++i) {
     const Vertex_index a = v[i], b = v[(i + 1) % v.size()];
     if(mesh.halfedge(mesh_vertex(a), mesh_vertex(b)) == Mesh::null_halfedge())
-      throw Bad_input(curve.name + ": the curve is not connected, no edge joins vertices " + std::to_string(a.idx()) +
-                      " and " + std::to_string(b.idx()) + "; list every vertex on the way");
+      throw Bad_input(curve.name + ": the curve is not connected, no edge connects vertices " +
+                      std::to_string(a.idx()) + " and " + std::to_string(b.idx()) +
+                      "; list every vertex along the curve");
   }
 }
 
 inline void check_not_empty(const std::vector<Curve_request>& curves, const Input_text& input)
 {
   if(curves.empty())
-    throw Bad_input(input.name() + ": there is no curve in it; write one per line");
+    throw Bad_input(input.name() + ": the file contains no curve; write one per line");
 }
 
 inline void check_fixed_vertices(const Network_request& network, const Input_text& input)

@@ -53,10 +53,10 @@ public:
     : m_name(input.name())
   {
     if(input.format() != "obj")
-      throw Bad_input(input.name() + ": seams are read off the texture coordinates of an .obj file; give one");
+      throw Bad_input(input.name() + ": seams require the texture coordinates of an .obj file; use such a file");
     m_soup = read_obj(input, &m_texture);
     if(m_texture.coordinates.empty())
-      throw Bad_input(input.name() + ": there are no texture coordinates, lines vt, in it; give a textured mesh");
+      throw Bad_input(input.name() + ": the file has no texture coordinates (lines vt); use a textured mesh");
   }
 
   std::size_t number_of_faces() const { return m_soup.faces.size(); }
@@ -69,7 +69,8 @@ public:
     const auto is_at_v = [&](std::size_t point) { return mesh.comes_from(v, point); };
     const auto corner = static_cast<std::size_t>(std::find_if(face.begin(), face.end(), is_at_v) - face.begin());
     if(corner == face.size())
-      throw Bad_input(m_name + ": face " + std::to_string(f) + " of the mesh is another one in the file; simplify it");
+      throw Bad_input(m_name + ": face " + std::to_string(f) +
+                      " of the mesh differs from that in the file; simplify the file");
     return m_texture.coordinates[m_texture.corners[f][corner]];
   }
 
@@ -128,7 +129,7 @@ inline Network_request read_segmentation(const Input_mesh& input_mesh, const Inp
     throw Bad_input(input.name() + ": " + error.what() + "; repair the mesh");
   }
   if(network.number_of_curves() == 0)
-    throw Bad_input(input.name() + ": all faces have one label, so that there is no boundary; use at least two labels");
+    throw Bad_input(input.name() + ": all faces have the same label; use at least two labels");
   return data::requests(network, input.name());
 }
 
@@ -139,7 +140,7 @@ inline Network_request read_seams(const Input_mesh& input_mesh, const Input_text
   const Mesh& mesh = input_mesh;
   const Texture_corners corners(input);
   if(corners.number_of_faces() != input_mesh.number_of_faces_in_file())
-    throw Bad_input(input.name() + ": the mesh reader found other faces than the texture reader; simplify the file");
+    throw Bad_input(input.name() + ": the mesh and the texture have different faces; simplify the file");
   const auto texture = [&](Mesh::Halfedge_index h) { return corners.at(input_mesh, mesh.face(h), mesh.target(h)); };
   data::Triangulation triangulation(mesh, data::Unit_metric(mesh, data::Lengths(1)));
   data::Network network(triangulation);
@@ -149,7 +150,7 @@ inline Network_request read_seams(const Input_mesh& input_mesh, const Input_text
     throw Bad_input(input.name() + ": " + error.what() + "; repair the mesh");
   }
   if(network.number_of_curves() == 0)
-    throw Bad_input(input.name() + ": the texture has no seam inside the surface; there is nothing to straighten");
+    throw Bad_input(input.name() + ": the texture has no seam inside the surface; there is nothing to shorten");
   return data::requests(network, input.name());
 }
 

@@ -33,12 +33,13 @@ inline Curve_request read_polyline_in_space(Text_scanner& words, const Surface_p
     for(double& coordinate : x) {
       coordinate = words.number<double>(words.next_word(), element);
       if(std::abs(coordinate) > largest_coordinate_to_project)
-        words.fail(element, "has a coordinate beyond 1e60, so that it cannot be moved to the mesh; scale both");
+        words.fail(element, "has a coordinate beyond 1e60, so it cannot be projected onto the mesh; scale both");
     }
     points.emplace_back(x[0], x[1], x[2]);
   }
   if(words.has_word())
-    words.fail("there is more after the last of the points; a polyline is their number and three coordinates for each");
+    words.fail(
+        "there is text after the last point; a line consists of the number of points and three coordinates for each");
   curve.is_closed = count > 3 && points.front() == points.back();
   if(curve.is_closed)
     points.pop_back();

@@ -72,7 +72,7 @@ inline std::string read_bytes(std::istream& in, const std::string& name, std::si
     read = in.read(&bytes[size], block).gcount();
     bytes.resize(size + static_cast<std::size_t>(read));
     if(expected == 0 && bytes.size() > most_from_pipe)
-      throw Bad_input(name + ": there is no end to it; give a file");
+      throw Bad_input(name + ": does not end; use a file");
   }
   if(in.bad())
     throw Bad_input(name + ": cannot be read to its end; check the disk");
@@ -85,7 +85,7 @@ inline std::string read_file(const std::string& file, const std::string& name)
   std::error_code no_matter;
   const auto type = std::filesystem::status(file, no_matter).type();
   if(type == std::filesystem::file_type::directory)
-    throw Bad_input(name + ": is a folder; name a file in it");
+    throw Bad_input(name + ": is a folder; specify a file");
   std::ifstream in(file, std::ios::binary);
   if(!in)
     throw Bad_input(name + ": cannot be opened; check the path and its permissions");

@@ -55,7 +55,7 @@ inline Soup read_soup(const Input_text& input)
   const auto format = mesh_formats().find(input.format());
   if(format != mesh_formats().end())
     return format->second(input);
-  throw Bad_input(input.name() + ": the format is not known by the extension; give --format with one of" +
+  throw Bad_input(input.name() + ": the extension does not determine the format; use --format with one of" +
                   names_of_mesh_formats());
 }
 
@@ -67,12 +67,12 @@ inline Input_mesh read_mesh(const Input_text& input)
   try {
     check_soup(soup);
   } catch(const Bad_input& error) {
-    throw Bad_input(input.name() + ": " + error.what() + (soup.faces.empty() ? "" : ", or give --repair"));
+    throw Bad_input(input.name() + ": " + error.what() + (soup.faces.empty() ? "" : ", or use --repair"));
   }
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
   if(mesh.number_of_faces() != soup.faces.size())
-    throw Bad_input(input.name() + ": the faces do not form an oriented manifold; give --repair");
+    throw Bad_input(input.name() + ": the faces do not form an oriented manifold; use --repair");
   return Input_mesh(std::move(mesh), std::move(soup.remarks));
 }
 
@@ -84,14 +84,14 @@ inline Input_mesh repair_mesh(Input_text input, double weld_tolerance = 0)
   input.allow_points_not_finite();
   Soup soup = read_soup(input);
   if(soup.faces.empty())
-    throw Bad_input(input.name() + ": the file has no faces; give a mesh");
+    throw Bad_input(input.name() + ": the file has no faces; use a mesh with faces");
   Mesh mesh;
   try {
     FG::Repair_report report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.faces, mesh,
                                                                  CGAL::parameters::snapping_tolerance(weld_tolerance));
     return Input_mesh(std::move(mesh), std::move(report), std::move(soup.remarks));
   } catch(const FG::Error& error) {
-    throw Bad_input(input.name() + ": " + error.what() + "; give another mesh");
+    throw Bad_input(input.name() + ": " + error.what() + "; use another mesh");
   }
 }
 

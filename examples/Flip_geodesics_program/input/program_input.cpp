@@ -78,7 +78,7 @@ std::vector<program::Named_point> program::read_sources(const Options& options, 
       sources.push_back(read_named_point(read_point, std::string(word), words.place()));
   });
   if(sources.empty())
-    throw Bad_input("--sources: the file is without points; write one per line");
+    throw Bad_input("--sources: the file contains no points; write one per line");
   return sources;
 }
 
@@ -93,7 +93,7 @@ std::vector<program::Trace_request> program::read_traces(const Options& options,
     if(last == std::string::npos || middle == std::string::npos || middle == 0 ||
        parse_number(text.substr(middle + 1, last - middle - 1), request.angle) != nullptr ||
        parse_number(text.substr(last + 1), request.length) != nullptr)
-      throw Bad_input(name + ": give a point, an angle and a length as POINT,ANGLE,LENGTH");
+      throw Bad_input(name + ": specify a point, an angle and a length as POINT,ANGLE,LENGTH");
     if(!(request.length >= 0))
       throw Bad_input(name + ": the length must not be negative");
     request.source = read_named_point(read_point, text.substr(0, middle), "--trace");

@@ -55,7 +55,7 @@ public:
         read_face();
     }
     if(m_soup.points.empty() && m_soup.faces.empty())
-      throw Bad_input(m_name + ": no line is a vertex, `v`, or a face, `f`, so that this is no OBJ file of a surface; "
+      throw Bad_input(m_name + ": no line is a vertex, `v`, or a face, `f`, so this is not an OBJ file of a surface; "
                                "correct the file or its extension");
     if(m_last_vertex >= static_cast<long long>(m_soup.points.size()))
       fail_without_vertex(*m_words_at_last_vertex, m_face_of_last_vertex);
@@ -68,7 +68,7 @@ private:
   {
     for(unsigned char c : m_words.rest_of_line())
       if(std::iscntrl(c) != 0 && c != '\t')
-        m_words.fail("this is not text, so that the file is no OBJ file; correct it");
+        m_words.fail("this is not text, so the file is not an OBJ file; correct it");
   }
 
   void read_vertex()

@@ -78,14 +78,14 @@ private:
     if(!take(word, "OFF")) {
       if(parse_number(first, number) != nullptr)
         m_words.fail("the first word, '" + printable(first) +
-                     "', is not OFF, so that this is no OFF file; correct the file or its extension");
+                     "', is not OFF, so this is not an OFF file; correct the file or its extension");
       word = first;
       m_is_homogeneous = false;
     }
     m_words.go_back(word.size());
     m_words_of_vertex = (has_normal ? 3 : 0) + (has_color ? 4 : 0) + (has_texture ? 2 : 0);
     if(has_dimension && m_words.next_word_of_text() != "3")
-      m_words.fail("only surfaces in space will do, with three coordinates; project the mesh");
+      m_words.fail("only surfaces in space, with three coordinates, are accepted; convert the mesh");
     const std::string_view next = m_words.next_word_of_text();
     m_is_binary = next == "BINARY";
     if(!m_is_binary)
@@ -95,7 +95,7 @@ private:
   std::size_t count(const char* of_what, long long number) const
   {
     if(number < 0 || static_cast<unsigned long long>(number) > m_input.bytes().size())
-      m_words.fail("the header promises a number of " + std::string(of_what) + " that " +
+      m_words.fail("the header announces a number of " + std::string(of_what) + " that " +
                    std::to_string(m_input.bytes().size()) + " bytes cannot hold; correct the header");
     return static_cast<std::size_t>(number);
   }
@@ -150,7 +150,7 @@ private:
     if(!m_is_by_lines)
       return;
     if(m_words.has_word())
-      m_words.fail(element, "does not start on a line of its own; give it one");
+      m_words.fail(element, "does not start on a new line; insert a line break");
     if(!m_words.next_line_with_words())
       m_words.fail(element, "is missing at the end of the file; complete it, or correct the counts");
   }
@@ -178,7 +178,7 @@ private:
     const std::array<double, 3> divided = {x[0] / x[3], x[1] / x[3], x[2] / x[3]};
     for(double coordinate : divided)
       if(!std::isfinite(coordinate) && !m_input.may_have_points_not_finite())
-        scanner.fail(element, "has a coordinate that is beyond the range of the numbers here; correct it");
+        scanner.fail(element, "has a coordinate that exceeds the range of doubles; correct it");
     return Soup::Point_3(divided[0], divided[1], divided[2]);
   }
 

@@ -101,7 +101,7 @@ public:
   Ply_header read()
   {
     if(!m_lines.next_line() || m_lines.next_word() != "ply")
-      m_lines.fail("the first word is not ply, so that this is no PLY file; correct the file or its extension");
+      m_lines.fail("the first word is not ply, so this is not a PLY file; correct the file or its extension");
     read_format();
     while(true) {
       const std::string_view keyword = next_keyword();
@@ -242,7 +242,7 @@ private:
     const Parsed value = m_words.number<Parsed>(word, element);
     if(std::is_integral<T>::value && (value < static_cast<Parsed>((std::numeric_limits<T>::lowest)()) ||
                                       value > static_cast<Parsed>((std::numeric_limits<T>::max)())))
-      m_words.fail(element, "has '" + printable(word) + "', which is beyond the range of its type; correct it");
+      m_words.fail(element, "has '" + printable(word) + "', which exceeds the range of its type; correct it");
     return static_cast<T>(value);
   }
 

@@ -70,9 +70,8 @@ private:
     Byte_scanner bytes(m_input, size_of_header, boost::endian::order::little);
     const std::size_t count = bytes.get<std::uint32_t>({"header", 0});
     if(count > bytes.bytes_left() / size_of_triangle)
-      bytes.fail(
-          "the header promises more triangles than the rest of the file can hold; complete the file, or, if it is "
-          "a text, let it start with solid");
+      bytes.fail("the header announces more triangles than the file contains; complete the file or, if it is a text "
+                 "file, begin it with solid");
     for(std::size_t f = 0; f < count; ++f) {
       const Element element = {"face", f};
       bytes.skip(3 * sizeof(float), element); // the normal
@@ -100,7 +99,7 @@ private:
         is_in_solid = !is_in_solid;
         m_words.skip_line();
       } else if(!is_in_solid || is(word, "solid")) {
-        m_words.fail("'" + printable(word) + "' stands where it does not belong; remove it");
+        m_words.fail("'" + printable(word) + "' is not expected here; remove it");
       }
     }
     if(is_in_solid)

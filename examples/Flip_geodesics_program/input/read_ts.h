@@ -47,9 +47,8 @@ public:
       is_ended = keyword.empty() ? is_ended : keyword == "END";
     }
     if(!is_known)
-      throw Bad_input(m_name +
-                      ": no line starts with GOCAD, VRTX or TRGL, so that this is no TS file; correct the file "
-                      "or its extension");
+      throw Bad_input(m_name + ": no line starts with GOCAD, VRTX or TRGL, so this is not a TS file; correct the file "
+                               "or its extension");
     if(!is_ended)
       m_words.fail("the file ends without END; complete it");
     return std::move(m_soup);
@@ -69,7 +68,7 @@ private:
   void add(long long number, std::size_t vertex, const Element& element)
   {
     if(!m_vertices.emplace(number, vertex).second)
-      m_words.fail(element, "has a number that another one has; correct it");
+      m_words.fail(element, "has the same number as another one; correct it");
   }
 
   void read_vertex()

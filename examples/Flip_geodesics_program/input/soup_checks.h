@@ -30,7 +30,7 @@ inline void check_face(const Soup& soup, std::size_t f)
   const std::string name = "face " + std::to_string(f);
   if(face.size() != 3)
     throw Bad_input(name + " has " + std::to_string(face.size()) +
-                    " vertices, and only triangles will do; triangulate the mesh");
+                    " vertices, but only triangles are accepted; triangulate the mesh");
   for(std::size_t v : face)
     if(v >= soup.points.size())
       throw Bad_input(name + " has a vertex that is not one of the " + std::to_string(soup.points.size()) +
@@ -90,7 +90,7 @@ private:
     if(end - begin > 2)
       throw Bad_input(edge + " has " + std::to_string(end - begin) + " faces, among them " +
                       std::to_string(sides[begin].side / 3) + " and " + std::to_string(sides[begin + 2].side / 3) +
-                      ", so that the mesh is not a manifold; remove or separate faces");
+                      ", so the mesh is not a manifold; remove or separate faces");
     if(end - begin < 2)
       return;
     const std::size_t a = sides[begin].side, b = sides[begin + 1].side;
@@ -114,8 +114,9 @@ inline void check_vertex_fans(const Soup& soup, const Soup_sides& sides)
       continue;
     const std::size_t v = sides.tail(start);
     if(has_fan[v] != 0)
-      throw Bad_input("vertex " + std::to_string(v) + " joins parts that share no edge there, one with face " +
-                      std::to_string(start / 3) + ", so that the mesh is not a manifold; duplicate the vertex");
+      throw Bad_input("vertex " + std::to_string(v) +
+                      " connects parts that do not share an edge there, one with face " + std::to_string(start / 3) +
+                      ", so the mesh is not a manifold; duplicate the vertex");
     has_fan[v] = 1;
     std::size_t s = start;
     do { // clockwise
@@ -133,7 +134,7 @@ inline void check_vertex_fans(const Soup& soup, const Soup_sides& sides)
 inline void check_soup(const Soup& soup)
 {
   if(soup.faces.empty())
-    throw Bad_input("the file has no faces; give a triangle mesh");
+    throw Bad_input("the file has no faces; use a triangle mesh");
   check_points(soup);
   for(std::size_t f = 0; f < soup.faces.size(); ++f)
     check_face(soup, f);

@@ -49,7 +49,7 @@ public:
     std::copy_if(mesh.faces().begin(), mesh.faces().end(), std::back_inserter(faces),
                  [&](Mesh::Face_index f) { return has_area(f); });
     if(faces.empty())
-      throw Bad_input("no face of the mesh has an area, so that points cannot be moved to it; correct the mesh");
+      throw Bad_input("all faces of the mesh are degenerate, so points cannot be projected onto it; correct the mesh");
     m_tree.insert(faces.begin(), faces.end(), mesh);
     m_tree.build();
   }
@@ -88,7 +88,7 @@ inline void check_coordinates_to_project(const Mesh& mesh, const std::string& na
     for(int i = 0; i < 3; ++i)
       if(std::abs(mesh.point(v)[i]) > largest_coordinate_to_project)
         throw Bad_input(name + ": vertex " + std::to_string(v) +
-                        " of the mesh has a coordinate beyond 1e60, so that points cannot be moved to it; scale both");
+                        " of the mesh has a coordinate beyond 1e60, so points cannot be projected onto it; scale both");
 }
 
 } // namespace program

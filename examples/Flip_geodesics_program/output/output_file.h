@@ -122,10 +122,10 @@ private:
     std::error_code failure;
     const std::filesystem::path folder = m_place.parent_path();
     if(std::filesystem::is_directory(m_place, failure))
-      return "is a folder; name a file in it";
+      return "is a folder; specify a file";
     if(!folder.empty() && !std::filesystem::exists(folder, failure))
-      return "the folder " + printable(folder.string()) + " does not exist; create it, or choose another place";
-    return "cannot be written; choose another place";
+      return "the folder " + printable(folder.string()) + " does not exist; create it, or choose another path";
+    return "cannot be written; choose another path";
   }
 
   void fail(const std::string& reason)
@@ -147,7 +147,7 @@ private:
     m_part.clear();
   }
 
-  static constexpr const char* m_no_space = "could not be written to its end; look for space on the disk";
+  static constexpr const char* m_no_space = "could not be written completely; check the free space on the disk";
 
   std::string m_name;
   std::filesystem::path m_place, m_part; // the latter empty if there is none

@@ -45,7 +45,7 @@ inline void sort_outputs(Options& options)
     else if(place->empty())
       *place = name;
     else
-      throw Bad_input(name_of_result(name) + ": there is another result in the format " + format + "; give one");
+      throw Bad_input(name_of_result(name) + ": another result has the format " + format + "; use only one");
   }
   names.outputs = meshes;
 }
@@ -60,7 +60,7 @@ inline void check_result_format(const Options& options, const std::string& optio
     formats += ' ' + format;
   throw Bad_input(
       is_standard_output(name)
-          ? "--output-format determines the format of " + option + " on standard output; give one of" + formats
+          ? "--output-format determines the format of " + option + " on standard output; use one of" + formats
           : printable(name) + ": the extension determines the format of " + option + "; use one of" + formats);
 }
 
@@ -76,9 +76,9 @@ inline void check_extension(const std::string& option, const std::string& name, 
   if(name.empty() || open_file(name) || is_special_file(name))
     return;
   if(is_page && !has_one_of(pages))
-    throw Bad_input(printable(name) + ": " + option + " writes a page; let its name end in .html");
+    throw Bad_input(printable(name) + ": " + option + " writes a page; use a name that ends in .html");
   if(!is_page && (has_one_of(pages) || has_one_of(meshes)))
-    throw Bad_input(printable(name) + ": " + option + " writes lines of text; let its name end in .txt or .csv");
+    throw Bad_input(printable(name) + ": " + option + " writes lines of text; use a name that ends in .txt or .csv");
 }
 
 /// \throws Bad_input

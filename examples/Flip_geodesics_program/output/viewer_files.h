@@ -39,7 +39,7 @@ public:
     , m_tubes(tubes)
   {
     if(tubes && m_format == "polylines")
-      throw Bad_input("--tubes belongs to --output with a file .obj, .ply, .vtp or .glb; give one");
+      throw Bad_input("--tubes requires --output with a file .obj, .ply, .vtp or .glb");
   }
 
   /// \param values of the vertices, for ply and vtp

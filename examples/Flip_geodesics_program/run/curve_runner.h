@@ -112,7 +112,7 @@ private:
     const auto* const crossing = dynamic_cast<const CGAL::Flip_geodesics::Crossing_curves_error*>(&error);
     if(crossing != nullptr && crossing->elements().front() >= m_mesh.number_of_vertices())
       return "curves cross at one of the given points, or between them";
-    return with_advice(error, m_options.are_zero_edges_refused ? "leave out --refuse-zero-edges, or give --mollify"
+    return with_advice(error, m_options.are_zero_edges_refused ? "omit --refuse-zero-edges or use --mollify"
                                                                : "give --mollify");
   }
 
@@ -490,7 +490,7 @@ private:
     if(curve.verdict != CGAL::Flip_geodesics::Verdict::UNDECIDED)
       result.certificate = to_string(curve.verdict);
     if(curve.status == CGAL::Flip_geodesics::Shortening_status::MEMORY_LIMIT)
-      result.error = "it is not shortened to its end, as its flips take too much memory; give more with --most-memory";
+      result.error = "shortening ended early because the flips take too much memory; increase --most-memory";
   }
 
   // Draws a polyline, whose length is the initial one, and frees it. \pre the network has no curve
@@ -645,7 +645,7 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     if(!m_options.are_zero_edges_refused && FG::internal::are_curves_folded(m_triangulation, report))
-      throw FG::Degenerate_face_error("degenerate faces fold vertices onto one place", {});
+      throw FG::Degenerate_face_error("degenerate faces fold vertices onto one point", {});
   }
 
   // Where vertices are inserted the record has no steps but the finished triangulation.

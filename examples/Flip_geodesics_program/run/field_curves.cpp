@@ -101,7 +101,7 @@ double usable_tolerance(const Mesh& mesh, double wanted)
   const double diagonal = size_of(mesh);
   if(wanted > 0 && wanted < 1e-6 * diagonal) {
     std::ostringstream message;
-    message << "--tolerance " << wanted << " is less than a millionth of the size of the mesh; give at least "
+    message << "--tolerance " << wanted << " is less than a millionth of the size of the mesh; use at least "
             << 1e-6 * diagonal;
     throw Bad_input(message.str());
   }
@@ -136,7 +136,7 @@ void with_tolerance(const Function& function)
   try {
     function();
   } catch(const FG::Invalid_parameter_error& error) {
-    throw Bad_input(std::string("--tolerance: ") + error.what() + "; give a larger one");
+    throw Bad_input(std::string("--tolerance: ") + error.what() + "; use a larger one");
   }
 }
 
@@ -149,7 +149,7 @@ std::vector<double> wanted_levels(const Field_request& request, double farthest)
   const double number = std::ceil(farthest / request.spacing) - 1;
   if(number > most_levels) {
     std::ostringstream message;
-    message << "--spacing " << request.spacing << " makes more than " << most_levels << " isolines; give at least "
+    message << "--spacing " << request.spacing << " makes more than " << most_levels << " isolines; use at least "
             << 1.001 * farthest / most_levels;
     throw Bad_input(message.str());
   }
@@ -282,7 +282,7 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   Progress_visitor visitor(progress);
   if((request.is_map || has_boundaries || has_isolines) &&
      field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
-    throw std::runtime_error("--source: the distances of so large a mesh were given up");
+    throw std::runtime_error("--source: the computation of distances was aborted on this large mesh");
 
   Field_curves result;
   if(request.is_matrix)

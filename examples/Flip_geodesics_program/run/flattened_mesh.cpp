@@ -96,7 +96,7 @@ try {
 
 Flattened_mesh flattened_mesh(const Mesh&, const Network_request&, Progress&)
 {
-  throw Bad_input("the program was compiled without Eigen, with which surfaces are flattened; install it and compile");
+  throw Bad_input("the program was compiled without Eigen, which flattening requires; install Eigen and compile");
 }
 
 #endif

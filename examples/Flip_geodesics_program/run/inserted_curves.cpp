@@ -216,7 +216,7 @@ void sample_curves(const Mesh& mesh, double distance, std::vector<Curve_result>&
     const double pieces = std::ceil(curve.length / distance);
     if(!(pieces < most_samples))
       throw Bad_input("--sample: curve " + curve.name +
-                      " would have more than 10 million points; give a larger distance");
+                      " would have more than 10 million points; use a larger distance");
     std::vector<FG::Surface_location> locations;
     for(const Curve_point& p : curve.points)
       locations.push_back(location_of(mesh, p.on_surface));

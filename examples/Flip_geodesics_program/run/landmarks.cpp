@@ -55,7 +55,7 @@ Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, cons
     const std::string made = counted(bounds.number_of_landmarks(), "landmark", "landmarks");
     return Landmarks{std::move(bounds), made + ", made in " + readable_time(stopwatch.seconds()) + '\n'};
   } catch(const FG::Degenerate_face_error& error) {
-    throw Bad_input("--landmarks: " + with_advice(error, "leave them out, or give --mollify"));
+    throw Bad_input("--landmarks: " + with_advice(error, "omit them or use --mollify"));
   }
 }
 

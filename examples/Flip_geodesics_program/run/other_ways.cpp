@@ -97,8 +97,8 @@ private:
       for(std::size_t i = 0; i < paths.size(); ++i)
         m_ways.curves.push_back(way(pair, i, report, paths[i]));
       if(paths.size() < m_request.number && report.status == FG::Class_search_status::COVERING_LIMIT)
-        add_failure(pair, "the search was given up at " + readable(report.visited) +
-                              " vertices of the covering; want fewer ways, or give --most-memory");
+        add_failure(pair, "the search was aborted at " + readable(report.visited) +
+                              " vertices of the covering; request fewer paths or increase --most-memory");
       note_others(pair, report);
     } catch(const FG::Error& error) {
       add_failure(pair, with_advice_to_repair(error));

@@ -92,7 +92,7 @@ public:
   /// \pre `h` is not on the border
   Vertex_copy_index copy_at(Halfedge_index h) const
   {
-    CGAL_precondition_msg(!m_triangulation->is_border(h), "on the left of a border halfedge there is no face");
+    CGAL_precondition_msg(!m_triangulation->is_border(h), "a border halfedge has no face on its left");
     return m_surface.copy_at(h);
   }
   /// Returns the position of a copy in the plane.
@@ -148,14 +148,14 @@ private:
         m_faces.empty() ? 0 : spread(network, 0, is_reached, [](std::size_t, int, std::size_t) {});
     if(m_faces.empty() || reached != m_faces.size())
       throw Flattening_error("the cut surface is not connected: " + std::to_string(reached) + " of " +
-                             std::to_string(m_faces.size()) + " faces hang together");
+                             std::to_string(m_faces.size()) + " faces are connected");
     if(m_surface.euler_characteristic() != 1)
       throw Flattening_error("the cut surface is not a disk; its Euler characteristic is " +
                              std::to_string(m_surface.euler_characteristic()));
     for(const Intrinsic_face& face : m_faces)
       if(!internal::Plane_triangle(face.lengths).has_finite_cotangents())
         throw Degenerate_face_error("an intrinsic face at vertex " + std::to_string(face.vertices[0].idx()) +
-                                        " has no area",
+                                        " is degenerate",
                                     {static_cast<std::size_t>(face.vertices[0].idx())});
   }
 
@@ -389,7 +389,7 @@ private:
       const double t = origin.intrinsic_halfedge == h ? origin.intrinsic_t : 1 - origin.intrinsic_t;
       return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1]};
     }
-    CGAL_error_msg("the subdivision is not that of the flattened triangulation");
+    CGAL_error_msg("the subdivision belongs to another triangulation");
   }
 
   const Triangulation* m_triangulation;

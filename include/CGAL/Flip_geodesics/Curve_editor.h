@@ -100,7 +100,7 @@ public:
     for(const Surface_location& p : internal::located_places(triangulation, points))
       m_points.push_back(placed(p));
     if(m_points.size() < 2)
-      throw Invalid_curve_error("a curve to be edited needs two points");
+      throw Invalid_curve_error("a curve in an editor needs at least two points");
     for(std::size_t i = 0; i < number_of_legs(); ++i) {
       const Surface_location &p = m_points[i], &q = m_points[(i + 1) % m_points.size()];
       Leg leg;
@@ -217,7 +217,7 @@ public:
     for(const Surface_location& p : internal::located_places(m_triangulation, way))
       places.push_back(placed(p));
     if(places.empty() || !is_same(places.front(), m_points[i]))
-      throw Invalid_curve_error("the way of a point starts where the point is not", {0});
+      throw Invalid_curve_error("the path along which a point is moved does not start at the point", {0});
     return move(i, places.back(), [&] { return steps(places); });
   }
 
@@ -238,7 +238,7 @@ public:
     return true;
   }
 
-  /// Forgets all moves, which frees the memory of the previous segments.
+  /// Discards the history of moves, which frees the memory of the previous segments.
   void forget_moves() { m_moves.clear(); }
 
   /// @}
@@ -325,8 +325,8 @@ private:
     for(std::size_t k = 0; k + 1 < places.size(); ++k) {
       const Input_halfedge_index face = internal::common_face(m_triangulation.input(), places[k], places[k + 1]);
       if(face == null_index)
-        throw Invalid_curve_error("place " + std::to_string(k + 1) + " of a way lies in no face with the one before",
-                                  {k + 1});
+        throw Invalid_curve_error(
+            "point " + std::to_string(k + 1) + " of a path has no common face with the previous point", {k + 1});
       result.push_back({places[k], face});
     }
     return result;

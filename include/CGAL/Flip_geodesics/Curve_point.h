@@ -200,9 +200,10 @@ struct Curve_form_of
   using First = typename First_form<Output, Container, typename Forms::Point, typename Forms::Location,
                                     typename Forms::Exact_location, typename Forms::All>::type;
   static_assert(is_iterator<Output>,
-                "no output iterator where it belongs; the order is mesh, ends or curves, output, named parameters");
-  static_assert(!is_iterator<Output> || !std::is_void<First>::value,
-                "the output takes neither the metric's points (lengths have none) nor Face_locations nor Curve_points");
+                "an output iterator is expected here; the order is mesh, ends or curves, output, named parameters");
+  static_assert(
+      !is_iterator<Output> || !std::is_void<First>::value,
+      "the output accepts neither points of the metric (edge lengths have none) nor Face_locations nor Curve_points");
   using type = std::conditional_t<std::is_void<First>::value, typename Forms::All, First>; // avoids a second error
                                                                                            // message
 };

@@ -258,7 +258,7 @@ public:
   /// \name Segments
   /// @{
 
-  /// Returns whether `s` is currently a segment of a curve. Ids of replaced segments stay invalid.
+  /// Returns whether `s` is currently a segment of a curve. Ids of replaced segments become invalid and are not reused.
   bool is_alive(Segment_index s) const { return m_segments.is_alive(s); }
   /// Returns the halfedge of segment `s`, or `null_index` if the segment does not exist any longer.
   Halfedge_index halfedge(Segment_index s) const { return m_segments.halfedge(s); }
@@ -370,8 +370,8 @@ public:
   /// Returns the position of segment `s` on its edge, to be passed to `restore_loop()`.
   Bundle_place bundle_place(Segment_index s) const { return m_segments.bundle_place(s); }
 
-  /// Replaces a closed curve by the single segment that it had when `place` was taken. \pre all later flips have been
-  /// undone
+  /// Replaces a closed curve by the single segment that it had when `place` was obtained. \pre all later flips have
+  /// been undone
   Segment_index restore_loop(Curve_index curve, const Bundle_place& place)
   {
     return m_segments.restore_loop(curve, place);
@@ -514,7 +514,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
     result.push_back(internal::halfedge_between(triangulation, v[i], v[i + 1]));
     if(result.back() == null_index)
-      throw Invalid_curve_error("a curve is not connected: no edge joins vertex " + std::to_string(v[i].idx()) +
+      throw Invalid_curve_error("a curve is not connected: no edge connects vertex " + std::to_string(v[i].idx()) +
                                     " and vertex " + std::to_string(v[i + 1].idx()),
                                 {static_cast<std::size_t>(v[i].idx()), static_cast<std::size_t>(v[i + 1].idx())});
   }
@@ -565,7 +565,7 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
   };
   std::vector<Vertex_index> v(std::begin(way_points), std::end(way_points));
   if(v.size() < 2)
-    throw Invalid_curve_error("a curve needs at least two way points");
+    throw Invalid_curve_error("a curve needs at least two waypoints");
   if(internal::is_closed_of(options))
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
@@ -576,8 +576,8 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
     result.insert(result.end(), leg.begin(), leg.end());
   }
   if(result.empty())
-    throw Invalid_curve_error("all way points of a curve are vertex " + std::to_string(v.front().idx()) +
-                                  "; the curve is a point, and has no edges",
+    throw Invalid_curve_error("all waypoints of a curve are vertex " + std::to_string(v.front().idx()) +
+                                  "; the curve is a single point and has no edges",
                               {static_cast<std::size_t>(v.front().idx())});
   return result;
 }
@@ -661,7 +661,7 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
  * Vertices at which one or more than two marked edges meet become fixed ends, and each chain between such vertices
  * becomes a curve. A loop without such a vertex becomes a closed curve. Open curves come first: each begins with the
  * smaller of the two halfedges on it that leave its ends, and the curves are ordered by these halfedges. Closed curves
- * follow, ordered by their smallest edges. If the function throws, a network that was empty is empty again.
+ * follow, ordered by their smallest edges. If the function throws, a network that was empty before is empty afterwards.
  *
  * \param network the network
  * \param mesh the mesh of the triangulation

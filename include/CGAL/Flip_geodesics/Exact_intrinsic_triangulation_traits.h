@@ -123,7 +123,7 @@ public:
   explicit Exact_intrinsic_triangulation_traits(const Radicand& d)
     : m_unit(d)
   {
-    static_assert(has_radicand, "the number type has roots, and needs no radicand");
+    static_assert(has_radicand, "the number type has square roots and does not need a radicand");
   }
 
   /// Returns the work limit for undetermined signs, which these traits do not produce; see
@@ -208,7 +208,7 @@ public:
     /// Returns the face whose halfedges have the vectors `v`, each with the relative error `error`.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
-      CGAL_precondition_msg(!is_exact, "exact numbers cannot be had from rounded vectors");
+      CGAL_precondition_msg(!is_exact, "exact numbers cannot be obtained from rounded vectors");
       if constexpr(is_exact)
         return static_cast<void>(v), static_cast<void>(error), Face_geometry();
       else

@@ -53,8 +53,7 @@ enum class Distance_field_status {
   COMPLETE,        ///< all distances are known
   RADIUS_REACHED,  ///< the distances up to the radius are known
   TARGETS_REACHED, ///< the distances of the targets are known
-  /// those up to `Geodesic_distance_field::reach()` are known; also returned if degenerate faces lead rays around in
-  /// circles
+  /// those up to `Geodesic_distance_field::reach()` are known; also returned if rays circulate in degenerate faces
   WINDOW_LIMIT_REACHED,
   /// those up to `Geodesic_distance_field::reach()` are known; `go_further()` of the visitor returned `false`
   STOPPED_BY_VISITOR
@@ -519,7 +518,7 @@ private:
   // none.
   void check_addition(double offset, Input_halfedge_index h) const
   {
-    CGAL_precondition_msg(m_reach == 0, "sources are added before anything is computed");
+    CGAL_precondition_msg(m_reach == 0, "sources must be added before the field is computed");
     std::ostringstream number;
     number << offset;
     if(!(std::isfinite(offset) && offset >= 0))
@@ -529,8 +528,9 @@ private:
     const bool is_border = m_triangulation.input().is_border(h);
     const internal::Face_side side = m_propagation.sides().copy(is_border ? internal::twin_index(h) : h);
     if(offset > internal::greatest_offset * (side.length + std::abs(side.x) + side.y))
-      throw Invalid_coordinate_error("the offset of a source is " + number.str() +
-                                     ", so much longer than the sides of its face that rounding errors hide them");
+      throw Invalid_coordinate_error(
+          "the offset of a source is " + number.str() +
+          ", so much longer than the sides of its face that it cannot be added without large rounding errors");
   }
 
   void add_point(const Surface_location& at, double offset)
@@ -595,7 +595,7 @@ private:
   typename Query::Arrival arrival_at(const Surface_location& at) const
   {
     if(m_extent != Distance_field_extent::EVERYWHERE)
-      throw Invalid_parameter_error("a field of vertices only is queried at another point");
+      throw Invalid_parameter_error("a field for vertices only is queried at a point that is not a vertex");
     return query()(at.halfedge, internal::normalized(at.weights));
   }
 

@@ -57,8 +57,8 @@ namespace Flip_geodesics {
 /// Reports the growth of a tree.
 struct Geodesic_tree_report
 {
-  /// `LOCALLY_SHORTEST` or `STOPPED_BY_VISITOR`; `PRECISION_LIMIT` if paths are bent and doubles, possibly as
-  /// coordinates, cannot resolve the bend; `DEGENERATE_FACES` if exact predicates cannot resolve it either, because
+  /// `LOCALLY_SHORTEST` or `STOPPED_BY_VISITOR`; `PRECISION_LIMIT` if paths remain bent because predicates are inexact
+  /// or coordinates were rounded to doubles; `DEGENERATE_FACES` if paths remain bent despite exact predicates, because
   /// degenerate faces fold vertices onto one point.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< the number of edge flips
@@ -654,8 +654,8 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
  * \return the polar coordinates of all vertices
  * \throws Invalid_location_error if `zero` does not start at the source
  *
- * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \cgalBigO{n} for
- * the result.
+ * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \cgalBigO{n}
+ * for the result.
  */
 template <class Triangulation>
 Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)

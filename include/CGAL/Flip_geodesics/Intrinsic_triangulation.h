@@ -667,7 +667,7 @@ public:
   {
     return insert(location, [this](const internal::Edge_halves& halves) {
       if(holds(edge(halves.first)) > 0)
-        throw Occupied_triangulation_error("a curve lies on the edge that a point is inserted on");
+        throw Occupied_triangulation_error("a point cannot be inserted on an edge under a curve");
     });
   }
 

@@ -41,8 +41,8 @@ constexpr bool is_defined<T, std::void_t<decltype(sizeof(T))>> = true;
 template <class Traits>
 constexpr bool is_header_included()
 {
-  static_assert(is_defined<Traits>, "to compute in a number type other than double, include first "
-                                    "CGAL/Flip_geodesics/Exact_intrinsic_triangulation_traits.h");
+  static_assert(is_defined<Traits>, "to compute in a number type other than double, include "
+                                    "CGAL/Flip_geodesics/Exact_intrinsic_triangulation_traits.h first");
   return is_defined<Traits>;
 }
 

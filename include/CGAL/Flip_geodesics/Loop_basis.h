@@ -344,7 +344,7 @@ private:
     std::size_t position = 0;
     for(Input_halfedge_index h : halfedges) {
       if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
-        throw Invalid_curve_error("a curve has a halfedge that the mesh does not have", {position});
+        throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
       if(end != null_index && input.tail(h) != end)
         throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});
       start = start == null_index ? input.tail(h) : start;
@@ -360,7 +360,7 @@ private:
   {
     const auto& triangulation = network.triangulation();
     CGAL_precondition_msg(triangulation.input().number_of_halfedges() == m_triangulation->input().number_of_halfedges(),
-                          "the network lies over another mesh");
+                          "the network belongs to another mesh");
     std::vector<Input_halfedge_index> result;
     Vertex_index start = null_index, end = null_index;
     network.for_each_segment(curve, [&](Segment_index s) {
@@ -417,7 +417,7 @@ template <class Triangulation>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, Interruption* interruption)
 {
   static_assert(Has_points<typename Triangulation::Metric>::value,
-                "handles and tunnels are those of a surface in space: the metric has no points");
+                "handle and tunnel loops require a surface in space: the metric has no points");
   const Solid_loops<Triangulation> loops(triangulation, interruption);
   return {loops.inside(), loops.outside()};
 }
@@ -459,8 +459,8 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * \throws Degenerate_face_error if degenerate faces prevent the computation
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  *
- * Complexity: \cgalBigO{n \log n}, plus the cube of the genus times the size of the numbers. For loops of \f$m\f$ edges,
- * up to \f$m^2\f$ pairs of edges that are close in the projection are processed in addition.
+ * Complexity: \cgalBigO{n \log n}, plus the cube of the genus times the size of the numbers. For loops of \f$m\f$
+ * edges, up to \f$m^2\f$ pairs of edges that are close in the projection are processed in addition.
  */
 template <class Triangulation, class... NamedParameters>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, const NamedParameters&... np)

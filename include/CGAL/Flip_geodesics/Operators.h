@@ -43,8 +43,8 @@ namespace Flip_geodesics {
  * \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of the face and whose second axis
  * points to its left.
  *
- * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \cgalBigO{m} time and space. They are snapshots, which later
- * flips of the triangulation do not affect.
+ * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \cgalBigO{m} time and space. They are snapshots, which
+ * later flips of the triangulation do not affect.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; the results are the same
@@ -173,7 +173,7 @@ private:
       throw Degenerate_face_error("the intrinsic face with vertices " + std::to_string(m_faces[f].vertices[0].idx()) +
                                       ", " + std::to_string(m_faces[f].vertices[1].idx()) + ", " +
                                       std::to_string(m_faces[f].vertices[2].idx()) +
-                                      " has no area; flip to a Delaunay triangulation first, or mollify the metric",
+                                      " is degenerate; flip to a Delaunay triangulation first, or mollify the metric",
                                   {static_cast<std::size_t>(m_faces[f].vertices[0].idx()),
                                    static_cast<std::size_t>(m_faces[f].vertices[1].idx()),
                                    static_cast<std::size_t>(m_faces[f].vertices[2].idx())});

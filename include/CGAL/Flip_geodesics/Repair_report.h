@@ -47,33 +47,33 @@ inline std::string describe(Repair repair, std::size_t count)
   };
   switch(repair) {
   case Repair::POINTS_NOT_FINITE:
-    return counted("point", "points", "left out: a coordinate is not a finite number");
+    return counted("point", "points", "left out: a coordinate is not finite");
   case Repair::POINTS_WELDED:
-    return counted("point", "points", "moved into the place of others within the weld tolerance");
+    return counted("point", "points", "moved to other points within the weld tolerance");
   case Repair::POLYGONS_WITHOUT_POINTS:
-    return counted("polygon", "polygons", "dropped: a corner is not a point of the input, or not finite");
+    return counted("polygon", "polygons", "removed: a corner does not exist or is not finite");
   case Repair::POLYGONS_COLLAPSED:
-    return counted("polygon", "polygons", "dropped: fewer than three corners in different places");
+    return counted("polygon", "polygons", "removed: fewer than three distinct corners");
   case Repair::CORNERS_REPEATED:
-    return counted("corner", "corners", "left out: in the same place as the corner before");
+    return counted("corner", "corners", "removed: equal to the previous corner");
   case Repair::POLYGONS_SPLIT:
-    return counted("polygon", "polygons", "split where a place is passed twice");
+    return counted("polygon", "polygons", "split at a point that is passed twice");
   case Repair::POLYGONS_TRIANGULATED:
-    return counted("polygon", "polygons", "of more than three corners cut into triangles");
+    return counted("polygon", "polygons", "with more than three corners triangulated");
   case Repair::DUPLICATES_DROPPED:
-    return counted("triangle", "triangles", "dropped: the same corners as another one");
+    return counted("triangle", "triangles", "removed: the same corners as another triangle");
   case Repair::POLYGONS_REVERSED:
-    return counted("polygon", "polygons", "turned over to be oriented as the neighbors");
+    return counted("polygon", "polygons", "reversed to match the orientation of the neighbors");
   case Repair::EDGES_CUT:
     return counted("edge", "edges", "with more than two faces cut open");
   case Repair::VERTICES_SPLIT:
-    return counted("vertex", "vertices", "added where faces that share no edge met in a vertex");
+    return counted("vertex", "vertices", "added where faces met without a common edge");
   case Repair::POINTS_MERGED:
-    return counted("point", "points", "merged into others in the same place");
+    return counted("point", "points", "merged with coincident points");
   case Repair::DEGENERATE_FACES_FLIPPED:
     return counted("degenerate triangle", "degenerate triangles", "removed by flips");
   case Repair::DEGENERATE_FACES_DROPPED:
-    return counted("degenerate triangle", "degenerate triangles", "dropped");
+    return counted("degenerate triangle", "degenerate triangles", "removed");
   case Repair::POINTS_LEFT:
     return counted("point", "points", "left without faces");
   }

@@ -182,8 +182,7 @@ public:
   struct Halfedge
   {
     Mesh_halfedge halfedge; ///< of the mesh, with the same direction
-    bool is_outer = false;  ///< whether it is on the border, while the halfedge of the mesh is on the other side of a
-                            ///< slit
+    bool is_outer = false;  ///< whether it is the border halfedge of a slit along the halfedge of the mesh
 
     /// Constructs a null descriptor.
     Halfedge()

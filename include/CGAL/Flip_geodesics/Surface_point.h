@@ -126,7 +126,7 @@ void check_location(const Input_mesh& input, const Surface_location& location)
 {
   const Input_halfedge_index h = location.halfedge;
   if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
-    throw Invalid_location_error("a location has a face or halfedge that the mesh does not have");
+    throw Invalid_location_error("a location has a face or halfedge that does not belong to the mesh");
   for(double weight : location.weights)
     if(!is_usable_weight(weight))
       throw Invalid_location_error("a weight of a location in the face of halfedge " + std::to_string(h.idx()) +

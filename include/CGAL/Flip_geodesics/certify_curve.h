@@ -60,9 +60,9 @@ struct Given_curve_certificate
   /// the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.
   Verdict verdict = Verdict::PROVEN;
   /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. At a joint, it
-  /// is \f$\pi\f$ minus the angle on one side. In a segment, it is the turn, at the end of an edge, of the shortest
-  /// path that crosses the same edges between the same end points. If a straight segment touches a vertex, it is
-  /// \f$2\pi\f$ minus the angles of the vertex.
+  /// is \f$\pi\f$ minus the angle on one side. In a segment, it is the angle by which the shortest path with the same
+  /// end points and the same crossed edges turns at the end of one of these edges. If a straight segment touches a
+  /// vertex, it is \f$2\pi\f$ minus the angles of the vertex.
   double bend = 0;
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
   /// The number of the point at the bend: that of the passed vertex, or of the first crossed edge that ends in
@@ -109,7 +109,7 @@ public:
     for(const Place& place : places)
       given.push_back(as_given(place));
     if(given.size() < (is_closed ? 1u : 2u))
-      throw Invalid_curve_error(is_closed ? "a closed curve has no places" : "a curve has fewer than two places");
+      throw Invalid_curve_error(is_closed ? "a closed curve has no points" : "a curve has fewer than two points");
     for(std::size_t i = 0; i < given.size(); ++i) {
       const bool is_end = !is_closed && (i == 0 || i + 1 == given.size());
       const Crossing* crossing = std::get_if<Crossing>(&given[i]);
@@ -123,7 +123,8 @@ public:
       else if(kind(at) == Location_kind::EDGE)
         m_sequences.cross(side_of_edge(at), i);
       else
-        throw Invalid_curve_error("place " + std::to_string(i) + " of the curve, in between, is inside a face", {i});
+        throw Invalid_curve_error(
+            "point " + std::to_string(i) + " of the curve, which is not an end, lies inside a face", {i});
     }
     if(is_closed)
       m_sequences.arrive(m_first, given.size());
@@ -165,7 +166,7 @@ private:
     const Input_halfedge_index h =
         given == Graph::null_halfedge() ? Input_halfedge_index() : Input_halfedge_index(input.index(given));
     if(!h.is_valid())
-      throw Invalid_curve_error("place " + std::to_string(number) + " of the curve is on no halfedge of the mesh",
+      throw Invalid_curve_error("point " + std::to_string(number) + " of the curve is not on a halfedge of the mesh",
                                 {number});
     return h;
   }
@@ -177,13 +178,15 @@ private:
       return {halfedge(crossing->first, number), {{1 - crossing->second, crossing->second, 0}}};
     if(const auto* point = std::get_if<Point_of_face>(&given)) {
       if(!is_face(point->first, m_mesh))
-        throw Invalid_location_error("place " + std::to_string(number) + " of the curve is in no face of the mesh");
+        throw Invalid_location_error("point " + std::to_string(number) +
+                                     " of the curve is not in any face of the mesh");
       return {input.index(graph_halfedge(point->first, m_mesh)), point->second};
     }
     const Vertex_index v = m_triangulation.index(std::get<Vertex>(given));
     check_vertex(v, input.number_of_vertices());
     if(input.outgoing(v) == null_index)
-      throw Vertex_out_of_range_error("a curve passes vertex " + std::to_string(v.idx()) + ", which no face has",
+      throw Vertex_out_of_range_error("a curve passes vertex " + std::to_string(v.idx()) +
+                                          ", which does not belong to any face",
                                       {static_cast<std::size_t>(v.idx())});
     return {input.outgoing(v), {{1, 0, 0}}};
   }

@@ -146,7 +146,7 @@ public:
   std::size_t piece(double length) const
   {
     if(m_starts.empty())
-      throw Invalid_curve_error("a curve that is a point has no pieces");
+      throw Invalid_curve_error("a curve of length zero cannot be divided");
     return place(length).leg;
   }
 
@@ -181,7 +181,7 @@ public:
   Surface_direction direction(double length) const
   {
     if(m_starts.empty())
-      throw Invalid_curve_error("a curve that is a point has no direction");
+      throw Invalid_curve_error("a curve of length zero has no direction");
     const auto [leg, part] = place(length);
     const Input_halfedge_index h = m_sleeve.legs()[leg].face;
     if(part == 0)
@@ -370,9 +370,9 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
   const auto& options = internal::surface_options(np...);
   using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
   static_assert(internal::Has_points<typename Surface::Metric>::value,
-                "the metric has no points in space: Located_curve gives the places alone");
+                "the metric has no points in space: use Located_curve to obtain locations only");
   if(number < 2)
-    throw Invalid_parameter_error("a curve is sampled at two points at least");
+    throw Invalid_parameter_error("the number of samples must be at least two");
   const Surface surface = internal::make_surface(mesh, options);
   const Located_curve<Surface> located = internal::located_curve(surface, mesh, curve);
   const internal::Curve_sampler<Surface, TriangleMesh> sample(surface, mesh, located);

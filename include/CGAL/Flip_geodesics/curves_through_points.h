@@ -112,7 +112,7 @@ public:
     , m_measure(triangulation)
   {
     if(legs.size() < (kind == Spline_kind::CLOSED_CUBIC_B_SPLINE ? 3u : 1u))
-      throw Invalid_curve_error("a spline needs at least one leg, a closed one three");
+      throw Invalid_curve_error("a spline needs at least one segment of its control polygon, a closed one three");
     for(const std::vector<Surface_location>& leg : legs)
       m_legs.push_back({internal::canonical_polyline(triangulation.input(), leg, false)});
     start(kind);
@@ -358,7 +358,7 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
     way_points.pop_back();
   if(way_points.size() < 2)
     throw Invalid_curve_error(are_several
-                                  ? "all points of a curve are in one place; the curve is a point, and has no edges"
+                                  ? "all points of a curve coincide; the curve is a single point and has no edges"
                                   : "a curve needs at least two points");
   std::vector<std::vector<Halfedge_index>> paths;
   internal::Drawn_chain chain;
@@ -602,13 +602,13 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic spline \cgalCite{SC20,section 6.2}. The result consists of the points where the pieces of a
- * `Geodesic_spline` meet, which lie on the curve, connected by geodesics. The control polygon and the curve may cross
+ * Computes a geodesic spline \cgalCite{SC20,section 6.2}. The result consists of geodesics between the points at which
+ * the pieces of a `Geodesic_spline` meet; these points lie on the curve. The control polygon and the curve may cross
  * themselves.
  *
  * \param mesh a triangle mesh
- * \param control_points a range of at least two points, as for `geodesic_path_through()`. A repeated point counts as
- *        often as it is given, and attracts the curve
+ * \param control_points a range of at least two points, as for `geodesic_path_through()`. A point that is repeated has
+ * a greater weight and attracts the curve
  * \param kind the type of the spline, a `Spline_kind`
  * \param out an output iterator that receives the points of the curve, in the form described at `geodesic_path()`
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
@@ -638,16 +638,16 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
   const auto& options =
       internal::surface_options<internal_np::number_of_iterations_t, internal::Point_distance_parameter>(np...);
   static_assert(std::is_same<Kind, Spline_kind>::value,
-                "no Spline_kind where it belongs; the order is mesh, control points, kind, output, named parameters");
+                "a Spline_kind is expected here; the order is mesh, control points, kind, output, named parameters");
   using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   const auto rounds =
       parameters::choose_parameter(parameters::get_parameter(options, internal_np::number_of_iterations), 5);
   static_assert(std::is_integral<std::remove_const_t<decltype(rounds)>>::value,
-                "number_of_iterations() is a whole number");
+                "number_of_iterations() must be an integer");
   if(rounds < 0 || static_cast<std::uintmax_t>(rounds) > 30)
     throw Invalid_curve_error("number_of_iterations is " + std::to_string(rounds) +
-                              ", and the pieces of a spline can be halved 0 to 30 times");
+                              ", but the pieces of a spline can be halved 0 to 30 times");
   const auto locate = [&](const auto& triangulation) {
     return internal::located(triangulation, mesh, control_points, options);
   };

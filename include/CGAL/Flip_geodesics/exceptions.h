@@ -41,11 +41,11 @@ private:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the connectivity of the input is not that of an oriented triangulated surface: a face is not a
-/// triangle, an edge is in no face, a `Surface_mesh` contains removed vertices or edges, or there are more elements
-/// than indices. It is also thrown if umbrellas meet only at a vertex and the class of a curve or the angle of
-/// directions there is requested, or if handles and tunnels of a surface that does not bound a solid are requested.
-/// `elements()` are at most eight vertices of the face, the vertices of the edge, or the vertex at which umbrellas
-/// meet.
+/// triangle, an edge does not belong to a face, a `Surface_mesh` contains removed vertices or edges, or there are more
+/// elements than 32-bit indices can number. It is also thrown if umbrellas meet only at a vertex and the class of a
+/// curve or the angle of directions there is requested, or if handles and tunnels of a surface that does not bound a
+/// solid are requested. `elements()` are at most eight vertices of the face, the vertices of the edge, or the vertex at
+/// which umbrellas meet.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -63,7 +63,8 @@ enum class Degeneracy_remedy {
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a face has a degenerate edge, or lengths that violate the triangle inequality, or if degenerate faces
 /// at a degenerate edge leave no surface when the edge is contracted. `elements()` are its vertices. It is also thrown
-/// if rounding errors in almost degenerate faces lead a path astray; in this case `elements()` is empty.
+/// if a path cannot be followed through almost degenerate faces because of rounding errors; in this case `elements()`
+/// is empty.
 class Degenerate_face_error : public Error
 {
 public:
@@ -216,8 +217,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a linear system cannot be solved: its solution is not unique, because no value is given in a component of
-/// the surface, or its matrix cannot be factorized in double precision, because faces are too thin.
+/// Is thrown if a linear system cannot be solved: its solution is not unique, because no value is given in a component
+/// of the surface, or its matrix cannot be factorized in double precision, because faces are too thin.
 class Singular_problem_error : public Error
 {
 public:

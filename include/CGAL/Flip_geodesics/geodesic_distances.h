@@ -54,10 +54,12 @@ namespace Flip_geodesics {
 /// paths proves nothing.
 struct Distances_report
 {
-  std::size_t vertices = 0;         ///< the number of vertices other than the source that the search reached within the
-                                    ///< limit of the tree
-  std::size_t longer_before = 0;    ///< those whose path was missing or longer than the one found
-  std::size_t longer = 0;           ///< those for which this still holds, through rounding errors or degenerate faces
+  /// the number of vertices other than the source that the search reached within the limit of the tree
+  std::size_t vertices = 0;
+  /// the number of these vertices whose path was initially missing or longer than the one found
+  std::size_t longer_before = 0;
+  /// the number of these vertices for which this is still the case, because of rounding errors or degenerate faces
+  std::size_t longer = 0;
   double largest_excess_before = 0; ///< the largest initial excess length of a path, relative to the shortest length
   double largest_excess = 0;        ///< the largest remaining excess length of a path, relative to the shortest length
   std::size_t windows = 0;          ///< the number of windows of the search
@@ -318,7 +320,7 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedPa
   const auto& options = internal::options_of<internal::Limit_parameter, internal_np::visitor_t>(np...);
   CGAL_precondition(tree.source() != null_index);
   if(tree.triangulation().is_inserted(tree.source()))
-    throw Vertex_out_of_range_error("shortest paths are searched from a vertex of the input mesh, and vertex " +
+    throw Vertex_out_of_range_error("shortest paths must start at a vertex of the input mesh, but vertex " +
                                         std::to_string(tree.source().idx()) + " was inserted",
                                     {static_cast<std::size_t>(tree.source().idx())});
   internal::check_has_no_curves(tree.triangulation(), "the paths of a tree cannot be replaced");
@@ -442,7 +444,7 @@ void write_values(const TriangleMesh& mesh, const Computed_values<Value>& comput
 {
   static_assert(is_property_map<VertexMap>());
   constexpr bool is_writable = can_put<VertexMap, Mesh_vertex<TriangleMesh>, Value>;
-  static_assert(is_writable || is_container_with_keys<VertexMap>, "no property map of such values where it belongs");
+  static_assert(is_writable || is_container_with_keys<VertexMap>, "a property map of such values is expected here");
   if(is_stopped_by_visitor(computed.report))
     return;
   auto value = computed.values.begin();
@@ -488,7 +490,7 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
   if(is_stopped_by_visitor(result.report))
     return result;
   if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
-    throw Degenerate_face_error("paths lead through vertices that degenerate faces fold onto one place", {});
+    throw Degenerate_face_error("paths pass through vertices that degenerate faces fold onto one point", {});
   if(result.report.longer > 0)
     result.report.verdict = Verdict::UNDECIDED;
   write(tree, Value_collector<typename Triangulation::Mesh_vertex, Value>{&result.values});
@@ -653,7 +655,7 @@ Distance_source distance_source(const Triangulation& triangulation, const Triang
   else if constexpr(is_place<Triangulation, TriangleMesh, Source>)
     return {false, {}, {find(source)}};
   else {
-    static_assert(is_range<Source>, "no vertex of the mesh where it belongs, nor another source, nor a range of such; "
+    static_assert(is_range<Source>, "a vertex of the mesh, another source or a range of sources is expected here; "
                                     "the order is mesh, source, property map");
     Distance_source result = {false, {}, {}};
     if constexpr(is_range<Source>)
@@ -890,10 +892,9 @@ template <class TriangleMesh, class Source, class VertexPolarMap, class... Named
 Distances_report logarithmic_map(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
                                  const NamedParameters&... np)
 {
-  static_assert(
-      internal::is_mesh_vertex<TriangleMesh, Source>,
-      "no vertex of the mesh where it belongs; the order is mesh, source, property map; for other points give "
-      "targets and an output, with tangent_vectors.h");
+  static_assert(internal::is_mesh_vertex<TriangleMesh, Source>,
+                "a vertex of the mesh is expected here; the order is mesh, source, property map; for other points pass "
+                "targets and an output, and include tangent_vectors.h");
   const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
   const auto computed = internal::compute_logarithmic_map(mesh, Mesh_vertex<TriangleMesh>(source), options);
   internal::write_values(mesh, computed, coordinates);
@@ -1110,7 +1111,7 @@ Distances_report geodesic_distance_matrix(const TriangleMesh& mesh, const PointR
   using Options = internal::Joined<NamedParameters...>;
   using Triangulation = typename internal::Curve_types<TriangleMesh, Options>::Triangulation;
   static_assert(internal::is_range<PointRange>,
-                "no range of points where it belongs; the order is mesh, points, output, named parameters");
+                "a range of points is expected here; the order is mesh, points, output, named parameters");
   const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
   const auto limit = internal::search_limit_of<Window_limit>(options);
   auto visitor = internal::make_visitor(options);

@@ -364,8 +364,9 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  *
  * \return the halfedges of the loop; empty if no such loop exists
  *
- * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders, with \f$c\f$ vertices of the cut
- * graph, and at most \f$m\f$ vertices nearer to one of them than half the length of the loops found during the search.
+ * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders, with \f$c\f$ vertices of the
+ * cut graph, and at most \f$m\f$ vertices nearer to one of them than half the length of the loops found during the
+ * search.
  */
 template <class Triangulation, class... NamedParameters>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation,

@@ -119,7 +119,7 @@ public:
     , m_weights(std::move(weights))
   {
     if(m_points.empty())
-      throw Invalid_parameter_error("a mean of no points is undefined");
+      throw Invalid_parameter_error("the mean of an empty range is undefined");
     if(m_points.size() != m_weights.size())
       throw Invalid_parameter_error("there are " + std::to_string(m_points.size()) + " points of a mean, and " +
                                     std::to_string(m_weights.size()) + " weights");
@@ -127,7 +127,7 @@ public:
     for(std::size_t i = 0; i < m_weights.size(); ++i) {
       if(!(m_weights[i] >= 0 && std::isfinite(m_weights[i])))
         throw Invalid_parameter_error(
-            "the weight of point " + std::to_string(i) + " of a mean is negative or no finite number", {i});
+            "the weight of point " + std::to_string(i) + " of a mean is negative or not finite", {i});
       largest = (std::max)(largest, m_weights[i]);
     }
     if(!(largest > 0))
@@ -177,7 +177,7 @@ public:
   {
     const auto limits = internal::search_limit_of<Mean_limits>(internal::options_of<internal::Limit_parameter>(np...));
     if(!(limits.tolerance >= 0))
-      throw Invalid_parameter_error("the tolerance of a mean is not a number of at least 0");
+      throw Invalid_parameter_error("the tolerance of a mean is negative or NaN");
     Mean_report report;
     State here = look(start);
     double part = 1;
@@ -229,7 +229,7 @@ private:
         continue;
       const Polar_coordinates p = logarithm(m_points[i]);
       if(!(p.radius < std::numeric_limits<double>::infinity()))
-        throw Disconnected_endpoints_error("no path joins point " + std::to_string(i) + " of a mean and the others",
+        throw Disconnected_endpoints_error("no path connects point " + std::to_string(i) + " of a mean and the others",
                                            {i});
       const auto [x, y] = logarithm.in_plane(p);
       sum[0] += m_weights[i] * x;
@@ -249,7 +249,7 @@ private:
     const Vertex_index v =
         m_triangulation.input().tail(internal::canonical_location(m_triangulation.input(), place).halfedge);
     throw Degenerate_face_error("all faces of vertex " + std::to_string(v.idx()) +
-                                    " have an angle of 0 there, so that the way to a mean has no direction",
+                                    " have an angle of 0 there, so the direction to a mean is undefined",
                                 {static_cast<std::size_t>(v.idx())});
   }
 

@@ -259,10 +259,10 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
- * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face has few of them, and up to quadratic
- * in the number of those in one face; linear in the size of the mesh for regions. If points in space are not found in
- * the faces around their previous points, \cgalBigO{n \log n} in the size of the mesh once, and logarithmic time for each
- * such point.
+ * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face has few of them, and up to
+ * quadratic in the number of those in one face; linear in the size of the mesh for regions. If points in space are not
+ * found in the faces around their previous points, \cgalBigO{n \log n} in the size of the mesh once, and logarithmic
+ * time for each such point.
  *
  * \sa `cut_along_curves()`
  * \sa `Slit_mesh`

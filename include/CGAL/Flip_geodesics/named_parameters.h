@@ -41,7 +41,7 @@ template <class T, class Tag, class Base, class Others>
 auto put_before(const Named_function_parameters<T, Tag, Base>& np, const Others& others)
 {
   static_assert(!is_given<Others, Tag> || std::is_same<Tag, internal_np::all_default_t>::value,
-                "a named parameter is given twice");
+                "a named parameter is passed twice");
   const auto& first = static_cast<const internal_np::Named_params_impl<T, Tag, Base>&>(np);
   if constexpr(std::is_same<Base, internal_np::No_property>::value) {
     return Named_function_parameters<T, Tag, Others>(first.v, others);
@@ -58,8 +58,8 @@ template <class NamedParameters, class... Others>
 decltype(auto) joined(const NamedParameters& np, const Others&... others)
 {
   static_assert(is_named_parameters<NamedParameters>,
-                "an option is not a named parameter: parameters::stop_predicate(), parameters::search_limit() and "
-                "others make one of it; named parameters come last");
+                "an option is not a named parameter: pass it by parameters::stop_predicate(), "
+                "parameters::search_limit() or another one; named parameters come last");
   if constexpr(!is_named_parameters<NamedParameters>)
     return joined(others...); // avoids another error message
   else if constexpr(sizeof...(Others) == 0)
@@ -119,7 +119,7 @@ Limit search_limit_of(const NamedParameters& np)
 {
   if constexpr(is_given<NamedParameters, Limit_parameter>) {
     static_assert(std::is_same<Given<NamedParameters, Limit_parameter>, Limit>::value,
-                  "search_limit() has a limit of another kind than the function takes");
+                  "the function does not accept this kind of search_limit()");
     return parameters::get_parameter(np, limit_parameter);
   } else {
     return Limit();
@@ -140,10 +140,10 @@ std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard
   const auto number =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), standard);
   using Number = std::decay_t<decltype(number)>;
-  static_assert(std::is_integral<Number>::value, "number_of_iterations() is a whole number");
+  static_assert(std::is_integral<Number>::value, "number_of_iterations() must be an integer");
   if constexpr(std::is_signed<Number>::value)
     if(number < 0)
-      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", and not at least 0");
+      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", which is not at least 0");
   return static_cast<std::size_t>(number);
 }
 
@@ -154,7 +154,7 @@ const Landmarks* landmarks_of(const NamedParameters& np)
   if constexpr(is_given<NamedParameters, Landmarks_parameter>) {
     const auto given = parameters::get_parameter(np, landmarks_parameter);
     static_assert(std::is_same<std::remove_const_t<decltype(given)>, std::reference_wrapper<const Landmarks>>::value,
-                  "landmarks() has landmarks of another kind than the function takes");
+                  "the function does not accept this kind of landmarks()");
     return &given.get();
   } else {
     return nullptr;
@@ -171,7 +171,8 @@ double greatest_point_distance_of(const NamedParameters& np)
   if constexpr(is_given<NamedParameters, Point_distance_parameter>) {
     const double distance = parameters::get_parameter(np, point_distance_parameter);
     if(!(distance >= 0))
-      throw Invalid_parameter_error("greatest_point_distance is " + std::to_string(distance) + ", and not at least 0");
+      throw Invalid_parameter_error("greatest_point_distance is " + std::to_string(distance) +
+                                    ", which is not at least 0");
     return distance;
   } else {
     return static_cast<void>(np), std::numeric_limits<double>::infinity();
@@ -194,7 +195,7 @@ auto metric(const Metric& metric)
 {
   static_assert(
       Flip_geodesics::internal::is_metric<Metric>,
-      "metric() takes a model of IntrinsicMetric: of a property map of lengths, Edge_length_metric makes one");
+      "metric() requires a model of IntrinsicMetric: wrap a property map of lengths in an Edge_length_metric");
   return Named_function_parameters<Metric, Flip_geodesics::internal::Metric_parameter>(metric);
 }
 
@@ -207,7 +208,7 @@ template <class StopPredicate>
 auto stop_predicate(const StopPredicate& predicate)
 {
   static_assert(Flip_geodesics::internal::is_stop_predicate<StopPredicate>,
-                "stop_predicate() takes a model of FlipOutStopPredicate");
+                "stop_predicate() requires a model of FlipOutStopPredicate");
   return Named_function_parameters<StopPredicate, Flip_geodesics::internal::Stop_parameter>(predicate);
 }
 

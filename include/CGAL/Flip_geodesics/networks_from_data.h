@@ -159,7 +159,7 @@ private:
  * regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy class among the
  * others.
  *
- * If the function or `regions` throws, the network is empty again.
+ * If the function or `regions` throws, the network is left empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation
@@ -209,7 +209,7 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
  * ends.
  *
  * Curves end at vertices at which one or more than two seams meet, in particular at seams that end inside the surface
- * or on its border; border edges are not seams. If the function or `texture` throws, the network is empty again.
+ * or on its border; border edges are not seams. If the function or `texture` throws, the network is left empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation

@@ -151,7 +151,7 @@ void check_repaired(const Triangle_soup<Kernel>& soup, const Repair_record& reco
     std::string reasons;
     for(const std::string& line : Internals<Repair_report>::make(record).lines())
       reasons += (reasons.empty() ? "" : "; ") + line;
-    throw Invalid_mesh_error("no triangle is left by the repair: " + reasons);
+    throw Invalid_mesh_error("no triangle remains after the repair: " + reasons);
   }
   if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles))
     throw Invalid_mesh_error("the repair failed: the triangles are not an oriented manifold");

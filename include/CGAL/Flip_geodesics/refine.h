@@ -109,7 +109,7 @@ inline void check_options(const Refinement_options& options)
     std::ostringstream number;
     number << options.longest_edge;
     throw Invalid_parameter_error("the longest edge of a refinement is " + number.str() +
-                                  " long, which is not a number of at least 1e-70: no edge is shorter");
+                                  ", which is not at least 1e-70, the smallest length of an edge");
   }
 }
 
@@ -155,12 +155,12 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point
  * inside them. They are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
- * length is a million times its thickness. The latter case is detected early by an estimate: a face of area \f$A\f$ with
- * shortest side \f$s\f$ requires about \f$A/s^2\f$ vertices if its neighbors are equally thin, and far fewer otherwise.
- * Faces are processed in generations, each of which consists of the faces that are bad at its beginning. If the sum of
- * the estimates is more than 16 times the number of vertices that may still be inserted, and falls by less than 10 % in
- * each of two consecutive generations, the faces with the largest estimates are given up, and so are all faces whose
- * shortest side is not longer than theirs. The other faces are improved until the sum stagnates again.
+ * length is a million times its thickness. The latter case is detected early by an estimate: a face of area \f$A\f$
+ * with shortest side \f$s\f$ requires about \f$A/s^2\f$ vertices if its neighbors are equally thin, and far fewer
+ * otherwise. Faces are processed in generations, each of which consists of the faces that are bad at its beginning. If
+ * the sum of the estimates is more than 16 times the number of vertices that may still be inserted, and falls by less
+ * than 10 % in each of two consecutive generations, the faces with the largest estimates are given up, and so are all
+ * faces whose shortest side is not longer than theirs. The other faces are improved until the sum stagnates again.
  *
  * Edges that are too long are never given up. They are divided, the longest first, until no such edge is left or the
  * limit is reached. Since edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$, a
@@ -219,7 +219,7 @@ Refinement_report refine(Triangulation& triangulation, const Refinement_options&
                          const NamedParameters&... np)
 {
   if(triangulation.number_of_holds() > 0)
-    throw Occupied_triangulation_error("a triangulation that has curves is refined by way of their network");
+    throw Occupied_triangulation_error("a triangulation that has curves must be refined through their network");
   auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
   return internal::refine(
       triangulation, [](const auto&) {}, options, visitor.get());

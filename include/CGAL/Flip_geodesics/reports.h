@@ -33,9 +33,10 @@ enum class Verdict {
   UNDECIDED,  ///< it is not known whether the claim holds: the predicates of the traits are inexact and `certify()`
               ///< was not called, a search was not completed, or coordinates or lengths of the mesh
               ///< were rounded; see `Embedded_metric::is_rounded()`
-  WITHIN_ROUNDING,  ///< the claim holds for every path that is shorter by more than
-                    ///< `Shortest_path_report::rounding_tolerance()` of the length, and the path is a `PROVEN` geodesic
-  WITHIN_TOLERANCE, ///< the claim holds up to `Shortest_path_report::tolerance()` of the length
+  /// no path is shorter by more than `Shortest_path_report::rounding_tolerance()` of the length, and the path is a
+  /// `PROVEN` geodesic
+  WITHIN_ROUNDING,
+  WITHIN_TOLERANCE, ///< no path is shorter by more than `Shortest_path_report::tolerance()` of the length
 };
 
 /// \ingroup PkgFlipGeodesicsProving
@@ -93,8 +94,8 @@ struct Decision_statistics
   /// The number of angles assumed to be exactly straight without proof, because 50 digits do not suffice and the work
   /// limit was reached; see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
-  /// The largest number of square roots with which a single predicate was evaluated exactly, where roots that are rational
-  /// multiples of one another count once.
+  /// The largest number of square roots with which a single predicate was evaluated exactly, where roots that are
+  /// rational multiples of one another count once.
   std::size_t most_roots = 0;
 
   /// Adds further statistics.
@@ -126,8 +127,8 @@ enum class Shortening_status {
   /// the arithmetic of the traits, or rounded coordinates, did not suffice to decide whether the curve is locally
   /// shortest
   PRECISION_LIMIT,
-  /// each angle is at least \f$\pi\f$, but degenerate faces lie along the curve, and seen from beyond them the curve is
-  /// bent
+  /// each angle is at least \f$\pi\f$, but the curve runs along degenerate faces and is bent if it is measured on their
+  /// other side
   DEGENERATE_FACES
 };
 

@@ -202,7 +202,7 @@ public:
     const std::size_t expected = m_landmarks->number_of_vertices();
     const std::size_t number = static_cast<std::size_t>(triangulation.input().number_of_vertices());
     if(expected != number)
-      throw Input_mismatch_error("the landmarks were made for a mesh of " + std::to_string(expected) +
+      throw Input_mismatch_error("the landmarks were computed for a mesh of " + std::to_string(expected) +
                                  " vertices, not of " + std::to_string(number));
   }
 

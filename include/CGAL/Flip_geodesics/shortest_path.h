@@ -127,7 +127,7 @@ public:
                      ConcurrencyTag tag = ConcurrencyTag(), const NamedParameters&... np)
   {
     static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                  "no number of landmarks where it belongs, nor a range of vertices; the order is triangulation, "
+                  "a number of landmarks or a range of vertices is expected here; the order is triangulation, "
                   "landmarks, concurrency tag");
     const std::vector<Vertex_index> given(std::begin(landmarks), std::end(landmarks));
     make(triangulation, tag, internal::options_of<internal_np::visitor_t>(np...),
@@ -166,7 +166,7 @@ public:
       is_same = input.is_border(m_edges[i].halfedge) == m_edges[i].is_border &&
                 triangulation.metric().length(input, m_edges[i].halfedge) == m_edges[i].length;
     if(!is_same)
-      throw Input_mismatch_error("the landmarks were made for another mesh, or another metric");
+      throw Input_mismatch_error("the landmarks were computed for another mesh, or another metric");
   }
 
 private:
@@ -661,9 +661,10 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing changes in this
  *         case. After any other exception, including those of the visitor, the network is empty and nothing is flipped
  *
- * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n} for the \f$n\f$ vertices whose distances in space from
- * both ends add up to less than the length of the path, plus \cgalBigO{w \log w} for \f$w\f$ windows. The windows lie in
- * a region around the path that narrows as the bounds become tighter; their number is \cgalBigO{n^2} in the worst case.
+ * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n} for the \f$n\f$ vertices whose distances in space
+ * from both ends add up to less than the length of the path, plus \cgalBigO{w \log w} for \f$w\f$ windows. The windows
+ * lie in a region around the path that narrows as the bounds become tighter; their number is \cgalBigO{n^2} in the
+ * worst case.
  *
  * The algorithm starts with a geodesic that is obtained by shortening an edge path, after initial straightening
  * (`add_straightened_path()`) unless a visitor must observe the whole process. A lower-bound propagation from the
@@ -922,7 +923,7 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRang
                                       const NamedParameters&... np)
 {
   static_assert(internal::is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
-                "no number of landmarks where it belongs, nor a range of vertices of the mesh; the order is mesh, "
+                "a number of landmarks or a range of vertices of the mesh is expected here; the order is mesh, "
                 "landmarks, named parameters");
   const auto& options = internal::surface_options<internal_np::visitor_t>(np...);
   const auto triangulation = internal::make_triangulation(mesh, options);

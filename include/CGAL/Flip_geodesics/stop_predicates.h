@@ -70,7 +70,7 @@ inline bool is_below_limit(double length, double ratio, double initial_length)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Keeps the total length of the network, summed over its segments, at `ratio` times its initial length or above. To
+/// Keeps the total length of the network, summed over its segments, at or above `ratio` times its initial length. To
 /// allow for rounding errors, a step that would lead closer to the limit than 2^-32 of the initial length is rejected.
 /// \cgalModels{FlipOutStopPredicate}
 class Length_ratio_stop_predicate
@@ -97,7 +97,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Keeps the length of each curve, summed over its segments, at `ratio` times its initial length or above, so that even
+/// Keeps the length of each curve, summed over its segments, at or above `ratio` times its initial length, so that even
 /// small loops survive. To allow for rounding errors, a step that would lead closer to the limit than 2^-32 of the
 /// initial length is rejected.
 /// \cgalModels{FlipOutStopPredicate}

@@ -24,8 +24,8 @@ namespace internal {
 
 /*
  * Straightens an edge path on the input mesh by `Iterative_unfolding`, in plain doubles: an initial path for FlipOut,
- * which determines afterwards what is straight. The result is a chain of geodesic segments between vertices that is not longer
- * than the path.
+ * which determines afterwards what is straight. The result is a chain of geodesic segments between vertices that is not
+ * longer than the path.
  *
  * The path first passes each of its vertices on the side with fewer faces, and then each vertex at which the funnel
  * bends on a side with an angle below pi, until no such vertex remains.

@@ -132,9 +132,9 @@ public:
   /// The maps `in` are models of `ReadablePropertyMap`, the maps `out` models of `WritablePropertyMap`; none has a
   /// default. The keys of a `VertexMap` or `FaceMap` are vertices or faces of the mesh, of type `vertex_descriptor` or
   /// `face_descriptor`. Those of an `InputMap` are vertices or faces of the input mesh. Those of an `IntrinsicMap` are
-  /// of type `Vertex_index` for vertices and `Halfedge_index` for faces, the smallest halfedge of a face. The value
-  /// type of `out` must be constructible from that of `in`; values that are interpolated or averaged must support sums
-  /// and products with `double`. The functions take linear time, with a logarithmic factor if values are averaged.
+  /// vertices of type `Vertex_index`, or faces represented by their smallest halfedges, of type `Halfedge_index`. The
+  /// value type of `out` must be constructible from that of `in`; values that are interpolated or averaged must support
+  /// sums and products with `double`. The functions take linear time, with a logarithmic factor if values are averaged.
   /// @{
 
   /// Interpolates vertex values of the input, with keys of the `vertex_descriptor` type of the input mesh, linearly in

@@ -64,7 +64,7 @@ Surface_location surface_location(
 {
   const Vertex_index i = triangulation.input().index(v);
   if(i == null_index || triangulation.input().outgoing(i) == null_index)
-    throw Vertex_out_of_range_error("a location is at a vertex that no face of the mesh has");
+    throw Vertex_out_of_range_error("a location is at a vertex that does not belong to any face of the mesh");
   return triangulation.location(i);
 }
 
@@ -95,7 +95,7 @@ Surface_location surface_location(
     double snap)
 {
   if(!internal::is_face(location.first, mesh))
-    throw Invalid_location_error("a location is in no face of the mesh");
+    throw Invalid_location_error("a location is not in any face of the mesh");
   const auto refuse = [](const std::string& before, const std::string& after) {
     throw Invalid_location_error(before + "a location" + after);
   };
@@ -198,7 +198,7 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
     throw Invalid_location_error("a point in space has a coordinate that is not a finite number");
   const auto found = nearest_face(from);
   if(found.face == boost::graph_traits<typename Triangulation::Triangle_mesh>::null_face())
-    throw Invalid_location_error("a mesh without faces has no point nearest to one in space");
+    throw Invalid_location_error("a mesh without faces has no nearest point to a point in space");
   return Flip_geodesics::surface_location(triangulation, mesh, std::make_pair(found.face, found.nearest.weights),
                                           nearest_point_snap);
 }
@@ -341,7 +341,7 @@ Surface_location located_place(const Triangulation& triangulation, const Place& 
 template <class Triangulation, class PlaceRange>
 std::vector<Surface_location> located_places(const Triangulation& triangulation, const PlaceRange& places)
 {
-  static_assert(is_range<PlaceRange>, "no range of points on the surface where it belongs");
+  static_assert(is_range<PlaceRange>, "a range of points on the surface is expected here");
   std::vector<Surface_location> result;
   if constexpr(is_range<PlaceRange>) {
     Place_finder<Triangulation> find(triangulation, triangulation.input().uncontracted().mesh());
@@ -363,7 +363,7 @@ template <class Triangulation, class TriangleMesh, class PlaceRange>
 std::vector<Surface_location> locations_of_curve(const Triangulation& triangulation, const TriangleMesh& mesh,
                                                  const PlaceRange& curve)
 {
-  static_assert(is_range<PlaceRange>, "no range of points on the surface where it belongs");
+  static_assert(is_range<PlaceRange>, "a range of points on the surface is expected here");
   std::vector<Surface_location> result;
   if constexpr(is_range<PlaceRange>) {
     Place_finder<Triangulation> find(triangulation, mesh);

@@ -43,7 +43,7 @@ namespace Flip_geodesics {
 /// States why a straightest geodesic ends.
 enum class Trace_status {
   LENGTH,           ///< it has the requested length
-  VERTEX,           ///< it reaches a vertex exactly and had to stop there
+  VERTEX,           ///< it reaches a vertex exactly and is required to stop there
   BORDER,           ///< it meets the border, on an edge or at a vertex, or would leave the surface there at its start
   CONSTRAINED_EDGE, ///< it meets an edge that must not be crossed, or a vertex of such an edge
   CROSSING_LIMIT    ///< it has crossed the maximal number of edges
@@ -320,7 +320,7 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
                              OutputIterator out, const NamedParameters& np)
 {
   if(!(length >= 0 && std::isfinite(length)))
-    throw Invalid_parameter_error("the length of a geodesic to be traced is negative or no finite number");
+    throw Invalid_parameter_error("the length of a geodesic to be traced is negative or not finite");
   const Direction_finder<Triangulation> finder(triangulation);
   const auto walk = [&](const auto& is_constrained) {
     const Trace_limits<std::decay_t<decltype(is_constrained)>> limits = {
@@ -464,7 +464,7 @@ public:
                                                                                     const Direction& direction) const
   {
     static_assert(Has_points<typename Triangulation::Metric>::value,
-                  "the metric has no points in space: give the direction as a halfedge and an angle");
+                  "the metric has no points in space: pass the direction as a halfedge and an angle");
     check_location(m_triangulation.input(), source);
     return in_face(source.halfedge,
                    {{CGAL::to_double(direction.x()), CGAL::to_double(direction.y()), CGAL::to_double(direction.z())}});
@@ -483,7 +483,7 @@ private:
     const Vector normal = unit_of(cross(unit_of(a), unit_of(b))), direction = unit_of(v);
     if(normal == Vector{{0, 0, 0}})
       throw Degenerate_face_error("a direction is given in the face of halfedge " + std::to_string(h.idx()) +
-                                      ", which has no area",
+                                      ", which is degenerate",
                                   {static_cast<std::size_t>(h.idx())});
     return {dot(cross(direction, b), normal), dot(cross(a, direction), normal)};
   }
@@ -593,7 +593,7 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   static_assert(is_vector || std::is_convertible<Direction, std::pair<Halfedge, double>>::value,
                 "a direction is a pair of a halfedge and an angle, or a vector in space");
   static_assert(!is_vector || !internal::is_mesh_vertex<TriangleMesh, Source>,
-                "a vector in space is given in a face: give a Face_location at the vertex, or a halfedge and an angle");
+                "a vector in space requires a face: pass a Face_location at the vertex, or a halfedge and an angle");
   const Surface surface = internal::make_surface(mesh, options);
   const Surface_location place = internal::trace_start(surface, mesh, source);
   std::vector<Surface_point> points;

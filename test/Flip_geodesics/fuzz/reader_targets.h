@@ -140,7 +140,7 @@ inline void read_curves(const std::string& bytes)
         : kind == 'b'                ? program::Network_request{program::read_point_curves(mesh, input, true), {}, {}}
         : kind == 'd' || kind == 'w' ? program::Network_request{program::read_drawn_curves(mesh, input), {}, {}}
                                      : program::Network_request{program::read_pairs(mesh, input), {}, {}};
-    require(!request.curves.empty(), "there is no curve");
+    require(!request.curves.empty(), "the file contains no curve");
     for(const program::Curve_request& curve : request.curves)
       check_curve(curve);
   });

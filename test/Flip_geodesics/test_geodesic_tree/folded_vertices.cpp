@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Trees where degenerate faces fold vertices onto one place.
+// Trees where degenerate faces fold vertices onto one point.
 
 #include "flat_tori.h"
 #include "trees.h"

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(paths_over_flat_faces_are_as_short_as_others)
   }
 }
 
-// Trees whose paths lead through vertices in one place are grown again where these are contracted.
+// Trees whose paths pass through vertices in one place are grown again where these are contracted.
 BOOST_AUTO_TEST_CASE(logarithmic_maps_of_folded_vertices)
 {
   int contracted = 0, bent = 0;

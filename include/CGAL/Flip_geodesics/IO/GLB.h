@@ -122,7 +122,7 @@ private:
   static void check_size(std::uint64_t size)
   {
     if(size > (std::numeric_limits<std::uint32_t>::max)())
-      throw File_write_error("a GLB file has 4294967295 bytes or less, and this one would have " +
+      throw File_write_error("a GLB file is limited to 4294967295 bytes, but this one would have " +
                              std::to_string(size));
   }
 
@@ -297,7 +297,7 @@ private:
       if(c == '"' || c == '\\')
         name += '\\';
       if(static_cast<unsigned char>(c) < 0x20)
-        throw File_write_error("the name of a picture has a character that is not written");
+        throw File_write_error("the name of an image has an invalid character");
       name += c;
     }
     return ",\"images\":[{\"uri\":\"" + name +

@@ -29,7 +29,7 @@ public:
   {
     constexpr std::size_t most = (std::numeric_limits<std::int32_t>::max)();
     if(figure.number_of_points() > most || figure.shapes().size() > most)
-      throw File_write_error("PLY has numbers for " + std::to_string(most) + " points, and there are " +
+      throw File_write_error("a PLY file has indices for " + std::to_string(most) + " points, and there are " +
                              std::to_string(figure.number_of_points()));
     check_writable(figure);
     check_values(figure, m_is_binary);

@@ -266,7 +266,8 @@ namespace IO {
  * \cgalNamedParamsEnd
  *
  * \throws File_write_error if the data are empty, the stream has failed or fails, as its state also indicates, or
- *         values at vertices are written as text and are not finite, which is always the case at points beside the mesh
+ *         values at vertices are written as text and are not finite, which is always the case at points of curves and
+ *         at separate points
  * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` is the vertex or the point, preceded by
  *         the curve if the point belongs to one
  * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed elements

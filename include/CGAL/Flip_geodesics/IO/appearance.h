@@ -38,8 +38,8 @@ public:
     : m_radius(radius)
     , m_number_of_sides(number_of_sides)
   {
-    CGAL_precondition_msg(radius > 0 && std::isfinite(radius), "the radius of a tube is positive and finite");
-    CGAL_precondition_msg(number_of_sides >= 3, "a tube has three sides or more");
+    CGAL_precondition_msg(radius > 0 && std::isfinite(radius), "the radius of a tube must be positive and finite");
+    CGAL_precondition_msg(number_of_sides >= 3, "a tube must have at least three sides");
   }
 
   /// Returns the distance of the corners from the curve.

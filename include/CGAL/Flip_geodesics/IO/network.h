@@ -313,7 +313,7 @@ inline Network_state read_state(Network_reader& in, std::size_t size)
   state.bundles.resize(in.count("number of stacks", size));
   for(Network_state::Bundle& bundle : state.bundles) {
     bundle.edge = in.edge();
-    bundle.segments.resize(in.count("size of a stack", size));
+    bundle.segments.resize(in.count("size of a bundle", size));
     for(Segment_index& s : bundle.segments)
       s = Segment_index(in.index("segment"));
   }

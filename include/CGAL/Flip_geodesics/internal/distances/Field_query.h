@@ -215,8 +215,7 @@ private:
       m_least = (std::min)(m_least, distance);
       if(m_since_least > m_most || !(distance < std::numeric_limits<double>::infinity()))
         throw Degenerate_face_error(
-            "a shortest path gets lost: there are faces so flat that rounding errors hide where "
-            "it leads");
+            "a shortest path cannot be followed: in nearly degenerate faces, rounding errors hide where it leads");
       return true;
     }
 

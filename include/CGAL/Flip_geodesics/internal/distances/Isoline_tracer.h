@@ -56,7 +56,7 @@ constexpr bool are_in_order()
   static_assert(is_distance_field<Field, TriangleMesh>,
                 "the second argument is not a model of GeodesicDistanceField for the mesh");
   static_assert(std::is_convertible<Tolerance, double>::value,
-                "no tolerance where it belongs; the order is mesh, field, levels if any, output, tolerance");
+                "a tolerance is expected here; the order is mesh, field, levels if any, output, tolerance");
   return true;
 }
 

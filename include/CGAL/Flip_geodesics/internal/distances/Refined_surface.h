@@ -281,7 +281,7 @@ private:
     if(!std::isfinite(length))
       throw Invalid_coordinate_error(
           "the face with vertices " + std::to_string(piece.corners[0]) + ", " + std::to_string(piece.corners[1]) +
-              ", " + std::to_string(piece.corners[2]) + " has a coordinate that is not a number or too large",
+              ", " + std::to_string(piece.corners[2]) + " has a coordinate that is NaN or too large",
           {static_cast<std::size_t>(piece.corners[0]), static_cast<std::size_t>(piece.corners[1]),
            static_cast<std::size_t>(piece.corners[2])});
     m_lengths[half / 2] = length;
@@ -293,7 +293,7 @@ private:
     const auto answer = m_field(m_faces[sample.face].descriptor, sample.weights);
     sample.distance = answer.distance;
     if(std::isnan(sample.distance))
-      throw Invalid_parameter_error("the distance field is not a number in face " + std::to_string(sample.face),
+      throw Invalid_parameter_error("the distance field returns NaN in face " + std::to_string(sample.face),
                                     {static_cast<std::size_t>(sample.face)});
     sample.source = std::isinf(sample.distance) ? no_source : answer.source;
   }
@@ -368,7 +368,8 @@ private:
   Index add_side(double length)
   {
     if(m_uses.size() + 2 > static_cast<std::size_t>((std::numeric_limits<Index>::max)()))
-      throw Invalid_parameter_error("for so small a tolerance faces have more parts than 32-bit indices can number");
+      throw Invalid_parameter_error(
+          "the tolerance is so small that faces have more parts than 32-bit indices can number");
     m_lengths.push_back(length);
     m_uses.resize(m_uses.size() + 2);
     return number_of_halves() / 2 - 1;

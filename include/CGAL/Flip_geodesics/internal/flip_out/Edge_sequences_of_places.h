@@ -65,8 +65,8 @@ public:
     const bool is_as_given = leads_on_through(h);
     h = is_as_given ? h : twin_index(h);
     if(!is_as_given && !leads_on_through(h))
-      refuse(number, crossed.empty() ? "is a crossed edge that is not opposite to the place before"
-                                     : "is a crossed edge that is not in the face behind the one before");
+      refuse(number, crossed.empty() ? "is a crossed edge that is not opposite to the previous point"
+                                     : "is a crossed edge that is not a side of the face beyond the previous one");
     for(Input_halfedge_index side : {h, twin_index(h)})
       check_triangle(input, side);
     crossed.push_back(h);
@@ -81,7 +81,7 @@ public:
     if(sequence.crossed.empty())
       find_common_face(number);
     else if(!is_opposite_vertex(m_places, v, twin_index(sequence.crossed.back())))
-      refuse(number, "is not opposite to the crossed edge before");
+      refuse(number, "is not opposite to the previous crossed edge");
     m_segments.push_back(m_segment);
   }
 
@@ -90,7 +90,7 @@ public:
 private:
   [[noreturn]] static void refuse(std::size_t number, const std::string& what)
   {
-    throw Invalid_curve_error("place " + std::to_string(number) + " of the curve " + what, {number});
+    throw Invalid_curve_error("point " + std::to_string(number) + " of the curve " + what, {number});
   }
 
   bool leads_on_through(Input_halfedge_index h) const
@@ -107,7 +107,7 @@ private:
   {
     Edge_sequence& sequence = m_segment.sequence;
     if(are_same(sequence.tail, sequence.head))
-      refuse(number, "is the same as the one before");
+      refuse(number, "is the same as the previous one");
     for(Input_halfedge_index h : edges_at(sequence.tail))
       if(is_on_halfedge(m_places, sequence.head, twin_index(h)) && leads_along(h)) {
         sequence.along = h;
@@ -119,7 +119,7 @@ private:
         sequence.face = h;
         return;
       }
-    refuse(number, "is in no face with the one before, and no edge is crossed in between");
+    refuse(number, "has no common face with the previous point, and no edge is crossed in between");
   }
 
   // Returns a halfedge of each face that contains a point: for a point on an edge both sides, for a vertex its outgoing

@@ -98,8 +98,8 @@ inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& err
 {
   if(error.remedy() != Degeneracy_remedy::CONTRACT)
     return error;
-  return {error.problem() + "; once such edges are contracted, no surface joins the ends of the curve, since "
-                            "degenerate faces are removed",
+  return {error.problem() +
+              "; once such edges and degenerate faces have been contracted, no surface connects the ends of the curve",
           error.elements(), Degeneracy_remedy::MOLLIFY};
 }
 
@@ -133,7 +133,7 @@ auto compute_on_surface(Surfaces&& surfaces, const Compute& compute)
 [[noreturn]] inline void throw_no_surface_left(Vertex_index v)
 {
   throw Degenerate_face_error("at vertex " + std::to_string(v.idx()) +
-                                  " degenerate faces share a zero-length edge, and no surface is left",
+                                  " degenerate faces share a zero-length edge, and no surface remains",
                               {static_cast<std::size_t>(v.idx())});
 }
 
@@ -184,7 +184,7 @@ std::vector<Halfedge_index> contracted_halfedges_through(const Input_mesh& contr
     const Input_halfedge_index h = uncontracted_halfedge_between(contracted, vertices[i], vertices[i + 1]);
     if(h == null_index)
       throw Invalid_curve_error(
-          "a curve is not connected: no edge joins vertex " + std::to_string(vertices[i].idx()) + " and vertex " +
+          "a curve is not connected: no edge connects vertex " + std::to_string(vertices[i].idx()) + " and vertex " +
               std::to_string(vertices[i + 1].idx()),
           {static_cast<std::size_t>(vertices[i].idx()), static_cast<std::size_t>(vertices[i + 1].idx())});
     if(!add_contracted_halfedge(contracted, h, result))
@@ -400,7 +400,7 @@ template <class Triangulation>
 void note_contraction(const Triangulation& triangulation, Shortening_report& report)
 {
   if(are_curves_folded(triangulation, report))
-    throw Degenerate_face_error("a curve leads through vertices that degenerate faces fold onto one place", {});
+    throw Degenerate_face_error("a curve passes through vertices that degenerate faces fold onto one point", {});
   for(Curve_report& curve : report.curves)
     curve.are_zero_edges_contracted = triangulation.input().is_contracted();
 }

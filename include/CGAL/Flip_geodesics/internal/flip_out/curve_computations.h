@@ -56,7 +56,7 @@ constexpr void check_instance()
   constexpr bool is_in_library =
       is_known_mesh<TriangleMesh> && std::is_same<NamedParameters, parameters::Default_named_parameters>::value;
   static_assert(is_in_library || are_defined<TriangleMesh>,
-                "the compiled library has no instance for this mesh, or none with options: define "
+                "the compiled library has no instance for this mesh, or none with named parameters: define "
                 "CGAL_FLIP_GEODESICS_HEADER_ONLY before the first header of the package is included");
 }
 

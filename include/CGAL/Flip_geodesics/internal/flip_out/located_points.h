@@ -75,7 +75,7 @@ private:
     m_points.distances[i] = distance;
     if(!(distance <= m_greatest_distance))
       throw Distant_point_error("point " + std::to_string(i) + " is " + std::to_string(distance) +
-                                    " away from the surface, more than the greatest distance of " +
+                                    " away from the surface, which exceeds the greatest distance of " +
                                     std::to_string(m_greatest_distance),
                                 {i});
   }

@@ -242,9 +242,8 @@ inline void check_values(const Figure& figure, bool is_binary)
   for(std::size_t i = 0; i < kinds.size(); ++i) {
     const std::string& name = kinds[i].name;
     if(name.empty() || !std::all_of(name.begin(), name.end(), is_character_of_name))
-      throw Invalid_parameter_error("the name \"" + name +
-                                    "\" of values has other characters than letters, digits and "
-                                    "underscores, or none");
+      throw Invalid_parameter_error(
+          "the name \"" + name + "\" of values is empty or has characters other than letters, digits and underscores");
     if(std::any_of(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(i),
                    [&](const Value_kind& kind) { return kind.name == name; }))
       throw Invalid_parameter_error("two kinds of values have the name \"" + name + '"');
@@ -252,8 +251,8 @@ inline void check_values(const Figure& figure, bool is_binary)
       figure.for_each_value(i, [&](double x) {
         if(!std::isfinite(x))
           throw File_write_error("values with the name \"" + name +
-                                 "\" are not all finite, as those at points beside "
-                                 "the mesh never are, and text cannot hold them; use binary mode");
+                                 "\" are not all finite (at points without data they never are) and cannot be written "
+                                 "as text; use binary mode");
       });
   }
 }
@@ -510,7 +509,7 @@ auto given_or_own_points(const FaceGraph& mesh, const NamedParameters& np)
 {
   if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value) {
     static_assert(graph_has_property<FaceGraph, boost::vertex_point_t>::value,
-                  "the mesh has no points of its own: give vertex_point_map()");
+                  "the mesh has no vertex point property: pass vertex_point_map()");
     return get_const_property_map(CGAL::vertex_point, mesh);
   } else {
     return parameters::get_parameter(np, internal_np::vertex_point);
@@ -652,7 +651,7 @@ public:
     } else
       static_assert(std::is_same<Part, IO::Tubes>::value || std::is_same<Part, IO::Colors>::value || is_texture<Part> ||
                         is_vertex_values<Part> || is_named_parameters<Part>,
-                    "what is written is a face graph, a range of points or a range of polylines");
+                    "an argument to be written must be a face graph, a range of points or a range of polylines");
   }
 
   /* Records parameters that apply to all parts. */
@@ -694,7 +693,7 @@ template <class... Parts>
 decltype(auto) named_parameters_of(const Parts&... parts)
 {
   constexpr std::size_t count = (std::size_t(0) + ... + (is_named_parameters<Parts> ? 1 : 0));
-  static_assert(sizeof...(Parts) > count, "what is written is missing: a face graph, points or polylines");
+  static_assert(sizeof...(Parts) > count, "there is nothing to write: pass a face graph, points or polylines");
   using Last = std::tuple_element_t<sizeof...(Parts) - 1, std::tuple<Parts...>>;
   static_assert(count == (is_named_parameters<Last> ? 1 : 0), "named parameters come last");
   if constexpr(count == 0)
@@ -750,7 +749,7 @@ void write_plainly(std::ostream& out, int precision, const Write& write)
   if(out && plain.flush())
     return;
   out.setstate(std::ios::badbit);
-  throw File_write_error("the file could not be written to its end; look for space on the disk");
+  throw File_write_error("the file could not be written completely; check the free space on the disk");
 }
 
 template <class Writer>
@@ -764,11 +763,11 @@ void write_to(const std::string& name, const Writer& writer, const Number_format
 {
   std::ofstream out(name, std::ios::binary);
   if(!out)
-    throw File_write_error(name + ": cannot be written; choose another place");
+    throw File_write_error(name + ": cannot be written; choose another path");
   write_to(out, writer, format);
   out.close();
   if(!out)
-    throw File_write_error(name + ": could not be written to its end; look for space on the disk");
+    throw File_write_error(name + ": could not be written completely; check the free space on the disk");
 }
 
 /*

@@ -879,7 +879,7 @@ void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfed
   Halfedge_index first = null_index, last = null_index;
   for(Halfedge_index h : halfedges) {
     if(!h.is_valid() || h.idx() >= triangulation.number_of_halfedges())
-      throw Invalid_curve_error("a curve has a halfedge that the mesh does not have", {position});
+      throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
     if(last != null_index && triangulation.head(last) != triangulation.tail(h))
       throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});
     triangulation.length(h); // copies its face, which may throw: before the network changes

@@ -123,7 +123,7 @@ inline double length(const Double_double_vector& v)
   return std::sqrt(unfused(v.x.high * v.x.high) + unfused(v.y.high * v.y.high));
 }
 
-/* A sum of doubles, exactly, as parts that do not overlap, the largest last : Grow-Expansion [S97]. */
+/* A sum of doubles, exactly, as parts that do not overlap, the largest last: Grow-Expansion [S97]. */
 template <std::size_t MostTerms>
 class Exact_sum
 {

@@ -11,10 +11,10 @@
 /* Proofs rely on bounds of rounding errors, on computed errors, and on infinity as the absence of a bound. */
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) ||                          \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
-#error "Flip_geodesics proves its results by IEEE 754 arithmetic: compile without -ffast-math, -Ofast and their parts"
+#error "Flip_geodesics relies on IEEE 754 arithmetic: compile without -ffast-math, -Ofast and similar options"
 #endif
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD == -1)
-#error "Flip_geodesics needs doubles that are rounded to double: for the x87 add -msse2 -mfpmath=sse"
+#error "Flip_geodesics requires results that are rounded to double: for the x87 unit, add -msse2 -mfpmath=sse"
 #endif
 
 /* If the processor can round a product and a sum in one operation, compilers may fuse the two across statements. An

@@ -39,7 +39,7 @@ inline Input_halfedge_index face_of_gap(const Edge_sequence& sequence, std::size
 [[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
 {
   throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face.idx()) +
-                            " were wrong by rounding",
+                            " were wrong because of rounding errors",
                         {static_cast<std::size_t>(face.idx())});
 }
 

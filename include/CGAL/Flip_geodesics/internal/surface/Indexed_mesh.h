@@ -287,7 +287,7 @@ private:
     m_previous.resize(m_next.size());
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(number_of_halfedges())) {
       if(m_next[h] == null_index)
-        throw Invalid_mesh_error("a halfedge of the mesh is followed by none");
+        throw Invalid_mesh_error("a halfedge of the mesh has no next halfedge");
       m_previous[m_next[h]] = h;
     }
   }
@@ -324,7 +324,7 @@ public:
     , m_number_of_halfedges(checked_index_bound(mesh.number_of_halfedges()))
   {
     if(mesh.number_of_removed_vertices() != 0 || mesh.number_of_removed_edges() != 0)
-      throw Invalid_mesh_error("the mesh keeps vertices or edges that have been removed; collect_garbage() drops them");
+      throw Invalid_mesh_error("the mesh contains removed vertices or edges; call collect_garbage()");
   }
 
   const Mesh& mesh() const { return *m_mesh; }

@@ -154,7 +154,7 @@ private:
       if(k == g || (next_side(k) == g && !m_metric.are_equally_long(g, k)))
         throw Degenerate_face_error(
             "a face has a zero-length edge between vertices " + std::to_string(m_input.tail(h).idx()) + " and " +
-                std::to_string(m_input.tail(twin_index(h)).idx()) + ", and two of different lengths",
+                std::to_string(m_input.tail(twin_index(h)).idx()) + ", and two other edges of different lengths",
             {static_cast<std::size_t>(m_input.tail(h).idx()),
              static_cast<std::size_t>(m_input.tail(twin_index(h)).idx())});
     }
@@ -311,7 +311,8 @@ private:
     for(auto member = first; member != last; ++member)
       if(m_result.outgoing[member->second] == null_index)
         return member->second;
-    throw Degenerate_face_error("more umbrellas of the surface than vertices meet at vertex " + std::to_string(v.idx()),
+    throw Degenerate_face_error("two umbrellas of the surface would share one vertex after contraction at vertex " +
+                                    std::to_string(v.idx()),
                                 {static_cast<std::size_t>(v.idx())});
   }
 

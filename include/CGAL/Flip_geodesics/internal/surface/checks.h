@@ -146,7 +146,7 @@ Squared_lengths squared_lengths(const Metric& metric, const Mesh& mesh, Input_ha
 {
   using Number = std::decay_t<decltype(metric.squared_length(mesh, h))>;
   static_assert(is_rational_number<Number>,
-                "squared_length() of a metric has to return an exact rational number, such as cpp_rational or Gmpq");
+                "squared_length() of a metric must return an exact rational number, such as cpp_rational or Gmpq");
   const Input_halfedge_index hn = mesh.next(h);
   const Rational_place squares =
       rational_place(to_rational(metric.squared_length(mesh, h)), to_rational(metric.squared_length(mesh, hn)),
@@ -301,7 +301,7 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
 
 [[noreturn]] inline void throw_disconnected(Vertex_index source, Vertex_index target)
 {
-  throw Disconnected_endpoints_error("no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " +
+  throw Disconnected_endpoints_error("no path of edges connects vertex " + std::to_string(source.idx()) + " and vertex " +
                                          std::to_string(target.idx()),
                                      {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
 }

@@ -63,7 +63,7 @@ struct Number_operations : Number_operations_of_cgal<NT>
   static bool is_square(const NT& x, NT& root)
   {
     constexpr bool recognizes_squares = !std::is_same<typename Structure::Is_square, Null_functor>::value;
-    static_assert(recognizes_squares, "the number type must have square roots, or recognize squares");
+    static_assert(recognizes_squares, "the number type must provide square roots or recognize squares");
     if constexpr(recognizes_squares)
       return typename Structure::Is_square()(x, root);
     else
@@ -157,9 +157,8 @@ constexpr bool is_field()
 template <class NT>
 constexpr bool has_division()
 {
-  static_assert(is_field<NT>(),
-                "the number type is not a field: take a kernel over one with division, such as double or "
-                "Gmpq, or Intrinsic_triangulation_traits<K, double>");
+  static_assert(is_field<NT>(), "the number type has no division: use a kernel over a field, such as double or "
+                                "Gmpq, or Intrinsic_triangulation_traits<K, double>");
   return true;
 }
 
@@ -186,7 +185,7 @@ double sign_tolerance()
 [[noreturn]] inline void throw_inexact_root()
 {
   throw Inexact_root_error("the area of a face is not a rational multiple of the root of the radicand; "
-                           "common_radicand() finds the radicand that fits a mesh, if there is one");
+                           "common_radicand() computes the radicand of a mesh, if it has one");
 }
 
 /*

@@ -32,7 +32,7 @@ void for_each_index(std::size_t n, const Function& function)
     return;
   }
 #else
-  static_assert(!is_parallel, "CGAL::Parallel_tag needs TBB: link CGAL::TBB_support");
+  static_assert(!is_parallel, "CGAL::Parallel_tag requires TBB: link CGAL::TBB_support");
 #endif
   for(std::size_t i = 0; i < n; ++i)
     function(i);

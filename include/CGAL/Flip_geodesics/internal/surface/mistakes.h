@@ -56,7 +56,7 @@ template <class Given, class Metric, class Default>
 struct Traits_given
 {
   static_assert(is_kernel<Given> || is_triangulation_traits<Given>,
-                "geom_traits() takes a kernel or a model of IntrinsicTriangulationTraits");
+                "geom_traits() requires a kernel or a model of IntrinsicTriangulationTraits");
   static_assert(!is_kernel<Given> || !has_other_points<Given, Metric>,
                 "the kernel given as geom_traits() is not that of the mesh's points");
   using type = std::conditional_t<is_triangulation_traits<Given>, Given, Default>;
@@ -111,7 +111,7 @@ template <class Map>
 constexpr bool is_property_map()
 {
   static_assert(!is_container_with_keys<Map>,
-                "a std::map is not a property map: boost::make_assoc_property_map() makes one of it");
+                "a std::map is not a property map: wrap it by boost::make_assoc_property_map()");
   return true;
 }
 
@@ -232,7 +232,7 @@ constexpr bool makes_functor(const Make&)
   CGAL_FLIP_GEODESICS_HAS_TYPE(Traits, "IntrinsicTriangulationTraits", type);                                          \
   CGAL_FLIP_GEODESICS_HAS(const Traits, "IntrinsicTriangulationTraits", member());                                     \
   static_assert(makes_functor<Traits, __VA_ARGS__>([](auto& x) -> decltype(x.member()) { return x.member(); }),        \
-                "the functor of " #member "() has other parameters than those of IntrinsicTriangulationTraits, or "    \
+                "the functor of " #member "() has parameters other than those of IntrinsicTriangulationTraits, or "    \
                 "returns something else")
 
 /* Fails to compile if the functors of traits are not those of IntrinsicTriangulationTraits. */
@@ -276,7 +276,7 @@ template <class T>
 constexpr bool are_triangulation_traits()
 {
   static_assert(is_triangulation_traits<T>,
-                "the traits are not a model of IntrinsicTriangulationTraits: of a kernel K, give "
+                "the traits are not a model of IntrinsicTriangulationTraits: for a kernel K, use "
                 "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
   if constexpr(has_types_of_traits<T>) {
     return makes_functors<T>();

@@ -574,7 +574,7 @@ private:
     const auto [length, third] = corners(h);
     if(y != 0 && !(third.imag() > 0))
       throw Degenerate_face_error("a direction is given in the face of halfedge " + std::to_string(h.idx()) +
-                                      ", which has no area",
+                                      ", which is degenerate",
                                   {static_cast<std::size_t>(h.idx())});
     const double up = y == 0 ? 0 : y / third.imag();
     return normalized({(x - up * third.real()) / length, up});

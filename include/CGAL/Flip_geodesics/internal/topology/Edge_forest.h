@@ -42,7 +42,7 @@ Indexed_by<Vertex_index, std::vector<char>> check_surface(const Input_mesh& inpu
     check_has_face(input, h);
     const Vertex_index v = input.tail(h);
     if(is_on_border[v] != 0)
-      throw Invalid_mesh_error("umbrellas of the surface meet in vertex " + std::to_string(v.idx()) + " only",
+      throw Invalid_mesh_error("umbrellas of the surface meet only at vertex " + std::to_string(v.idx()),
                                {static_cast<std::size_t>(v.idx())});
     is_on_border[v] = 1;
   }
@@ -139,7 +139,7 @@ public:
         if(m_component[v] < 0 && input.outgoing(v) != null_index && (are_all_roots || is_preferred(v)))
           grow(v, search, policy);
     if(policy.number_of_steps() != static_cast<std::size_t>(input.number_of_halfedges()))
-      throw Invalid_mesh_error("umbrellas of the surface meet in a vertex only");
+      throw Invalid_mesh_error("umbrellas of the surface meet only at a vertex");
   }
 
   /* Grows the trees without joined edges. */
@@ -289,9 +289,10 @@ private:
     check_vertex(v, input.number_of_vertices());
     const std::string name = "vertex " + std::to_string(v.idx());
     if(input.outgoing(v) == null_index)
-      throw Invalid_parameter_error(name + " is isolated, and no base point", {static_cast<std::size_t>(v.idx())});
+      throw Invalid_parameter_error(name + " is isolated and cannot be a base point",
+                                    {static_cast<std::size_t>(v.idx())});
     if(m_component[v] >= 0)
-      throw Invalid_parameter_error(name + " is in a component that has a base point already",
+      throw Invalid_parameter_error(name + " is in a component that already has a base point",
                                     {static_cast<std::size_t>(v.idx())});
   }
 

@@ -290,9 +290,10 @@ public:
     std::uint64_t seed = 0;
     while(!project(seed))
       if(++seed == most_projections)
-        throw Degenerate_face_error("degenerate faces are in the way of loops through vertex " +
-                                        std::to_string(input().tail(generator(0)).idx()),
-                                    {static_cast<std::size_t>(input().tail(generator(0)).idx())});
+        throw Degenerate_face_error(
+            "degenerate faces prevent the computation of linking numbers of loops through vertex " +
+                std::to_string(input().tail(generator(0)).idx()),
+            {static_cast<std::size_t>(input().tail(generator(0)).idx())});
     check_matrix();
   }
 
@@ -412,7 +413,7 @@ private:
   [[noreturn]] void throw_crossing(Input_halfedge_index h) const
   {
     const Vertex_index v = input().tail(h), w = head(h);
-    throw Invalid_mesh_error("the surface touches or crosses itself at the edge between vertices " +
+    throw Invalid_mesh_error("the surface touches or intersects itself at the edge between vertices " +
                                  std::to_string(v.idx()) + " and " + std::to_string(w.idx()),
                              {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
   }
@@ -483,10 +484,10 @@ private:
     }
     once = times(vector);
     if(2 * trace != m_size || times(once) != once)
-      throw Invalid_mesh_error("the surface crosses itself, and has no inside: loops of the component of vertex " +
-                                   std::to_string(input().tail(generator(0)).idx()) +
-                                   " have linking numbers that no solid has",
-                               {static_cast<std::size_t>(input().tail(generator(0)).idx())});
+      throw Invalid_mesh_error(
+          "the surface intersects itself and does not bound a solid: loops of the component of vertex " +
+              std::to_string(input().tail(generator(0)).idx()) + " have inconsistent linking numbers",
+          {static_cast<std::size_t>(input().tail(generator(0)).idx())});
   }
 
   std::vector<std::uint64_t> times(const std::vector<std::uint64_t>& vector) const

@@ -322,7 +322,7 @@ private:
       if(input().is_border(h)) {
         const Vertex_index v = input().tail(h), w = input().tail(twin_index(h));
         throw Invalid_mesh_error("the surface has a border between vertices " + std::to_string(v.idx()) + " and " +
-                                     std::to_string(w.idx()) + ", and bounds no solid",
+                                     std::to_string(w.idx()) + ", and does not bound a solid",
                                  {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
       }
     return input();

@@ -889,8 +889,9 @@ private:
     const Place place = place_of(p);
     const std::size_t node = m_insertion.add_point(place.face, place.weights, given_weights(p, place));
     if(m_point > 0 && !m_insertion.add_segment(m_last_node, node, {{m_last_face, place.face}}))
-      throw Invalid_curve_error(name() + " and the one before it are in no common face; add the points where the curve "
-                                         "crosses edges, for instance by complete_polyline()",
+      throw Invalid_curve_error(name() +
+                                    " and the previous one do not lie in a common face; add the points where the curve "
+                                    "crosses edges, for instance by complete_polyline()",
                                 elements());
     m_last_node = node;
     m_last_face = place.face;
@@ -929,7 +930,7 @@ private:
   Place place_at(Face f, const std::array<double, 3>& weights, double snap) const
   {
     if(!is_face(f, m_mesh))
-      throw Invalid_location_error(name() + " is in no face of the mesh", elements());
+      throw Invalid_location_error(name() + " is not in any face of the mesh", elements());
     const auto refuse = [this](const std::string& before, const std::string& after) {
       throw Invalid_location_error(before + name() + after, elements());
     };

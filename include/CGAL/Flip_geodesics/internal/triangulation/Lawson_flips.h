@@ -45,7 +45,7 @@ template <class Triangulation>
 class Lawson_flips
 {
   static_assert(has_edge_sequences<Triangulation> || !Triangulation::Traits::Has_drift::value,
-                "inaccurate faces are recomputed from the input, with which the triangulation does not correspond");
+                "inaccurate faces are recomputed from the input, to which the triangulation has no correspondence");
 
 public:
   /* Works on the edges admitted later or, if `allows_all`, on all edges; edges are queued when they are examined. */

@@ -243,9 +243,10 @@ private:
   Located_point checked_miss(const Located_point& nearest, double miss, const Surface_location& point) const
   {
     if(!(miss < largest_point_miss))
-      throw Insertion_error("a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
-                                " lies in no face of the triangulation, whose flips were wrong by rounding",
-                            {static_cast<std::size_t>(point.halfedge.idx())});
+      throw Insertion_error(
+          "a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
+              " lies in no face of the triangulation, whose flips were wrong because of rounding errors",
+          {static_cast<std::size_t>(point.halfedge.idx())});
     return nearest;
   }
 
@@ -390,7 +391,8 @@ private:
   {
     while(m_triangulation.number_of_edges() > number_left) {
       const Edge_index e(m_triangulation.number_of_edges() - 1);
-      CGAL_precondition_msg(m_triangulation.holds(e) == 0, "a curve lies on an edge that goes with its point");
+      CGAL_precondition_msg(m_triangulation.holds(e) == 0,
+                            "a curve lies on an edge that is removed together with an inserted point");
       m_history.forget(e, m_triangulation.version(e));
       m_halfedges.remove_last_edge();
     }
@@ -628,7 +630,7 @@ private:
     } else {
       const auto geometry = fresh_face(m_triangulation, sides[0], Traits::Has_drift::value ? largest_angle_drift : 0);
       if(!geometry)
-        fail("the flips of the triangulation were wrong by rounding");
+        fail("the flips of the triangulation were wrong because of rounding errors");
       return *geometry;
     }
   }
@@ -637,7 +639,7 @@ private:
   {
     for(Halfedge_index h : sides)
       if(m_triangulation.crossings(Triangulation::edge(h)) > 0)
-        fail("an exact number type can express points only where no edge crosses an input edge yet");
+        fail("with an exact number type, points must be inserted before edges around them are flipped");
     const Input_halfedge_index face = face_of_gap(m_triangulation.edge_sequence(sides[0]), 0);
     std::array<std::array<double, 3>, 3> weights;
     for(int i = 0; i < 3; ++i)

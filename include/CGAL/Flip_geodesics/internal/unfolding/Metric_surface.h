@@ -94,7 +94,7 @@ auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
     return Embedded_metric<TriangleMesh, Points>(parameters::get_parameter(np, internal_np::vertex_point));
   } else {
     static_assert(graph_has_property<TriangleMesh, boost::vertex_point_t>::value,
-                  "the mesh has no points of its own: give vertex_point_map() or metric()");
+                  "the mesh has no vertex point property: pass vertex_point_map() or metric()");
     using Points = typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type;
     return Embedded_metric<TriangleMesh, Points>(get_const_property_map(CGAL::vertex_point, mesh));
   }

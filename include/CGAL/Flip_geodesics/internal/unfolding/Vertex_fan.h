@@ -212,8 +212,8 @@ public:
   {
     const auto place = found(h);
     if(place == m_halfedges.end())
-      throw Invalid_mesh_error("umbrellas of the surface meet in vertex " + std::to_string(vertex.idx()) +
-                                   " only, so that directions there have no angles between them",
+      throw Invalid_mesh_error("umbrellas of the surface meet only at vertex " + std::to_string(vertex.idx()) +
+                                   ", where the angle between two directions is undefined",
                                {static_cast<std::size_t>(vertex.idx())});
     return place->angle;
   }
@@ -262,7 +262,7 @@ template <class Input_mesh>
 void check_reference(const Input_mesh& input, Input_halfedge_index h)
 {
   if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
-    throw Invalid_parameter_error("a direction is measured from a halfedge that the mesh does not have");
+    throw Invalid_parameter_error("a direction is measured from a halfedge that does not belong to the mesh");
 }
 
 [[noreturn]] inline void throw_no_side(Input_halfedge_index h)
