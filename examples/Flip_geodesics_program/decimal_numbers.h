@@ -100,10 +100,10 @@ const char* parse_number(std::string_view word, T& value)
     return std::is_integral<T>::value ? "is not a whole number" : "is not a number";
   if constexpr(std::is_floating_point<T>::value) {
     if(error == std::errc::result_out_of_range && !rounds_to_zero(digits, value))
-      return "exceeds the range of doubles";
+      return "is out of range";
     return std::isfinite(value) ? nullptr : "is not a finite number";
   }
-  return error == std::errc::result_out_of_range ? "exceeds the range of doubles" : nullptr;
+  return error == std::errc::result_out_of_range ? "is out of range" : nullptr;
 }
 
 /// The pieces of a text between its commas.

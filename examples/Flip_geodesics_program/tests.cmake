@@ -105,7 +105,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(help_with_threads 0 "--threads NUMBER" path --help)
     flip_geodesics_add_program_test(threads 0 "30 LOCALLY_SHORTEST" path torus.off --random 30 --seed 7 --threads 2)
     flip_geodesics_add_program_test(no_threads 2 "--threads: '0' is out of range" path torus.off --random 2 --threads 0)
-    flip_geodesics_add_program_test(threads_too_many 2 "--threads: '99999999999' exceeds the range" path torus.off
+    flip_geodesics_add_program_test(threads_too_many 2 "--threads: '99999999999' is out of range" path torus.off
                                     --random 1 --threads 99999999999)
     flip_geodesics_add_program_test(threads_and_page 2 "--threads and --page cannot be combined" path torus.off --random 2
                                     --threads 2 --page threads.html)
@@ -171,7 +171,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(ends_of_two_kinds 0 "1 LOCALLY_SHORTEST" path torus.off --from 0 --to 0,12,13,0.3,0.3)
   flip_geodesics_add_program_test(pairs_of_points 0 "0 +0 +150 .*4 LOCALLY_SHORTEST" path torus.off --pairs pairs.csv)
   flip_geodesics_add_program_test(edges_with_commas 0 "2 LOCALLY_SHORTEST" path torus.off --edges path.csv)
-  flip_geodesics_add_program_test(no_pair 2 "no_pair.csv line 1: a pair is two points, not 1" path torus.off --pairs
+  flip_geodesics_add_program_test(no_pair 2 "no_pair.csv line 1: a pair consists of two points, not 1" path torus.off --pairs
                                   no_pair.csv)
   flip_geodesics_add_program_test(no_edge_but_space 2 "--to: '0,100,0.5' names .*write x.0,y.0,z for a point in space"
                                   path torus.off --from 0 --to 0,100,0.5)
@@ -243,7 +243,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" path repaired.off --from 0 --to 2)
   set_tests_properties(program_repair_again PROPERTIES DEPENDS program_only_repaired)
   flip_geodesics_add_program_test(repair_merged 0 "0  *4 " path pyramid.off --repair --from 0 --to 5)
-  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair, into 0 10; 0 is taken" path
+  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair, into 0 10; 0 is used" path
                                   pyramid.off --repair --from 0 --to 2)
   flip_geodesics_add_program_test(repair_dropped 2 "vertex 7 has no faces after the repair" path pyramid.off --repair
                                   --from 0 --to 7)
@@ -535,9 +535,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0,99999999999999999999 --isolines 1)
   flip_geodesics_add_program_test(vertex_too_large 2 "--from: a point has a vertex that is not a whole number below 1e15" path
                                   torus.off --from 99999999999999999999 --to 3)
-  flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' exceeds the range" path torus.off
+  flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is out of range" path torus.off
                                   --random 1 --seed 99999999999999999999)
-  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' exceeds the range" distance torus.off
+  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' is out of range" distance torus.off
                                   --source 0 --spacing 1e999)
   flip_geodesics_add_program_test(edges_too_short 2 "--longest-edge: '1e-300' is out of range. use at least 1e-70"
                                   refine torus.off --from 0 --to 9 --refine 20 --longest-edge 1e-300 --subdivision

@@ -208,7 +208,8 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a.stl", "solid\nfacet\nvertex 0 0 0\nendfacet\n"), "a.stl line 4: face 0 has 1 vertices");
   check_has(message("a.stl", "solid\n"), "a.stl line 1: the file ends without endsolid");
   check_has(message("a.stl", "facet\n"), "too few for a binary STL file");
-  check_has(message("a.ts", "VRTX 1 0 0 0\nTRGL 1 1 2\n"), "a.ts line 2: face 0 has a vertex that does not come");
+  check_has(message("a.ts", "VRTX 1 0 0 0\nTRGL 1 1 2\n"),
+            "a.ts line 2: face 0 refers to a vertex that is not defined");
   // A file of another kind.
   check_has(message("a.ts", "hello\nworld\n"), "a.ts: no line starts with GOCAD, VRTX or TRGL, so this is not a TS");
   check_has(message("a.ts", "END\n"), "this is not a TS file");
@@ -241,7 +242,7 @@ BOOST_AUTO_TEST_CASE(digits_beyond_a_float)
   BOOST_CHECK_EQUAL(rounded.points.front().x(), static_cast<double>(0.123456789012f));
   BOOST_REQUIRE_EQUAL(rounded.remarks.size(), 1);
   check_has(rounded.remarks.front(), "a.ply line 8: '0.123456789012' has more digits than the type float");
-  check_has(rounded.remarks.front(), "one of 2 such coordinates; declare the type double");
+  check_has(rounded.remarks.front(), "in total 2 coordinates were rounded; declare the type double");
   // As programs write floats, with all digits or fewer, or with fixed decimals.
   for(const char* written :
       {"0.1 0.123456791 -1.5", "1234.567871 0.000001 1e-30", "+1.17549435e-38 0.333333 8388607.5"})
@@ -266,7 +267,7 @@ BOOST_AUTO_TEST_CASE(curve_files)
                     "read: 3");
   check_has(pairs("0 1\n0 99999999999999999999\n"), "a.txt line 2: a point has a vertex that is not a whole");
   BOOST_CHECK_EQUAL(pairs("0,5\n1, 3\n0.5,0,0 0\n0.5,0,0,0,0.5,1\n"), "read: 4");
-  check_has(pairs("0,1,2\n"), "a pair is two points, not 1");
+  check_has(pairs("0,1,2\n"), "a pair consists of two points, not 1");
   check_has(pairs("0 6\n"), "a.txt line 1: vertex 6 does not exist; use 0 to 5");
   check_has(pairs("0 \x1b[31m\n"), "'?[31m' is not a point");
   BOOST_CHECK_LT(pairs("0 " + std::string(100000, '9') + "\n").size(), 300);

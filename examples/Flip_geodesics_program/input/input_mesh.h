@@ -109,7 +109,7 @@ private:
     std::string line = name + ": vertex " + std::to_string(point) + " was split by the repair, into";
     for(const std::size_t part : parts)
       line += ' ' + std::to_string(part);
-    m_splits.emplace(point, line + "; " + std::to_string(parts.front()) + " is taken");
+    m_splits.emplace(point, line + "; " + std::to_string(parts.front()) + " is used");
   }
 
   Mesh m_mesh;

@@ -179,7 +179,7 @@ inline std::vector<Curve_request> read_pairs(const Input_mesh& mesh, const Input
     }
     const std::string name = words.place();
     if(ends.size() != 2)
-      words.fail("a pair is two points, not " + std::to_string(ends.size()) + "; write `source target`");
+      words.fail("a pair consists of two points, not " + std::to_string(ends.size()) + "; write `source target`");
     pairs.push_back(path_between(read_point, ends[0], ends[1], name, name, name));
   });
   check_not_empty(pairs, input);

@@ -131,7 +131,7 @@ private:
   {
     const std::string_view keyword = next_keyword(), format = m_lines.next_word();
     if(keyword != "format" || m_lines.next_word() != "1.0")
-      m_lines.fail("the format is not given, or not of version 1.0; correct the header");
+      m_lines.fail("the format is missing, or its version is not 1.0; correct the header");
     if(format == "binary_little_endian")
       m_header.format = Ply_header::Format::LITTLE_ENDIAN_BYTES;
     else if(format == "binary_big_endian")
@@ -163,7 +163,7 @@ private:
     if(word == "list") {
       type_of_count = type(m_lines.next_word());
       if(!Ply_header::is_integer(*type_of_count))
-        m_lines.fail("the size of a list has a type that is not one of whole numbers; correct the header");
+        m_lines.fail("the size of a list does not have an integer type; correct the header");
       word = m_lines.next_word();
     }
     const Ply_header::Type type_of_number = type(word);
@@ -218,8 +218,10 @@ public:
   {
     if(m_rounded == 0)
       return {};
-    return m_first_rounded + " has more digits than the type float of the header keeps, and was rounded, one of " +
-           counted(m_rounded, "such coordinate", "such coordinates") + "; declare the type double to keep all digits";
+    return m_first_rounded +
+           " has more digits than the type float of the header can store, and was rounded; in total " +
+           counted(m_rounded, "coordinate was", "coordinates were") +
+           " rounded; declare the type double to keep all digits";
   }
 
   void skip(std::size_t words, const Element& element)
@@ -339,7 +341,7 @@ private:
     const std::size_t place = (std::min)(kind.find("vertex_indices"), kind.find("vertex_index"));
     if(place == kind.properties.size() || !kind.properties[place].type_of_count ||
        !Ply_header::is_integer(kind.properties[place].type))
-      m_source.fail("the faces do not have a list of whole numbers vertex_indices; correct the header");
+      m_source.fail("the faces do not have a list of integers vertex_indices; correct the header");
     for(std::size_t i = 0; i < kind.count; ++i) {
       const Element element = {"face", m_soup.faces.size()};
       m_soup.faces.emplace_back();

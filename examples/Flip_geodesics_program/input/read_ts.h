@@ -85,7 +85,7 @@ private:
   {
     const auto found = m_vertices.find(read_number(element));
     if(found == m_vertices.end())
-      m_words.fail(element, "has a vertex that does not come before it; correct it");
+      m_words.fail(element, "refers to a vertex that is not defined before it; correct it");
     return found->second;
   }
 

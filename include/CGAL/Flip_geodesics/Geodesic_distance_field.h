@@ -260,7 +260,7 @@ public:
     for(std::size_t i = 0; i + 1 < at.size(); ++i) {
       faces.push_back(internal::common_face(m_triangulation.input(), at[i], at[i + 1]));
       if(faces.back() == null_index)
-        throw Invalid_curve_error("no face has the points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+        throw Invalid_curve_error("no face contains points " + std::to_string(i) + " and " + std::to_string(i + 1) +
                                       " of a curve that is a source",
                                   {i, i + 1});
     }

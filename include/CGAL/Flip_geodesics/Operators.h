@@ -284,7 +284,7 @@ private:
       if(is_laid_out[h] == 0) {
         const Vertex_index v = triangulation.tail(h);
         throw Invalid_mesh_error("several umbrellas of faces meet at vertex " + std::to_string(v.idx()) +
-                                     ", which has no tangent space; duplicate it for each of them",
+                                     ", which has no tangent space; duplicate the vertex for each umbrella",
                                  {static_cast<std::size_t>(v.idx())});
       }
   }

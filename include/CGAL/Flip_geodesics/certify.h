@@ -214,7 +214,7 @@ struct Network_certificate
  *
  * The input edges that a segment crosses must unfold to a strip that contains the straight line between the ends of the
  * segment, and each unblocked side of a joint must have an angle of at least \f$\pi\f$. The comparisons are those of
- * exact real numbers, filtered by error bounds. A curve that has contracted is proven. If a coordinate or length of the
+ * exact real numbers, filtered by error bounds. A contracted curve is `PROVEN`. If a coordinate or length of the
  * mesh is not a double, no curve is certified, and the verdict is `Verdict::UNDECIDED`.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`

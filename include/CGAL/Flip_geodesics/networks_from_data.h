@@ -168,7 +168,7 @@ private:
  * \param junctions whether junctions are fixed
  * \return the number of curves added
  *
- * Complexity: linear in the mesh.
+ * Complexity: linear in the size of the mesh.
  */
 template <class Network, class TriangleMesh, class FaceRegionMap>
 Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegionMap regions,
@@ -217,7 +217,7 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
  *        coordinates of the face of a halfedge at its target, and can be compared by `!=`
  * \return the number of curves added
  *
- * Complexity: linear in the mesh.
+ * Complexity: linear in the size of the mesh.
  */
 template <class Network, class TriangleMesh, class HalfedgeTextureMap>
 Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap texture)

@@ -90,8 +90,8 @@ public:
    * \cgalNamedParamsEnd
    *
    * \throws Degenerate_face_error if the mesh has a degenerate edge
-   * \throws Invalid_coordinate_error for any face for which `Intrinsic_triangulation` throws it on access
-   * \throws Invalid_mesh_error for any face for which `Intrinsic_triangulation` throws it on access
+   * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
+   * \throws Invalid_mesh_error if a face is not a triangle
    *
    * Complexity: \cgalBigO{n \log n} for each landmark, and more on meshes of needles.
    */
@@ -116,8 +116,8 @@ public:
    * \param np the named parameter `visitor`, as for the constructor with a number of landmarks
    * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
    * \throws Degenerate_face_error if the mesh has a degenerate edge
-   * \throws Invalid_coordinate_error for any face for which `Intrinsic_triangulation` throws it on access
-   * \throws Invalid_mesh_error for any face for which `Intrinsic_triangulation` throws it on access
+   * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
+   * \throws Invalid_mesh_error if a face is not a triangle
    *
    * Complexity: \cgalBigO{n \log n} for each landmark, and more on meshes of needles.
    */

@@ -89,9 +89,7 @@ struct Paths_by_class_report
   std::size_t visited = 0;                                 ///< the number of vertices of the universal covering that
                                                            ///< were visited
 
-  /// Returns a proven lower bound of the length of paths of all classes, found or not, that have no path among `paths`.
-  /// The bound is infinite if each class has a path there, and may be less than the length of the last path if that
-  /// path is not confirmed.
+  /// Returns a proven lower bound of the lengths of all paths whose classes are not represented in `paths`. The bound is infinite if every class is represented, and may be less than the length of the last path if that path is not confirmed.
   double lower_bound_of_others() const
   {
     double least = lower_bound;

@@ -267,8 +267,8 @@ private:
   {
     const Vertex_index v = m_triangulation.input().tail(m_place.halfedge),
                        w = m_triangulation.input().tail(location.halfedge);
-    throw Disconnected_endpoints_error("no path connects a point in a face of vertex " + std::to_string(v.idx()) +
-                                           " and one in a face of vertex " + std::to_string(w.idx()),
+    throw Disconnected_endpoints_error("no path connects a point in a face at vertex " + std::to_string(v.idx()) +
+                                           " and one in a face at vertex " + std::to_string(w.idx()),
                                        {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
   }
 

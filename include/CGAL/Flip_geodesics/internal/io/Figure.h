@@ -418,7 +418,8 @@ private:
 template <class Number>
 void write_bytes(std::ostream& out, Number x)
 {
-  static_assert(std::is_integral<Number>::value || std::numeric_limits<Number>::is_iec559, "files have IEEE numbers");
+  static_assert(std::is_integral<Number>::value || std::numeric_limits<Number>::is_iec559,
+                "the file formats require IEEE numbers");
   using Wide = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
   using Bits = std::conditional_t<sizeof(Number) == 1, std::uint8_t, Wide>;
   static_assert(sizeof(Bits) == sizeof(Number), "numbers have 8, 32 or 64 bits");

@@ -311,7 +311,7 @@ private:
     for(auto member = first; member != last; ++member)
       if(m_result.outgoing[member->second] == null_index)
         return member->second;
-    throw Degenerate_face_error("two umbrellas of the surface would share one vertex after contraction at vertex " +
+    throw Degenerate_face_error("more umbrellas of the surface than coincident vertices meet at vertex " +
                                     std::to_string(v.idx()),
                                 {static_cast<std::size_t>(v.idx())});
   }

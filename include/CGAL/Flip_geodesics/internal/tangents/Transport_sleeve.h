@@ -292,7 +292,7 @@ private:
         return;
       const Input_halfedge_index face = face_between(last, place, location.halfedge);
       if(face == null_index)
-        throw Invalid_curve_error("no face has the points " + std::to_string(position - 1) + " and " +
+        throw Invalid_curve_error("no face contains points " + std::to_string(position - 1) + " and " +
                                       std::to_string(position) + " of a curve",
                                   {position - 1, position});
       m_legs.push_back({face, {}});

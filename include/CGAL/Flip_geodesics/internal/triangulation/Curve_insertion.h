@@ -296,7 +296,7 @@ private:
   {
     const Halfedge h = halfedge(f, m_mesh);
     if(next(next(next(h, m_mesh), m_mesh), m_mesh) != h || next(h, m_mesh) == h)
-      throw Invalid_mesh_error("a face that a curve enters, or has a side that a curve crosses, is not a triangle");
+      throw Invalid_mesh_error("a face that a curve enters or touches is not a triangle");
     return h;
   }
 
