@@ -45,6 +45,8 @@ def check_markup(name, text):
             problems.append(f'{name}: an asterisk is left over in "{excerpt(plain, found)}"')
     for found in re.finditer(r'`|\\[a-z]{3,}\b|\bcgal[A-Z]\w+', plain):
         problems.append(f'{name}: markup left over in "{excerpt(plain, found)}"')
+    for found in re.finditer(r'(?m)^\s*< \w', plain):
+        problems.append(f'{name}: a comment behind a member was misread in "{excerpt(plain, found)}"')
     if not name.startswith(('Flip_geodesics', 'hierarchy')):  # developers read of internal names, and bases are listed
         for found in re.finditer(r'\binternal::|\benable_if', plain):
             problems.append(f'{name}: an internal name in "{excerpt(plain, found)}"')

@@ -64,8 +64,7 @@ struct Geodesic_tree_report
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
   std::size_t reopened = 0;  ///< the number of times a vertex was reached again by a shorter path
-  /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite
-  /// if no path passes a vertex, and with traits without drift, whose predicates make this measurement unnecessary.
+  /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite if no path passes a vertex, and also for traits without drift, for which the measurement is unnecessary.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 

@@ -68,7 +68,8 @@ enum class Degeneracy_remedy {
 class Degenerate_face_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  /// Constructs the error from a message and the elements.
+  using Error::Error;
 
   /// Constructs the error from a problem and its remedy, which are both part of `what()`.
   /// \param problem the first part of the message

@@ -614,8 +614,8 @@ public:
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
 
-  using Base::
-      is_rounded; ///< returns whether the other metric rounds numbers of the mesh; in that case nothing is certified
+  /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
+  using Base::is_rounded;
 
 private:
   friend struct internal::Internals<Mollified_metric>;
@@ -748,8 +748,8 @@ public:
   /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  using Base::
-      is_rounded; ///< returns whether the other metric rounds numbers of the mesh; in that case nothing is certified
+  /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
+  using Base::is_rounded;
 
   /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
   /// `length()` throws.
