@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a.off", off + "3 0 1 18446744073709551615\n"), "face 0 has '18446744073709551615', which exceeds");
   check_has(message("a.off", off + "-3 0 1 2\n"), "face 0 has a negative number");
   check_has(message("a.off", off + "3 0 1 2 red\n"), "face 0 is followed by 'red'");
-  check_has(message("a.off", off + "3 0 1 2\n3 0 2 1\n"), "line 7: there is more after the last face");
+  check_has(message("a.off", off + "3 0 1 2\n3 0 2 1\n"), "line 7: there is text after the last face");
   check_has(message("a.off", "OFF\n1 0 0\n0 0\n"), "line 3: vertex 0 is cut off");
   check_has(message("a.off", "OFF\n1 0 0\n0 0 1e999\n"), "line 3: vertex 0 has '1e999', which exceeds the range");
   check_has(message("a.off", "OFF\n1 0 0\n0 0 inf\n"), "line 3: vertex 0 has 'inf', which is not a finite number");
@@ -224,10 +224,10 @@ BOOST_AUTO_TEST_CASE(colors_of_three_components)
   const std::string vertices = "0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n0 0 1 9 9 9\n";
   const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
   BOOST_CHECK(triangles(read_soup({"a.off", "COFF\n4 4 0\n" + vertices + faces})) == triangles(tetrahedron(1)));
-  check_has(message("a.off", "COFF\n4 4 0\n" + vertices + faces + "3 0 2 1\n"), "line 11: there is more after");
+  check_has(message("a.off", "COFF\n4 4 0\n" + vertices + faces + "3 0 2 1\n"), "line 11: there is text after");
   check_has(message("a.off", "COFF\n4 4 0\n" + vertices + "3 0 0 0\n3 0 2\n" + faces), "line 8: face 1 is cut off");
   // Vertices without a color, which words would look for in the next ones.
-  check_has(message("a.off", "COFF\n2 1 0\n0 0 0\n0 1 0\n1 1 0\n1 0 1 0 1 1 0\n"), "there is more after the last face");
+  check_has(message("a.off", "COFF\n2 1 0\n0 0 0\n0 1 0\n1 1 0\n1 0 1 0 1 1 0\n"), "there is text after the last face");
 }
 
 // A text is read as a binary file with the same header is: as floats. If these cannot hold what is written, a line says

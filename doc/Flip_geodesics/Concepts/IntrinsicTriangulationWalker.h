@@ -40,7 +40,7 @@ public:
   /// Adds to `turn` the corner on the right at the tail, and returns `clockwise()`. At the border, `turn` is unchanged.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
-  /// Returns a constant number that is unique to the edge and can index arrays of data of edges. It is the number of
+  /// Returns a constant number that is unique to the edge and can index arrays of edge data. It is the number of
   /// the edge, or a number that is small for edges that were used early, which keeps such arrays short.
   std::size_t edge_place() const;
   /// Returns whether the edge is held.

@@ -89,7 +89,7 @@ inline std::vector<Vertex_index> read_vertices(const Input_mesh& mesh, Text_scan
   std::vector<Vertex_index> vertices;
   for(const std::string_view item : items_of_line(words))
     vertices.push_back(mesh.vertex(
-        read_number<long long>(words, item, "write 0-based numbers of vertices between blanks or commas"), name));
+        read_number<long long>(words, item, "write 0-based numbers of vertices separated by blanks or commas"), name));
   return vertices;
 }
 

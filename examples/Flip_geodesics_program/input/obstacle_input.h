@@ -17,7 +17,7 @@ namespace program {
 // The number of a face of the file.
 inline std::size_t read_face(const Input_mesh& mesh, const Text_scanner& words, std::string_view item)
 {
-  const auto f = read_number<long long>(words, item, "write 0-based numbers of faces between blanks or commas");
+  const auto f = read_number<long long>(words, item, "write 0-based numbers of faces separated by blanks or commas");
   const std::size_t number_of_faces = mesh.number_of_faces_in_file();
   if(f < 0 || f >= static_cast<long long>(number_of_faces))
     words.fail("face " + std::to_string(f) + " does not exist; use 0 to " + std::to_string(number_of_faces - 1));

@@ -229,7 +229,7 @@ private:
     while(soup.faces.size() < m_faces)
       read_face(soup);
     if(!m_words.next_word_of_text().empty())
-      m_words.fail("there is more after the last face; remove it, or correct the counts");
+      m_words.fail("there is text after the last face; remove it, or correct the counts");
     return soup;
   }
 

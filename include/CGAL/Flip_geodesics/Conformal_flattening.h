@@ -105,8 +105,8 @@ public:
    * texture coordinates of a mesh.
    * \param subdivision a `Surface_subdivision` made by `common_subdivision()` of the triangulation, in the state in
    *        which it was flattened
-   * \param out a writable property map whose keys are the halfedges of faces of the mesh of the subdivision, and whose
-   *        values can be constructed from two `double`s: the position of the target of the halfedge in its face
+   * \param out a writable property map whose keys are the halfedges of the subdivided mesh and whose values can be
+   * constructed from two `double`s. Each halfedge that has a face receives the position of its target in this face
    */
   template <class Subdivision, class HalfedgeMap>
   void carry_to(const Subdivision& subdivision, HalfedgeMap out) const

@@ -41,8 +41,8 @@ struct Geodesic_result
   Shortening_report report; ///< the report, which has exactly one curve
 
   double length() const { return report.length(); }            ///< returns the length of the curve
-  Shortening_status status() const { return report.status(); } ///< returns whether the curve is a geodesic
-  Verdict verdict() const { return report.verdict(); }         ///< returns whether this is certified
+  Shortening_status status() const { return report.status(); } ///< returns how the shortening ended
+  Verdict verdict() const { return report.verdict(); }         ///< returns what is certified
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -54,8 +54,8 @@ struct Geodesics_result
   Shortening_report report; ///< the report, with one entry per curve
 
   double length() const { return report.length(); }            ///< returns the total length of the curves
-  Shortening_status status() const { return report.status(); } ///< returns whether all curves are geodesics
-  Verdict verdict() const { return report.verdict(); }         ///< returns whether this is certified
+  Shortening_status status() const { return report.status(); } ///< returns how the shortening ended, for all curves
+  Verdict verdict() const { return report.verdict(); }         ///< returns what is certified
 
   std::size_t number_of_curves() const { return report.curves.size(); }                ///< returns the number of curves
   double length(std::size_t i) const { return report.curves.at(i).length; }            ///< returns curve `i`'s length

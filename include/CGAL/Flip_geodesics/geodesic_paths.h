@@ -54,8 +54,8 @@ struct Geodesic_path_result
   std::exception_ptr error; ///< the exception that was thrown, or null; `std::rethrow_exception()` throws it again
 
   double length() const { return report.length(); }            ///< returns the length of the path
-  Shortening_status status() const { return report.status(); } ///< returns whether the path is a geodesic
-  Verdict verdict() const { return report.verdict(); }         ///< returns whether this is certified
+  Shortening_status status() const { return report.status(); } ///< returns how the shortening ended
+  Verdict verdict() const { return report.verdict(); }         ///< returns what is certified
 };
 
 namespace internal {

@@ -249,7 +249,7 @@ struct Shortest_path_report
   /// A lower bound of the length of all paths, including rounding errors.
   double lower_bound = 0;
   std::size_t windows = 0;              ///< the number of windows of the search
-  Verdict verdict = Verdict::UNDECIDED; ///< whether no path is shorter
+  Verdict verdict = Verdict::UNDECIDED; ///< the verdict on the claim that no path is shorter
   /// Whether other paths are as short, up to 2^-42 of the length, which is about 2e-13. For a confirmed path, all of
   /// these are found.
   bool has_tie = false;
@@ -279,8 +279,8 @@ struct Shortest_path_result
   Shortest_path_report report; ///< the report on the path
 
   double length() const { return report.length; }              ///< returns the length of the path
-  Shortening_status status() const { return report.status(); } ///< returns whether the path is a geodesic
-  Verdict verdict() const { return report.verdict; }           ///< returns whether no path is shorter
+  Shortening_status status() const { return report.status(); } ///< returns how the shortening ended
+  Verdict verdict() const { return report.verdict; } ///< returns the verdict on the claim that no path is shorter
 };
 
 } // namespace Flip_geodesics

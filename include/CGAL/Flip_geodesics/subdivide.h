@@ -578,7 +578,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * A function that is linear in the faces of either triangulation is linear in the faces of the subdivision. Data can
  * therefore be transferred from one to the other without loss.
  *
- * \param triangulation a model of `IntrinsicTriangulationOfMesh`, of `mesh`
+ * \param triangulation a model of `IntrinsicTriangulationOfMesh`, constructed from `mesh`
  * \param mesh the input mesh
  * \return a `Surface_subdivision<Triangulation, OutputMesh>`, where `OutputMesh` is the type of `mesh` unless it is
  *         specified as the first template argument

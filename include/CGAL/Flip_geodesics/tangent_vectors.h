@@ -311,7 +311,7 @@ struct Logarithmic_map_result
   Distance_field_report report; ///< the report on the distances
 
   Distance_field_status status() const { return report.status; } ///< returns how the computation of the distances ended
-  Verdict verdict() const { return report.verdict; }             ///< returns whether the distances are confirmed
+  Verdict verdict() const { return report.verdict; }             ///< returns the verdict on the distances
 };
 
 namespace internal {
