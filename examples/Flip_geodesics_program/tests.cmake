@@ -766,11 +766,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(disconnected_points 1 "curve 0 .two_points.txt line 1.: no path" path two_parts.off
                                   --points two_points.txt)
   flip_geodesics_add_program_test(no_file 2 "missing.off" path missing.off --random 2)
-  flip_geodesics_add_program_test(unknown_format 2 "pairs.txt: the format is not known.*--format" path pairs.txt
+  flip_geodesics_add_program_test(unknown_format 2 "pairs.txt: the extension does not determine the format.*--format" path pairs.txt
                                   --random 2)
   flip_geodesics_add_program_test(format_of_no_name 2 "--format xyz: not known; use one of obj off" path torus.off
                                   --format xyz --random 2)
-  flip_geodesics_add_program_test(two_values 2 "'0' is not expected" path torus.off 0 100)
+  flip_geodesics_add_program_test(two_values 2 "'0' is unexpected" path torus.off 0 100)
   flip_geodesics_add_program_test(empty_file 2 "empty.off" path empty.off --random 2)
   flip_geodesics_add_program_test(quad 2 "quad.off: face 0 has 4" path quad.off --random 2)
   flip_geodesics_add_program_test(misoriented 2 "turned.off.*0 and 2.*orient" path turned.off --random 2)

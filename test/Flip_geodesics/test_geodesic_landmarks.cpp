@@ -455,7 +455,7 @@ BOOST_AUTO_TEST_CASE(edges_in_no_face)
   const auto c = mesh.add_vertex(Surface::Point(7, 0, 0)), d = mesh.add_vertex(Surface::Point(8, 0, 0));
   mesh.add_edge(c, d);
   BOOST_CHECK_EXCEPTION(FG::geodesic_landmarks(mesh), FG::Invalid_mesh_error, [](const FG::Invalid_mesh_error& error) {
-    return std::string(error.what()) == "the edge between vertices 3 and 4 is in no face";
+    return std::string(error.what()) == "the edge between vertices 3 and 4 does not belong to a face";
   });
 }
 

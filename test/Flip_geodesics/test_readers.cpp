@@ -169,12 +169,13 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a.off", off + "3 0 1\n"), "a.off line 6: face 0 is cut off");
   check_has(message("a.off", off + "3 0 1 3\n"), "a.off line 6: face 0 has a vertex that is not one of the 3");
   check_has(message("a.off", off + "3 0 1 -1\n"), "a.off line 6: face 0 has a vertex that is not one of the 3");
-  check_has(message("a.off", off + "3 0 1 18446744073709551615\n"), "face 0 has '18446744073709551615', which exceeds");
+  check_has(message("a.off", off + "3 0 1 18446744073709551615\n"),
+            "face 0 has '18446744073709551615', which is out of range");
   check_has(message("a.off", off + "-3 0 1 2\n"), "face 0 has a negative number");
   check_has(message("a.off", off + "3 0 1 2 red\n"), "face 0 is followed by 'red'");
   check_has(message("a.off", off + "3 0 1 2\n3 0 2 1\n"), "line 7: there is text after the last face");
   check_has(message("a.off", "OFF\n1 0 0\n0 0\n"), "line 3: vertex 0 is cut off");
-  check_has(message("a.off", "OFF\n1 0 0\n0 0 1e999\n"), "line 3: vertex 0 has '1e999', which exceeds the range");
+  check_has(message("a.off", "OFF\n1 0 0\n0 0 1e999\n"), "line 3: vertex 0 has '1e999', which is out of range");
   check_has(message("a.off", "OFF\n1 0 0\n0 0 inf\n"), "line 3: vertex 0 has 'inf', which is not a finite number");
   check_has(message("a.off", "4OFF\n1 0 0\n0 0 1 0\n"), "line 3: vertex 0 lies at infinity");
   check_has(message("a.off", "OFF\n-1 0 0\n"), "a.off line 2: the header announces");
@@ -195,9 +196,10 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
   BOOST_CHECK_EQUAL(message("a.ply", ply + "end_header\n0 0 0\n"), "read: 1 points, 0 faces");
   check_has(message("a.ply", "ply\nformat ascii 1.0\nproperty float x\n"), "a.ply line 3: there is a property before");
-  check_has(message("a.ply", ply + "end_header\n0 0 0 0\n"), "a.ply line 8: there is more");
+  check_has(message("a.ply", ply + "end_header\n0 0 0 0\n"), "a.ply line 8: there are data");
   check_has(message("a.ply", ply + "end_header\n0 0\n"), "a.ply line 8: vertex 0 is cut off");
-  check_has(message("a.ply", ply + "end_header\n0 0 1e39\n"), "a.ply line 8: vertex 0 has '1e39', which exceeds");
+  check_has(message("a.ply", ply + "end_header\n0 0 1e39\n"),
+            "a.ply line 8: vertex 0 has '1e39', which is out of range");
   check_has(message("a.ply", ply + "property list float int a\n"), "a.ply line 7: the size of a list");
   check_has(message("a.ply", ply), "a.ply line 6: the file ends before end_header");
   check_has(message("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\n"
@@ -215,7 +217,7 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a.ts", "END\n"), "this is not a TS file");
   check_has(message("a.ts", "GOCAD TSurf 1\n"), "a.ts line 1: the file ends without END");
   check_has(message("a.obj", "OFF\n3 1 0\n"), "a.obj: no line is a vertex, `v`, or a face, `f`, so this is not an OBJ");
-  check_has(message("a\nb.xyz", ""), "a?b.xyz: the format is not known");
+  check_has(message("a\nb.xyz", ""), "a?b.xyz: the extension does not determine the format");
 }
 
 // Read by words, with colors of four components, these files have other vertices and no error.

@@ -77,7 +77,7 @@ private:
   {
     const Mesh::Halfedge_index h = m_mesh.halfedge(mesh_vertex(v));
     if(h == Mesh::null_halfedge())
-      throw Bad_input(name + ": vertex " + std::to_string(v.idx()) + " is in no face; choose another one");
+      throw Bad_input(name + ": vertex " + std::to_string(v.idx()) + " does not belong to a face; choose another one");
     return {index_of(m_mesh.opposite(h)), {{1, 0, 0}}};
   }
 

@@ -213,7 +213,7 @@ public:
   struct Answer
   {
     double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source
-    std::size_t source = 0;                                    ///< the position of the map of that source
+    std::size_t source = 0;                                    ///< the index of the distance map of that source
   };
 
   /// Constructs the field that interpolates between the distances of vertices.
@@ -310,7 +310,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
  * Complexity: the field is evaluated once per vertex, about fifty times for each piece of boundary as long as the
- * tolerance, and in the other faces a few times \f$s / t\f$.
+ * tolerance, and a few times \f$s / t\f$ in the faces that no boundary crosses.
  *
  * \sa `isolines()`
  */

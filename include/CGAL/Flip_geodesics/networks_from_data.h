@@ -155,8 +155,8 @@ private:
  * With fixed junctions, each curve leads from one vertex to another at which one or more than two such edges meet, or
  * is closed if it has no such vertex, as with `add_marked_edges()`. With free junctions, each edge carries two
  * segments, one for each adjacent region, with the region on the left; the segments form closed curves and paths from
- * border to border. The junctions can then move, and a gap that belongs to no region opens between the curves of three
- * regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy class among the
+ * border to border. The junctions can then move, and a gap that does not belong to a region opens between the curves of
+ * three regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy class among the
  * others.
  *
  * If the function or `regions` throws, the network is left empty.

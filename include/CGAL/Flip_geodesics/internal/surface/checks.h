@@ -295,7 +295,7 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
     return;
   const Vertex_index v = input.tail(h), w = input.tail(t);
   throw Invalid_mesh_error("the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx()) +
-                               " is in no face",
+                               " does not belong to a face",
                            {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
 }
 

@@ -245,7 +245,7 @@ private:
     if(!(miss < largest_point_miss))
       throw Insertion_error(
           "a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
-              " lies in no face of the triangulation, whose flips were wrong because of rounding errors",
+              " is not in any face of the triangulation, whose flips were wrong because of rounding errors",
           {static_cast<std::size_t>(point.halfedge.idx())});
     return nearest;
   }
