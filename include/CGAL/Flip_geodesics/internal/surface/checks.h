@@ -301,8 +301,8 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
 
 [[noreturn]] inline void throw_disconnected(Vertex_index source, Vertex_index target)
 {
-  throw Disconnected_endpoints_error("no path of edges connects vertex " + std::to_string(source.idx()) + " and vertex " +
-                                         std::to_string(target.idx()),
+  throw Disconnected_endpoints_error("no path of edges connects vertex " + std::to_string(source.idx()) +
+                                         " and vertex " + std::to_string(target.idx()),
                                      {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
 }
 
