@@ -126,6 +126,9 @@ public:
   /* Returns whether degenerate edges were contracted. */
   bool is_contracted() const { return m_origin != nullptr; }
 
+  /* Returns the other side of the edge. */
+  static Input_halfedge_index twin(Input_halfedge_index h) { return twin_index(h); }
+
   /* Returns whether umbrellas that met at a point have separate vertices. */
   bool has_split_point() const { return is_contracted() && m_origin->contraction.has_split_point; }
 
