@@ -70,7 +70,7 @@ std::vector<double> unfolded(const Places& places)
     along.tail = word.tail;
     along.head = places.input().tail(FI::twin_index(along.along));
     const FI::Wedge_edge_sequences wedge = {word, along, 0};
-    result.push_back(FI::wedge_angle(places, wedge).value);
+    result.push_back(FI::wedge_rotation(places, wedge).angle.value);
     result.push_back(FI::umbrella_of(places, along.along).total());
     sleeve.edges().assign(word.crossed.begin(), word.crossed.end());
     sleeve.unfold(word.tail, word.head);

@@ -416,12 +416,13 @@ public:
   /* Returns the element's own record for writing. */
   Record& write(Key key)
   {
-    if(!m_slots.has_slot(key.idx())) {
+    const Index slot = m_slots[key.idx()];
+    if(slot == 0) {
       m_slots.add(key.idx());
       m_records.push_back(Record());
       return m_records.back();
     }
-    return m_records[static_cast<std::size_t>(m_slots[key.idx()])];
+    return m_records[static_cast<std::size_t>(slot)];
   }
 
 private:

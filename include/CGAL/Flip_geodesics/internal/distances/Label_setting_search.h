@@ -75,9 +75,12 @@ public:
   /* Labels a vertex, which becomes reached and not settled. */
   void reach(Vertex_index v, double distance, Halfedge incoming)
   {
-    if(!m_slots.has_slot(block(v)))
-      m_blocks[static_cast<std::size_t>(m_slots.add(block(v)))] = Block();
-    m_blocks[index(v)].labels[position(v)] = {distance, incoming.idx(), m_stamp};
+    Index slot = m_slots[block(v)];
+    if(slot == 0) {
+      slot = m_slots.add(block(v));
+      m_blocks[static_cast<std::size_t>(slot)] = Block();
+    }
+    m_blocks[static_cast<std::size_t>(slot)].labels[position(v)] = {distance, incoming.idx(), m_stamp};
   }
 
   /* \pre `v` is reached */

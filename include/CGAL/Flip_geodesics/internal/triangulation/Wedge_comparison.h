@@ -75,7 +75,7 @@ public:
   /* Compares for edge sequences that need not be edges of the triangulation; not around a point inside a face. */
   Comparison_result operator()(const Wedge_edge_sequences& sequences) const
   {
-    const Comparison_result quick = counted(wedge_angle(m_triangulation, sequences).compare_with_straight());
+    const Comparison_result quick = counted(wedge_rotation(m_triangulation, sequences).angle.compare_with_straight());
     if(quick != EQUAL)
       return quick;
     Sign sine;

@@ -153,9 +153,6 @@ public:
   const Sides& sides() const { return m_sides; }
   const Corners& corners() const { return m_corners; }
 
-  /* Returns the number of faces that have been entered. */
-  std::size_t entered() const { return m_entered; }
-
   /* Returns a side of the last face as a halfedge; below, the number of a halfedge among the sides. */
   Input_halfedge_index side(int i) const
   {
@@ -218,7 +215,7 @@ private:
   Corners m_corners;
   Side m_portal;
   Corner m_right, m_left;
-  std::size_t m_entered = 0;
+  std::size_t m_entered = 0; // the number of faces that have been entered
 };
 
 /*
@@ -574,12 +571,6 @@ Wedge_rotation wedge_rotation(const Triangulation& triangulation, const Wedge_ed
   const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
   return {{sum, error_of_wedge_angle(from.relative_error(), to.relative_error(), sequences.steps)},
           product(product(from.end(), std::conj(to.end())), half_turns * corners.rotation())};
-}
-
-template <class Triangulation>
-Wedge_angle wedge_angle(const Triangulation& triangulation, const Wedge_edge_sequences& sequences)
-{
-  return wedge_rotation(triangulation, sequences).angle;
 }
 
 /*
