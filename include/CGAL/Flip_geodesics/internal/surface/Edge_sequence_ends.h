@@ -163,15 +163,6 @@ Input_halfedge_index head_anchor(const Triangulation& triangulation, const Edge_
   return head_anchor(triangulation, head_end(sequence));
 }
 
-/* Returns the direction of an input edge after `outgoing_halfedge`, clockwise around vertex v. */
-template <class Triangulation>
-Input_halfedge_index next_outgoing_halfedge(const Triangulation& triangulation, Vertex_index v,
-                                            Input_halfedge_index outgoing_halfedge)
-{
-  const Input_halfedge_index t = twin_index(outgoing_halfedge);
-  return triangulation.is_inserted(v) ? t : triangulation.input().next(t);
-}
-
 /* Returns the number of a side of the face of h, counted from h. */
 template <class Input_mesh>
 int side_number(const Input_mesh& input, Input_halfedge_index h, Input_halfedge_index side)

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -61,13 +60,12 @@ public:
     , m_metric(metric)
     , m_is_zero(static_cast<std::size_t>(input.number_of_halfedges()))
   {
-    const auto length = [&](Input_halfedge_index h) { return metric.length(h); };
     const auto all = descriptors<Vertex_index>(input.number_of_vertices());
     m_result.vertex.assign(all.begin(), all.end());
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
       if(!is_first_side(h))
         continue;
-      m_is_zero[h] = m_is_zero[twin_index(h)] = length(h) == 0 ? 1 : 0;
+      m_is_zero[h] = m_is_zero[twin_index(h)] = metric.length(h) == 0 ? 1 : 0;
       if(m_is_zero[h] == 0)
         continue;
       m_is_needed = true;

@@ -18,8 +18,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -90,14 +88,6 @@ template <class Input_mesh>
                               {static_cast<std::size_t>(u), static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
 }
 
-/* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */
-template <class Input_mesh>
-void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, double a, double b, double c)
-{
-  if(!satisfy_triangle_inequality(a, b, c))
-    throw_triangle_inequality(mesh, h);
-}
-
 /* Returns the length of an edge for a metric that defines its weight. \throws the exceptions of IntrinsicMetric */
 template <class Metric, class Input_mesh>
 double length_by_weight(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
@@ -122,7 +112,8 @@ typename Traits::Face_geometry face_geometry_by_lengths(const Metric& metric, co
                                                         Input_halfedge_index h, const Traits& traits)
 {
   const auto [a, b, c] = face_lengths(metric, mesh, h);
-  check_triangle_inequality(mesh, h, a, b, c);
+  if(!satisfy_triangle_inequality(a, b, c))
+    throw_triangle_inequality(mesh, h);
   return traits.construct_face_from_lengths_object()(a, b, c);
 }
 

@@ -10,7 +10,6 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Sqrt_extension.h>
-#include <CGAL/Uncertain.h>
 // Must precede the numbers of Boost, which it declares to CGAL.
 #include <CGAL/boost_mp.h>
 #include <CGAL/enum.h>

@@ -19,7 +19,6 @@
 #include <mutex>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 // Reads the coordinates of points: as doubles, or exactly if the kernel's number type has rational values.
 

@@ -76,8 +76,11 @@ public:
    * `outgoing_halfedge`. */
   void turn(Vertex_index v, Input_halfedge_index outgoing_halfedge, Index number)
   {
-    for(Index i = 0; i < number; ++i, outgoing_halfedge = next_outgoing_halfedge(m_triangulation, v, outgoing_halfedge))
+    for(Index i = 0; i < number; ++i) {
       cross(outgoing_halfedge);
+      const Input_halfedge_index t = twin_index(outgoing_halfedge);
+      outgoing_halfedge = m_triangulation.is_inserted(v) ? t : m_triangulation.input().next(t);
+    }
   }
 
   /* Returns the edge sequence of the shortened path, which ends at a vertex in the input face of its anchor; leaves the

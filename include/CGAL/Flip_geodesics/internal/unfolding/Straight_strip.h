@@ -22,7 +22,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 

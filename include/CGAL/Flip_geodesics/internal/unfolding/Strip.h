@@ -48,6 +48,14 @@ Face_vectors turned_along(const Face_geometry& face, const Plane_vector& along)
   return {along, product(turn, {face[1].x, face[1].y}), product(turn, {face[2].x, face[2].y})};
 }
 
+/* A corner of an unfolded face. */
+template <class Vector>
+struct Unfolded_corner
+{
+  Vector position;
+  double error; // a bound
+};
+
 /*
  * Unfolds input faces in doubles. The error of a position is normwise, a few units in the last place per face, whatever
  * the shapes of the faces.
@@ -63,11 +71,7 @@ public:
   using Side = Plane_vector;
   using Sides = Face_vectors;
 
-  struct Corner
-  {
-    Plane_vector position;
-    double error; // a bound
-  };
+  using Corner = Unfolded_corner<Plane_vector>;
 
   explicit Layout_in_double(const Triangulation& triangulation)
     : m_triangulation(triangulation)
@@ -333,14 +337,8 @@ public:
   {
     double result = 0;
     for(const Portal& portal : m_portals)
-      result = (std::max)(result, bend(portal));
+      result = (std::max)({result, wrong_side_angle(portal.left), wrong_side_angle(std::conj(portal.right), true)});
     return result;
-  }
-
-  /* Returns that angle for one crossed edge. */
-  double bend(const Portal& portal) const
-  {
-    return (std::max)(wrong_side_angle(portal.left), wrong_side_angle(std::conj(portal.right), true));
   }
 
   /* Returns the position at which the straight line crosses portal i, from 0 at the right end to 1 at the left end. */
@@ -744,11 +742,7 @@ public:
     double length_error; // relative
   };
 
-  struct Corner
-  {
-    Double_double_vector position;
-    double error; // a bound
-  };
+  using Corner = Unfolded_corner<Double_double_vector>;
 
   using Sides = std::array<Side, 3>;
 
