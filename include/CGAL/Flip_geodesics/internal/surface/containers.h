@@ -115,7 +115,7 @@ public:
   void push_back(T&& record)
   {
     if(m_size == m_blocks.size() * block_size)
-      m_blocks.push_back(std::make_unique<T[]>(block_size));
+      m_blocks.push_back(std::unique_ptr<T[]>(new T[block_size])); // written before it is read
     (*this)[m_size] = std::move(record);
     ++m_size;
   }
