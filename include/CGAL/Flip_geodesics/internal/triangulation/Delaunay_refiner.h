@@ -195,6 +195,7 @@ private:
   // Adds the ends of the piece of side i in a gap of its edge sequence.
   void add_piece(int i, std::size_t gap, Part& part) const
   {
+    const auto& input = m_triangulation.input();
     const Edge_sequence& sequence = m_sides[i].sequence;
     const Input_halfedge_index own = face_of_gap(sequence, gap);
     const Input_halfedge_index face = part.vertices.empty() ? own : part.vertices.front().face;
@@ -204,16 +205,12 @@ private:
         weights = vertex_weights(m_triangulation, sequence.tail, face);
       else if(k > sequence.crossed.size())
         weights = vertex_weights(m_triangulation, sequence.head, face);
-      else // left through the crossed edge at the end of the piece, entered at its start
-        weights = k > gap ? on_side(face, sequence.crossed[k - 1], m_sides[i].on_input[k - 1])
-                          : on_side(face, twin_index(sequence.crossed[k - 1]), 1 - m_sides[i].on_input[k - 1]);
+      else if(k > gap) // left through the crossed edge at the end of the piece
+        weights = weights_on_side(input, face, sequence.crossed[k - 1], m_sides[i].on_input[k - 1]);
+      else // entered through that at its start
+        weights = weights_on_side(input, face, twin_index(sequence.crossed[k - 1]), 1 - m_sides[i].on_input[k - 1]);
       part.vertices.push_back({position(i, k), divided_by_sum(weights), face});
     }
-  }
-
-  Weights on_side(Input_halfedge_index face, Input_halfedge_index side, double t) const
-  {
-    return weights_on_side(m_triangulation.input(), face, side, t);
   }
 
   std::optional<Surface_location> moved(const Vertex& from, const Vertex& to, const Complex& z) const

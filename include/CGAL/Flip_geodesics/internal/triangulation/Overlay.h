@@ -742,14 +742,14 @@ private:
       if(triangulation().is_inserted(Vertex_index(v.idx())) || !is_told_by_crossing)
         return divided_by_sum(vertex_weights(triangulation(), Vertex_index(v.idx()), m_faces[h]));
       const Input_halfedge_index corner = along != null_index ? along : input.next(input.next(leaving_through(h)));
-      return on_side(m_faces[h], corner, 0);
+      return weights_on_side(input, m_faces[h], corner, 0);
     }
     const Input_halfedge_index crossed = m_overlay->crossed_halfedge(v);
     const double t = on_input(v);
     if(along != null_index)
-      return on_side(m_faces[h], along, along == crossed ? t : 1 - t);
+      return weights_on_side(input, m_faces[h], along, along == crossed ? t : 1 - t);
     const bool is_entering = is_first_side(m_overlay->intrinsic_halfedge(h)); // the face beyond the crossed edge
-    return on_side(m_faces[h], is_entering ? twin_index(crossed) : crossed, is_entering ? 1 - t : t);
+    return weights_on_side(input, m_faces[h], is_entering ? twin_index(crossed) : crossed, is_entering ? 1 - t : t);
   }
 
   // The side of the face through which an intrinsic edge that starts at a corner leaves it.
@@ -757,11 +757,6 @@ private:
   {
     const Input_halfedge_index crossed = m_overlay->crossed_halfedge(m_overlay->target(h));
     return is_first_side(m_overlay->intrinsic_halfedge(h)) ? crossed : twin_index(crossed);
-  }
-
-  Weights on_side(Input_halfedge_index f, Input_halfedge_index side, double t) const
-  {
-    return weights_on_side(triangulation().input(), f, side, t);
   }
 
   const Overlay* m_overlay;
