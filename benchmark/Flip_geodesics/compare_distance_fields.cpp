@@ -57,7 +57,7 @@ template <class ConcurrencyTag>
 double clock_seconds(const Triangulation& triangulation, const Mesh& mesh, FG::Vertex_index source)
 {
   const auto start = std::chrono::steady_clock::now();
-  Field field(triangulation, mesh, FG::Distance_field_extent::VERTICES_ONLY);
+  Field field(triangulation, mesh, CGAL::parameters::extent(FG::Distance_field_extent::VERTICES_ONLY));
   field.add_source(source);
   field.compute<ConcurrencyTag>();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -100,7 +100,7 @@ void compare(const Mesh& mesh, const std::string& name, FG::Vertex_index source,
   const Triangulation triangulation(mesh);
   FG::Distance_field_report report;
   const double field_s = seconds([&] {
-    Field field(triangulation, mesh, FG::Distance_field_extent::VERTICES_ONLY);
+    Field field(triangulation, mesh, CGAL::parameters::extent(FG::Distance_field_extent::VERTICES_ONLY));
     field.add_source(source);
     report = field.compute();
   });

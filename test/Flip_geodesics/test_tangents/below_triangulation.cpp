@@ -62,7 +62,7 @@ std::vector<double> carried(const Surface& surface, const Mesh& mesh)
   append(result, curve.location(0.4 * curve.length()));
   result.push_back(FG::Parallel_transport<Surface>(surface)(path, {path.front().halfedge, 0.2}).angle);
   FG::Surface_location mean = target;
-  FG::Geodesic_mean<Surface>(surface, mesh, {source, target}, {1, 2})(mean, FG::Mean_limits());
+  FG::Geodesic_mean<Surface>(surface, mesh, {source, target}, {1, 2})(mean);
   append(result, mean);
   return result;
 }

@@ -471,7 +471,8 @@ BOOST_AUTO_TEST_CASE(without_a_tolerance_the_search_ends_where_rounding_begins)
       points.push_back(random_location(t, 2, random));
     const FG::Geodesic_mean<Triangulation> mean(t, mesh, points, {1, 2, 3});
     FG::Surface_location place = mean.heaviest();
-    BOOST_TEST((mean(place, {0, 2000}).status != FG::Mean_status::ITERATION_LIMIT));
+    BOOST_TEST((mean(place, CGAL::parameters::search_limit(FG::Mean_limits{0, 2000})).status !=
+                FG::Mean_status::ITERATION_LIMIT));
   }
 }
 
@@ -518,8 +519,8 @@ BOOST_AUTO_TEST_CASE(what_has_no_mean_is_refused)
   const Triangulation t(mesh);
   const FG::Geodesic_mean<Triangulation> mean(t, mesh, {t.location(FG::Vertex_index(0))}, {1});
   FG::Surface_location start = mean.heaviest();
-  BOOST_CHECK_THROW(mean(start, {nan, 1}), FG::Invalid_parameter_error);
-  BOOST_CHECK_THROW(mean(start, {-1, 1}), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(mean(start, CGAL::parameters::search_limit(FG::Mean_limits{nan, 1})), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(mean(start, CGAL::parameters::search_limit(FG::Mean_limits{-1, 1})), FG::Invalid_parameter_error);
 }
 
 // Two triangles have a vertex in common and nothing else. Paths pass it and have midpoints, but directions in different
