@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(fitted_cones_touch_what_they_are_fitted_to)
     if(cone.sigma <= (std::min)(first.sigma, second.sigma))
       continue; // as flat as may be
     ++fitted;
-    const Cones_through_ends cones(length, start, end);
+    const Cones_through_ends cones = {length, start, end};
     touching += excess(cones(cone.sigma - 1e-3 * std::abs(cones.largest_sigma() - cone.sigma))) > 1e-14 ? 1 : 0;
   }
   BOOST_TEST(fitted > 3000u);
