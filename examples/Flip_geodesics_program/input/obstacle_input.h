@@ -5,6 +5,7 @@
 
 #include "input/curve_input.h"
 #include "input/obstacles.h"
+#include "readable.h"
 
 #include <array>
 #include <cstddef>
@@ -76,8 +77,8 @@ inline Weights read_face_weights(const Input_mesh& mesh, const Input_text& input
     if(number_of_weights == 0)
       number_of_items = items.size();
     if(items.size() != number_of_items || items.size() > 2)
-      words.fail("a line has " + std::to_string(items.size()) +
-                 " items; write one weight in all lines, or a face and its weight in all of them");
+      words.fail("a line has " + counted(items.size(), "item", "items") +
+                 "; write one weight in all lines, or a face and its weight in all of them");
     const std::size_t f = items.size() == 2 ? read_face(mesh, words, items.front()) : number_of_weights;
     const double weight = read_weight(words, items.back(), "face " + std::to_string(f));
     if(f < number_of_faces)
@@ -103,8 +104,8 @@ inline Weights read_edge_weights(const Input_mesh& input_mesh, const Input_text&
     are_none = false;
     const std::vector<std::string_view> items = items_of_line(words);
     if(items.size() != 3)
-      words.fail("a line has " + std::to_string(items.size()) +
-                 " items; write two vertices and the weight of their edge");
+      words.fail("a line has " + counted(items.size(), "item", "items") +
+                 "; write two vertices and the weight of their edge");
     std::array<Vertex_index, 2> ends;
     for(std::size_t i = 0; i < 2; ++i)
       ends[i] =

@@ -209,11 +209,14 @@ Result_meshes meshes_along(const Mesh& mesh, const std::vector<Curve_result>& cu
 
 void sample_curves(const Mesh& mesh, double distance, std::vector<Curve_result>& curves)
 {
-  constexpr double most_samples = 1e7;
+  constexpr double most_samples = 1e7, rounding = 1e-12;
   for(Curve_result& curve : curves) {
     if(curve.points.empty())
       continue;
-    const double pieces = std::ceil(curve.length / distance);
+    double length = 0; // in space, whatever the metric of the curve
+    for(std::size_t i = 1; i < curve.points.size(); ++i)
+      length += std::sqrt(CGAL::squared_distance(curve.points[i - 1].in_space, curve.points[i].in_space));
+    const double pieces = std::ceil((1 - rounding) * length / distance);
     if(!(pieces < most_samples))
       throw Bad_input("--sample: curve " + curve.name +
                       " would have more than 10 million points; use a larger distance");

@@ -31,11 +31,15 @@ void check_faces(const Slit_surface& surface, const Metric& metric, const std::s
   const Mesh& mesh = surface.mesh();
   const typename Metric::Mesh numbered(mesh);
   for(const Mesh::Face_index f : mesh.faces()) {
-    const Input_halfedge_index h = index_of(mesh.halfedge(f)), hn = numbered.next(h);
-    if(!CGAL::Flip_geodesics::internal::satisfy_triangle_inequality(
-           metric.weight(numbered, h), metric.weight(numbered, hn), metric.weight(numbered, numbered.next(hn))))
-      throw Bad_input(name + ": the weights at face " + std::to_string(surface.face_of_mesh(f).idx()) +
-                      " differ so much that its sides form no triangle; let them vary less, or give --mollify");
+    const Input_halfedge_index h = index_of(mesh.halfedge(f)), hn = numbered.next(h), hp = numbered.next(hn);
+    if(CGAL::Flip_geodesics::internal::satisfy_triangle_inequality(
+           metric.weight(numbered, h), metric.weight(numbered, hn), metric.weight(numbered, hp)))
+      continue;
+    const auto vertex = [&](Input_halfedge_index side) {
+      return std::to_string(surface.vertex_of_mesh(numbered.tail(side)).idx());
+    };
+    throw Bad_input(name + ": with these weights, the sides of the face of vertices " + vertex(h) + ", " + vertex(hn) +
+                    " and " + vertex(hp) + " form no triangle; let weights vary less, or give --mollify");
   }
 }
 
