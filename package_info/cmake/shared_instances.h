@@ -41,7 +41,7 @@ void use_network(Network& network, const Surface& mesh)
   FG::Shortest_edge_path<Triangulation> search(network.triangulation());
   const std::vector<FG::Vertex_index> ends(2);
   const std::vector<FG::Halfedge_index> path = FG::shortest_halfedges_through(search, ends);
-  const FG::Curve_index curve = network.add_curve(path, false);
+  const FG::Curve_index curve = network.add_curve(path);
   FG::add_straightened_path(network, path);
   FG::add_shortest_path(network, search, ends[0], ends[1]);
   FG::order_overlapping_curves(network);
