@@ -328,14 +328,17 @@ private:
   void add_weights()
   {
     add_text("--face-weights", "FILE", m_options.face_weights,
-             "factors of lengths: one per face, or `face weight` lines");
-    add_text("--edge-weights", "FILE", m_options.edge_weights, "factors of the lengths of edges, lines `v w weight`");
+             "read factors of lengths: one per face, or lines `face weight`");
+    add_text("--edge-weights", "FILE", m_options.edge_weights, "read factors of lengths of edges: lines `v w weight`");
     choose({"--face-weights", "--edge-weights"}, false);
+    if(m_command->get_option_no_throw("--kernel") != nullptr)
+      exclude("--kernel", {"--face-weights", "--edge-weights"}); // certified
   }
 
   void add_avoid()
   {
-    add_text("--avoid", "FILE", m_options.obstacles, "barrier of edges per line, as vertices, or `f n n ...` faces");
+    add_text("--avoid", "FILE", m_options.obstacles,
+             "read a barrier of edges per line, as vertices, or faces `f n n ...`");
   }
 
   void add_most_memory()

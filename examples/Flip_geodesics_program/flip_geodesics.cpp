@@ -42,6 +42,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -202,8 +203,11 @@ int run_engine(Run& run, const Metric& metric)
                                    most_memory(options),
                                    !options.results.map.empty()};
   const auto make_engine = [&] {
-    return options.kernel == "double" ? make_double_engine(mesh, metric, run_options, progress)
-                                      : make_certified_engine(mesh, metric, run_options, progress);
+    if constexpr(std::is_same<std::decay_t<decltype(metric)>, Weighted_program_metric>::value)
+      return make_weighted_engine(mesh, metric, run_options, progress);
+    else
+      return options.kernel == "double" ? make_double_engine(mesh, metric, run_options, progress)
+                                        : make_certified_engine(mesh, metric, run_options, progress);
   };
   const std::unique_ptr<Curve_engine> engine = make_engine();
   for(const Network_request& request : requests)

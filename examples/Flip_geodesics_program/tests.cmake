@@ -474,6 +474,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --from 0 --to 150 --edge-weights spoilt.csv --mollify 1e-5)
   flip_geodesics_add_program_test(mollified_distances 0 "0 curves" distance torus.off --source 0 --map mollified.csv
                                   --edge-weights spoilt.csv --mollify 1e-5)
+  flip_geodesics_add_program_test(weights_in_double 2 "--kernel and --face-weights cannot be combined" path torus.off
+                                  --from 0 --to 150 --face-weights weights.csv --kernel double)
   flip_geodesics_add_program_test(repaired_weights 0 "1 LOCALLY_SHORTEST" path pyramid.off --repair --from 0 --to 2
                                   --face-weights edge_weights_of_pyramid.csv)
   file(WRITE ${program_dir}/edge_weights_of_pyramid.csv "0,2\n")
@@ -495,9 +497,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   150 --edge-weights no_curve.txt)
   flip_geodesics_add_program_test(weights_absent 2 "missing.csv: cannot be opened" trace torus.off --trace 0,0,1
                                   --face-weights missing.csv)
-  flip_geodesics_add_program_test(weights_twice 2 "--face-weights and --edge-weights do not go together" path torus.off
+  flip_geodesics_add_program_test(weights_twice 2 "--face-weights and --edge-weights cannot be combined" path torus.off
                                   --from 0 --to 150 --edge-weights edge_weights.csv --face-weights weights.csv)
-  flip_geodesics_add_program_test(weights_of_ways 2 "--ways and --face-weights do not go together" shortest torus.off
+  flip_geodesics_add_program_test(weights_of_ways 2 "--ways and --face-weights cannot be combined" shortest torus.off
                                   --from 0 --to 150 --ways 2 --face-weights weights.csv)
   flip_geodesics_add_program_test(weights_of_loops 2 "--face-weights is not an option of loops, but of path" loops
                                   torus.off --face-weights weights.csv)

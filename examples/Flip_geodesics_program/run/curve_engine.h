@@ -123,14 +123,12 @@ protected:
 /// An engine that computes in doubles.
 std::unique_ptr<Curve_engine> make_double_engine(const Mesh& mesh, const Program_metric& metric,
                                                  const Run_options& options, Progress& progress);
-std::unique_ptr<Curve_engine> make_double_engine(const Mesh& mesh, const Weighted_program_metric& metric,
-                                                 const Run_options& options, Progress& progress);
 
-/// An engine with exact predicates.
+/// Engines with exact predicates.
 std::unique_ptr<Curve_engine> make_certified_engine(const Mesh& mesh, const Program_metric& metric,
                                                     const Run_options& options, Progress& progress);
-std::unique_ptr<Curve_engine> make_certified_engine(const Mesh& mesh, const Weighted_program_metric& metric,
-                                                    const Run_options& options, Progress& progress);
+std::unique_ptr<Curve_engine> make_weighted_engine(const Mesh& mesh, const Weighted_program_metric& metric,
+                                                   const Run_options& options, Progress& progress);
 
 } // namespace program
 
