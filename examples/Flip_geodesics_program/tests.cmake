@@ -443,7 +443,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(distance_inside_obstacle 2
                                   "point 1.0,2.0,0.3 lies inside an obstacle of --avoid; choose another one" distance
                                   torus.off --source 1.0,2.0,0.3 --map x.csv --avoid all_faces.txt)
-  flip_geodesics_add_program_test(trace_from_wall 2 "vertex 3 lies on a wall" trace torus.off --trace 3,0,1 --avoid
+  flip_geodesics_add_program_test(trace_from_wall 2 "vertex 3 lies on a barrier" trace torus.off --trace 3,0,1 --avoid
                                   wall.txt)
   flip_geodesics_add_program_test(trace_to_wall 0 "1 BORDER" trace torus.off --trace 13,3,9 --avoid wall.txt)
   flip_geodesics_add_program_test(log_avoid 2 "--avoid is not an option of log, but of shortest" log torus.off --source 0

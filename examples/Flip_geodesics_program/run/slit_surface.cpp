@@ -25,12 +25,12 @@ Slit_surface::Slit_surface(const Mesh& mesh, const Obstacles& obstacles)
   if(is_mesh())
     return;
   const auto is_free = [&](Mesh::Face_index f) { return obstacles.faces.count(f) == 0; };
-  const auto is_wall = [&](Mesh::Edge_index e) {
+  const auto is_barrier = [&](Mesh::Edge_index e) {
     const Mesh::Halfedge_index h = mesh.halfedge(e);
     return obstacles.walls.count(e) != 0 ||
            (!mesh.is_border(e) && is_free(mesh.face(h)) != is_free(mesh.face(mesh.opposite(h))));
   };
-  const FG::Slit_mesh<Mesh> slit(mesh, boost::make_function_property_map<Mesh::Edge_index>(is_wall));
+  const FG::Slit_mesh<Mesh> slit(mesh, boost::make_function_property_map<Mesh::Edge_index>(is_barrier));
   std::map<FG::Slit_mesh<Mesh>::Vertex, Mesh::Vertex_index> numbers;
   for(const auto& v : slit.all_vertices()) {
     numbers[v] = m_slit.add_vertex(mesh.point(v.vertex));
@@ -94,8 +94,8 @@ std::vector<FG::Surface_location> Slit_surface::places(const Surface_location& l
 std::string Slit_surface::obstruction(std::size_t number_of_places)
 {
   return number_of_places == 1   ? ""
-         : number_of_places == 0 ? "lies inside of an obstacle of --avoid; choose another one"
-                                 : "lies on a wall of --avoid, on both of its sides; choose one beside it";
+         : number_of_places == 0 ? "lies inside an obstacle of --avoid; choose another one"
+                                 : "lies on a barrier of --avoid, on both of its sides; choose one next to it";
 }
 
 Mesh::Halfedge_index Slit_surface::halfedge_of_mesh(Mesh::Halfedge_index h) const

@@ -16,7 +16,7 @@
 namespace program {
 
 /*!
- * What obstacles leave of a mesh: a mesh of its own, without their faces, and cut open along walls and where faces are
+ * What obstacles leave of a mesh: a mesh of its own, without their faces, and cut open along barriers and where faces are
  * missing. Without obstacles it is the mesh itself, which must outlive the object.
  */
 class Slit_surface
