@@ -649,7 +649,7 @@ def arguments():
     parser.add_argument("--check", action="store_true", help="only compares the explanations with the headers")
     parser.add_argument("--compiler", default="clang++")
     parser.add_argument("--flags", default="-std=c++17 -w -frounding-math -ferror-limit=0 -DBOOST_TEST_DYN_LINK "
-                        "-DFLIP_GEODESICS_TEST_ALL_CASES")
+                        "-DFLIP_GEODESICS_TEST_ALL_CASES -D_GLIBCXX_ASSERTIONS")
     parser.add_argument("--seconds", type=float, default=20, help="for the cases of a test that reach a mutant")
     parser.add_argument("--memory", type=int, default=4000, help="megabytes for a test program")
     return parser.parse_args()
