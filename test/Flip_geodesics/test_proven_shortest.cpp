@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -325,6 +326,29 @@ BOOST_AUTO_TEST_CASE(fitted_cones_touch_what_they_are_fitted_to)
   }
   BOOST_TEST(fitted > 3000u);
   BOOST_TEST(touching * 100 > fitted * 95);
+}
+
+// Over each part of an edge with two cones, the least sum with a cone from the other side is that of dense samples.
+BOOST_AUTO_TEST_CASE(least_sums_of_cones_are_those_of_samples)
+{
+  using namespace FG::internal;
+  std::mt19937 random(2);
+  const auto number = [&](double from, double to) { return from + (to - from) * (random() / 4294967296.0); };
+  for(int i = 0; i < 2000; ++i) {
+    const double length = number(0.1, 3), from = length * number(0, 1), to = from + (length - from) * number(0, 1);
+    const auto cone = [&] { return Cone{number(-2, 5), number(0.01, 5), number(0, 2)}; };
+    const Cone other = cone();
+    const Edge_cones cones = {cone(), cone(), length * number(0, 1)};
+    double least = std::numeric_limits<double>::infinity();
+    for(int j = 0; j <= 1000; ++j) {
+      const double q = from + (to - from) * j / 1000;
+      least = (std::min)(least, other(q) + (q <= cones.split ? cones.first : cones.second)(q));
+    }
+    // Slopes are at most 2, and parts begin between samples.
+    const double found = cones.least_sum(other, from, to);
+    BOOST_TEST(found <= least + 1e-12);
+    BOOST_TEST(found >= least - 2 * (to - from) / 1000 - 1e-12);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(verdicts)
