@@ -108,3 +108,29 @@ BOOST_AUTO_TEST_CASE(vectors_are_folded_over_edges)
     BOOST_CHECK_THROW(FG::parallel_transport(mesh, crossed, along / 0.0), FG::Invalid_parameter_error);
   }
 }
+
+// Two planes have a vertex in common and nothing else; a curve through it stays in the plane in which it arrives.
+BOOST_AUTO_TEST_CASE(vectors_pass_a_vertex_of_two_umbrellas)
+{
+  const Mesh mesh = to_mesh<Mesh>(
+      {{{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 1}, {0, -1, 1}, {0, -1, -1}, {0, 1, -1}},
+       {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}}});
+  const auto in_face = [&](std::size_t i, double weight_of_center) {
+    const auto f = *std::next(mesh.faces().begin(), static_cast<std::ptrdiff_t>(i));
+    Face_location result(f, {{0, 0, 0}});
+    auto corner = mesh.halfedge(f);
+    for(double& weight : result.second) {
+      weight = mesh.source(corner) == Mesh::Vertex_index(0) ? weight_of_center : 0.5 * (1 - weight_of_center);
+      corner = mesh.next(corner);
+    }
+    return result;
+  };
+  for(const std::size_t plane : {std::size_t(0), std::size_t(3)})
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j) {
+        const std::size_t f = plane + i, g = plane + j;
+        const std::vector<Face_location> way = {in_face(f, 0.4), in_face(f, 1), in_face(g, 0.7)};
+        const Vector v = plane == 0 ? Vector(0.3, -0.8, 0) : Vector(0, 0.3, -0.8);
+        BOOST_TEST(size(FG::parallel_transport(mesh, way, v) - v) < 1e-14);
+      }
+}
