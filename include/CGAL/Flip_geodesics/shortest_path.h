@@ -516,6 +516,68 @@ const Geodesic_landmarks* checked_landmarks(const Triangulation& triangulation, 
 }
 
 /*
+ * Replaces the path of a network by the shortest one that windows have found, or restores it if that cannot be inserted.
+ * \param edge_path from which the path of the network was shortened
+ */
+template <class Network, class Windows, class Visitor>
+void replace_path(Network& network, Windows& windows, Vertex_index source, Vertex_index target,
+                  const std::vector<Halfedge_index>& edge_path, Visitor& visitor, Shortest_path_report& report)
+{
+  auto& triangulation = network.triangulation();
+  const Shortening_report before = report.shortening;
+  network.clear();
+  triangulation.rollback(0);
+  std::size_t flips = 0;
+  std::vector<Halfedge_index> path = insert_path(triangulation, windows, source, target, flips);
+  const auto is_found = [&] {
+    double length = 0;
+    for(Halfedge_index h : path)
+      length += triangulation.length(h);
+    return !path.empty() && length <= windows.distance(target) * (1 + Shortest_path_report::tolerance());
+  };
+  if(!is_found()) {
+    triangulation.rollback(0);
+    path = insert_path_in_tree(triangulation, windows, source, target, flips);
+  }
+  if(is_found()) {
+    network.add_curve(path);
+    report.shortening = internal::shorten(network, Never_stop_predicate(), visitor);
+  } else {
+    triangulation.rollback(0);
+    report.shortening = shorten_from_start(network, edge_path, visitor);
+  }
+  count_before(report.shortening, before, flips);
+  report.length = network.length(Curve_index(0));
+}
+
+/* Sets the lower bound to that of the windows and cones, or of a more precise search if that is not within rounding. */
+template <class Triangulation>
+void set_lower_bound(Triangulation& triangulation, Unfolded_faces<Triangulation>& faces,
+                     Cone_sweep<Triangulation>& sweep, Window_search<Triangulation>& windows, Vertex_index source,
+                     Vertex_index target, Interruption& interruption, Shortest_path_report& report)
+{
+  report.lower_bound = (std::max)(report.lower_bound,
+                                  (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
+  if(lacks_rounding_tolerance(report) && !is_input_rounded(triangulation))
+    raise_lower_bound(triangulation, faces, sweep, source, 2 * windows.effort(), interruption, report);
+}
+
+/* Sets the verdict; a path that is not confirmed is replaced by a shorter one on meshes with degenerate faces. */
+template <class Network, class Visitor>
+void set_verdict(Network& network, Vertex_index source, Vertex_index target, Visitor& visitor,
+                 Shortest_path_report& report)
+{
+  auto& triangulation = network.triangulation();
+  report.verdict = verdict_of(report);
+  if(!report.is_confirmed() && !is_stopped_by_visitor(report) && has_flat_face(triangulation)) {
+    take_shorter_path(network, source, target, report, visitor);
+    report.verdict = verdict_of(report);
+  }
+  if(is_input_rounded(triangulation))
+    report.verdict = Verdict::UNDECIDED;
+}
+
+/*
  * Adds a shortest path to a network, or any path if no path up to a length of `longest` exists. Landmarks, if given,
  * narrow the search; they have been checked, and may lack vertices that points of the surface have become.
  */
@@ -545,7 +607,6 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     return report;
   }
 
-  constexpr double tolerance = Shortest_path_report::tolerance();
   Unfolded_faces<Triangulation> faces(triangulation);
   const Landmark_rows* const rows = landmarks == nullptr ? nullptr : &Internals<Geodesic_landmarks>::rows(*landmarks);
   Cone_sweep<Triangulation> sweep(triangulation, faces, target, {triangulation, source, rows});
@@ -558,48 +619,14 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     guard.dismiss();
     return report;
   }
-  if(windows.distance(target) < report.length * (1 - Shortest_path_report::rounding_tolerance())) {
-    const Shortening_report before = report.shortening;
-    network.clear();
-    triangulation.rollback(0);
-    std::size_t flips = 0;
-    std::vector<Halfedge_index> path = insert_path(triangulation, windows, source, target, flips);
-    const auto is_found = [&] {
-      double length = 0;
-      for(Halfedge_index h : path)
-        length += triangulation.length(h);
-      return !path.empty() && length <= windows.distance(target) * (1 + tolerance);
-    };
-    if(!is_found()) {
-      triangulation.rollback(0);
-      path = insert_path_in_tree(triangulation, windows, source, target, flips);
-    }
-    if(is_found()) {
-      network.add_curve(path);
-      report.shortening = internal::shorten(network, Never_stop_predicate(), visitor);
-    } else {
-      triangulation.rollback(0);
-      report.shortening = shorten_from_start(network, edge_path, visitor);
-    }
-    count_before(report.shortening, before, flips);
-    report.length = network.length(Curve_index(0));
-  }
-
+  if(windows.distance(target) < report.length * (1 - Shortest_path_report::rounding_tolerance()))
+    replace_path(network, windows, source, target, edge_path, visitor, report);
   if(is_sound && !triangulation.input().has_split_point()) {
-    report.lower_bound = (std::max)(report.lower_bound,
-                                    (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
-    if(lacks_rounding_tolerance(report) && !is_input_rounded(triangulation))
-      raise_lower_bound(triangulation, faces, sweep, source, 2 * windows.effort(), interruption, report);
+    set_lower_bound(triangulation, faces, sweep, windows, source, target, interruption, report);
     if(interruption.has_occurred())
       report.shortening.curves.front().status = Shortening_status::STOPPED_BY_VISITOR;
   }
-  report.verdict = verdict_of(report);
-  if(!report.is_confirmed() && !is_stopped_by_visitor(report) && has_flat_face(triangulation)) {
-    take_shorter_path(network, source, target, report, visitor);
-    report.verdict = verdict_of(report);
-  }
-  if(is_input_rounded(triangulation))
-    report.verdict = Verdict::UNDECIDED;
+  set_verdict(network, source, target, visitor, report);
   report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
   guard.dismiss();
   return report;
