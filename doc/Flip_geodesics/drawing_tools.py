@@ -18,14 +18,21 @@ MONO = '&quot;DejaVu Sans Mono&quot;, Menlo, Consolas, &quot;Liberation Mono&quo
 TEXT_SIZE, CODE_SCALE, SUBSCRIPT_SCALE = 14, 0.9, 0.72
 CODE_WIDTH = 0.602  # of each character of the monospaced font, in ems
 
-# The widths of the characters from the space to the tilde, in thousandths of an em, as in the metrics of Helvetica.
+# The widths of the characters from the space to the tilde, in thousandths of an em, in DejaVu Sans, plain and bold. Text
+# set in one of the other fonts above is narrower.
 CHARACTER_WIDTHS = [
-    278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556,
-    556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667,
-    556, 833, 722, 778, 667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556, 333, 556,
-    556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722,
-    500, 500, 500, 334, 260, 334, 584]
-OTHER_CHARACTER_WIDTH = 600
+    318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337, 636, 636, 636, 636, 636, 636,
+    636, 636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656,
+    557, 863, 748, 787, 603, 787, 695, 635, 611, 732, 684, 989, 685, 611, 685, 390, 337, 390, 838, 500, 500, 613,
+    635, 550, 635, 615, 352, 635, 634, 278, 278, 579, 278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818,
+    592, 592, 525, 636, 337, 636, 838]
+BOLD_CHARACTER_WIDTHS = [
+    348, 456, 521, 838, 696, 1002, 872, 306, 457, 457, 523, 838, 380, 415, 380, 365, 696, 696, 696, 696, 696, 696,
+    696, 696, 696, 696, 400, 400, 838, 838, 838, 580, 1000, 774, 762, 734, 830, 683, 683, 821, 837, 372, 372, 775,
+    637, 995, 837, 850, 733, 850, 770, 720, 682, 812, 774, 1103, 771, 724, 725, 457, 365, 457, 838, 500, 500, 675,
+    716, 593, 716, 678, 435, 716, 712, 343, 343, 665, 343, 1042, 712, 687, 716, 716, 493, 595, 478, 712, 652, 924,
+    645, 652, 582, 712, 365, 712, 838]
+OTHER_CHARACTER_WIDTH = 660  # of Greek letters
 MARKUP = re.compile(r'`([^`]+)`|\*([^*]+)\*|_\{([^}]+)\}|([^`*_]+|[*_])')
 
 
@@ -204,11 +211,13 @@ def parts_of(label):
                    (('code', code), ('italic', italic), ('subscript', subscript), ('plain', plain)) if text)
 
 
-def text_width(label, size):
+def text_width(label, size, is_bold=False):
+    widths = BOLD_CHARACTER_WIDTHS if is_bold else CHARACTER_WIDTHS
+
     def width(style, text):
         if style == 'code':
             return CODE_WIDTH * CODE_SCALE * len(text)
-        ems = sum(CHARACTER_WIDTHS[ord(c) - 32] if ' ' <= c <= '~' else OTHER_CHARACTER_WIDTH for c in text) / 1000
+        ems = sum(widths[ord(c) - 32] if ' ' <= c <= '~' else OTHER_CHARACTER_WIDTH for c in text) / 1000
         return ems * (SUBSCRIPT_SCALE if style == 'subscript' else 1)
 
     return size * sum(width(style, text) for style, text in parts_of(label))
@@ -291,7 +300,7 @@ class Canvas:
         """A label with its middle, or its start or end, at p, moved by a vector of pixels with y upwards.
         Returns where it ends on the right."""
         x, y = self(p)
-        x, y, width = x + away[0], y - away[1], text_width(label, size)
+        x, y, width = x + away[0], y - away[1], text_width(label, size, is_bold)
         left = x - {'start': 0, 'middle': 0.5, 'end': 1}[anchor] * width
         self._labels.append((left, y - 0.42 * size, left + width, y + 0.42 * size, label))
         style = ' font-weight="bold"' if is_bold else ''
@@ -313,9 +322,10 @@ class Canvas:
         corners = {'x': left, 'y': top, 'width': width, 'height': height, 'rx': 6.0}
         self._add('rect', fill, stroke, LINE, **{name: number(value) for name, value in corners.items()})
         for i, label in enumerate(lines):
-            assert text_width(label, size) <= width - 8, f'"{label}" is too long for its box'
+            is_bold = first_bold and i == 0
+            assert text_width(label, size, is_bold) <= width - 8, f'"{label}" is too long for its box'
             y = top + height / 2 + (i - (len(lines) - 1) / 2) * 1.3 * size
-            self.text((left + width / 2, y), label, size=size, is_bold=first_bold and i == 0)
+            self.text((left + width / 2, y), label, size=size, is_bold=is_bold)
         return ((left, top + height / 2), (left + width, top + height / 2), (left + width / 2, top),
                 (left + width / 2, top + height))
 

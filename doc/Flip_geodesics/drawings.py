@@ -515,7 +515,7 @@ def draw_saddle(canvas):
 @drawing
 def objects():
     canvas = Canvas(500, 'The objects of a computation and the functions that lead from one to the next')
-    left, width, height = 205, 235, 46
+    left, width, height = 197, 258, 46
     stages = (('triangle mesh', 'a model of `FaceListGraph`'),
               ('`Intrinsic_triangulation`', 'flips, points inserted by `insert()`'),
               ('`Edge_path_network`', 'curves as segments'), ('`Edge_path_network`', 'geodesics as segments'),
@@ -538,7 +538,7 @@ def objects():
 
 
 def draw_free_function(canvas, top, bottom):
-    x, right = 160, 196
+    x, right = 157, 188
     canvas.line([(right, top + 23), (x, top + 23), (x, bottom - 23), (right, bottom - 23)], SECOND, arrow=True)
     for i, label in enumerate(('`geodesic_path()`', '`geodesic_loop()`', '`geodesic_network()`', 'lead from a mesh',
                                'to curves in one call')):
@@ -577,18 +577,18 @@ def which_function():
     row, gap, top = 30, 8, 46
     rows = sum(len(wanted) for _, wanted in CHOICES)
     canvas = Canvas(top + row * rows + gap * len(CHOICES), 'Which function computes what')
-    for x, title in ((94, 'What is given'), (328, 'What is wanted'), (580, 'Function')):
+    for x, title in ((101, 'What is given'), (346, 'What is wanted'), (593, 'Function')):
         canvas.text((x, 20), title, size=15, is_bold=True)
     y = top
     for given, wanted in CHOICES:
         middle = y + row * len(wanted) / 2
-        canvas.box(8, middle - 14, 172, 28, [given], WARM_TINT)
+        canvas.box(8, middle - 14, 186, 28, [given], WARM_TINT)
         for goal, function in wanted:
             center = y + row / 2
-            canvas.line([(180, middle), (192, middle), (192, center), (211, center)], arrow=True)
-            canvas.box(212, center - 13, 232, 26, [goal])
-            canvas.line([(444, center), (467, center)], arrow=True)
-            canvas.box(468, center - 13, 224, 26, [function], TINT, RESULT)
+            canvas.line([(194, middle), (203, middle), (203, center), (219, center)], arrow=True)
+            canvas.box(220, center - 13, 252, 26, [goal])
+            canvas.line([(472, center), (493, center)], arrow=True)
+            canvas.box(494, center - 13, 198, 26, [function], TINT, RESULT)
             y += row
         y += gap
     return canvas
