@@ -69,7 +69,7 @@ def draw_wedge(canvas):
     for p, name in zip(fan[1:-1], ('*n*_{1}', '*n*_{2}', '*n*_{3}')):
         panel.dot(p)
         panel.text(p, name, away=(0, 15))
-    for p, name, away in ((a, '*a*', (-13, 4)), (polar(240, 0.78), 'joint *b*', (0, 0)), (c, '*c*', (13, 4))):
+    for p, name, away in ((a, '*a*', (-13, 4)), (b, '*b*', (11, -19)), (c, '*c*', (13, 4))):
         panel.text(p, name, away=away)
     panel.vertices((a, b, c), INK, 4.5)
     panel.text(polar(87, 0.92), '*α* < *π*')
@@ -154,6 +154,8 @@ def draw_flip_out_state(panel, b, fan, states, is_final):
     if len(states) == 1:
         for i in range(1, len(fan) - 1):
             panel.angle(fan[i], direction(fan[i], fan[i - 1]), direction(fan[i], fan[i + 1]), 11)
+        for i, away in enumerate(((-2, -23), (24, 5), (13, -21), (2, -23)), 1):
+            panel.text(fan[i], f'*β*_{{{i}}}', size=13, away=away)
     for p in [*fan, b]:
         panel.dot(p, FIXED if p in (fan[0], fan[-1]) else INK)
         panel.text(p, names[p], away=sides.get(p, (0, 15)))
@@ -309,11 +311,11 @@ def draw_crossing_edge(panel, points, corners, names):
     for edge in names:
         panel.line([points[v] for v in edge], INK)
     panel.line([k, l], RESULT, CURVE)
-    for ((a, b), name), is_label_left in zip(names.items(), (True, False, False)):
+    for ((a, b), name), (is_label_left, distance) in zip(names.items(), ((True, 18), (False, 24), (False, 24))):
         p = line_meeting(k, l, points[a], points[b])
         end = points[a] if (turn(k, l, points[a]) > 0) == is_label_left else points[b]
         panel.dot(p, RESULT, 4)
-        panel.text(plus(p, unit(minus(end, p)), 24 / panel.scale), name, has_halo=True)
+        panel.text(plus(p, unit(minus(end, p)), distance / panel.scale), name, has_halo=True)
 
 
 def draw_path_around(panel, points, corners, names):
@@ -324,7 +326,7 @@ def draw_path_around(panel, points, corners, names):
     panel.polygon([i, k, j, l], 'none', RESULT, LINE)
     panel.line([i, j], RESULT, LINE, DOTS)
     panel.line([k, plus(i, unit(minus(centroid([j, k, l]), i)), 30 / panel.scale), l], START, CURVE, DASHES)
-    for edge, name, part in zip(names, names.values(), (0.1, 0.3, 0.45, 0.3, 0.2, 0.8)):
+    for edge, name, part in zip(names, names.values(), (0.42, 0.3, 0.45, 0.5, 0.25, 0.8)):
         left, right = sorted(points[v] for v in edge)
         panel.text(between(left, right, part), name, has_halo=True)
 
@@ -404,9 +406,9 @@ def draw_funnel(panel):
     panel.line(right, RESULT, LINE)
     panel.dot(path[-1], RESULT, 5)
     panel.text(path[-1], 'apex', away=(-11, 25))
-    panel.text(between(*portals[last], 0.5), 'portal', anchor='start', away=(3, 13))
+    panel.text(between(*portals[last], 0.5), 'portal', anchor='start', away=(-15, 19))
     panel.text(between(left[-2], left[-1]), 'left chain', RESULT, anchor='end', away=(-22, 2))
-    panel.text(between(right[-2], right[-1]), 'right chain', RESULT, away=(2, -15))
+    panel.text(between(right[-2], right[-1]), 'right chain', RESULT, away=(6, -15))
 
 
 def draw_path_in_strip(panel):
@@ -506,8 +508,9 @@ def draw_saddle(canvas):
     panel.text(between(*far), 'window of *v*', SECOND, away=(0, 15))
     panel.dot(v, SECOND, 5.5)
     panel.text(v, '*v*', SECOND, away=(14, -12))
-    for image, name in zip(images, ('*s*_{L}', '*s*_{R}')):
+    for image, name, edges in zip(images, ('*s*_{L}', '*s*_{R}'), (fan[:2], fan[2:])):
         draw_source(panel, image, name, (0, -17))
+        panel.text(centroid([v, *edges]), f'from {name}', RESULT)
 
 
 # --- Diagrams ---
