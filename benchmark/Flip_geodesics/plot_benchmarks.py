@@ -6,7 +6,7 @@
 
 benchmark_stages.svg     times of the stages of a query against the segments of its shortest edge path
 benchmark_size.svg       medians of the same against the size of the mesh
-benchmark_flips.svg      flips against segments, with and without funnel initialisation
+benchmark_flips.svg      flips against segments, with and without funnel initialization
 benchmark_opponents.svg  the time of three methods of shortening over that of Dijkstra's algorithm
 """
 
@@ -116,7 +116,7 @@ def draw_line_labels(canvas, left, labels, distance=18):
 
 def draw_flips(tables, out):
     """A panel for each kind of generated meshes, with the fitted powers of the number of segments."""
-    starts = (("astar", "shortest edge path", START), ("lookback", "funnel initialisation", RESULT))
+    starts = (("astar", "shortest edge path", START), ("lookback", "funnel initialization", RESULT))
     rows = {table: read_table(tables / f"stages_{table}.csv") for table, _, _ in starts}
     canvas = Canvas(340, "Flips against the segments of the shortest edge path")
     draw_legend(canvas, 70, 14, [(name, color) for _, name, color in starts])

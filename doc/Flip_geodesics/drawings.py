@@ -702,7 +702,7 @@ SHARED_STAGES = (
      'one per thread'),
     ('search', '`Shortest_edge_path`', ('finds a short path of edges,', 'directed to the target'), 'memory is reused'))
 OWN_STAGES = (
-    ('funnel initialisation', '`add_straightened_path()`',
+    ('funnel initialization', '`add_straightened_path()`',
      ('makes the shortest path in the strip', 'of faces along the edges'), 'for each path'),
     ('flips', '`shorten()`', ('FlipOut, until no wedge that is free', 'has an angle below *π*'), 'for each path'),
     ('certificate', '`Shortener::report()`', ('exact signs from the coordinates', 'of the input'), 'for each path'),

@@ -97,7 +97,7 @@ constexpr bool observes_steps =
 
 /*
  * Adds a path from which a geodesic between its ends is computed to an empty network. The path is first straightened by
- * a funnel initialisation unless the steps that shorten it are observed. Returns the number of edges flipped.
+ * a funnel initialization unless the steps that shorten it are observed. Returns the number of edges flipped.
  */
 template <bool IsObserved, class Network>
 std::size_t add_start(Network& network, const std::vector<Halfedge_index>& path)
@@ -108,7 +108,7 @@ std::size_t add_start(Network& network, const std::vector<Halfedge_index>& path)
   return 0;
 }
 
-/* Adds the flips of the funnel initialisation to the report. */
+/* Adds the flips of the funnel initialization to the report. */
 inline void count_start(Shortening_report& report, std::size_t flips)
 {
   report.flips += flips;
