@@ -18,8 +18,8 @@ MONO = '&quot;DejaVu Sans Mono&quot;, Menlo, Consolas, &quot;Liberation Mono&quo
 TEXT_SIZE, CODE_SCALE, SUBSCRIPT_SCALE = 14, 0.9, 0.72
 CODE_WIDTH = 0.602  # of each character of the monospaced font, in ems
 
-# The widths of the characters from the space to the tilde, in thousandths of an em, in DejaVu Sans, plain and bold. Text
-# set in one of the other fonts above is narrower.
+# The widths of the characters from the space to the tilde, in thousandths of an em, in DejaVu Sans, plain and bold.
+# Text set in one of the other fonts above is narrower.
 CHARACTER_WIDTHS = [
     318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337, 636, 636, 636, 636, 636, 636,
     636, 636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656,
