@@ -252,6 +252,8 @@ BOOST_AUTO_TEST_CASE(within_a_distance)
   const Mesh_soup soup = jittered_grid(40, 40, Diagonal_rule::RANDOM, 0.2, 2);
   Double_tree_setting setting(soup);
   const Vertex_index source(grid_vertex(40, 20, 20));
+  for(const double wrong : {-1.0, std::nan("")})
+    BOOST_CHECK_THROW(setting.tree.grow(source, CGAL::parameters::max_distance(wrong)), FG::Invalid_parameter_error);
   const FG::Geodesic_tree_report report = setting.tree.grow(source, CGAL::parameters::max_distance(5));
   check_tree(setting, report);
   for(Vertex_index v : setting.vertices())

@@ -277,7 +277,7 @@ private:
                                    "; flip the triangulation to Delaunay or refine it",
                                {static_cast<std::size_t>(face.vertices[0].idx())});
     if(!(m_angle_error <= tolerance))
-      throw Flattening_error("the angle sums miss 2 pi by " + std::to_string(m_angle_error) +
+      throw Flattening_error("the angle sums miss 2 pi by " + internal::written(m_angle_error) +
                              " still; the triangulation has faces too thin for double");
   }
 

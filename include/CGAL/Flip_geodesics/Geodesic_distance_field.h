@@ -31,7 +31,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -319,11 +318,9 @@ public:
     const auto& options = internal::options_of<internal::Limit_parameter, internal_np::visitor_t>(np...);
     const auto limits = internal::search_limit_of<Distance_field_limits>(options);
     auto visitor = internal::make_visitor(options);
-    if(!(limits.radius >= 0)) {
-      std::ostringstream number;
-      number << limits.radius;
-      throw Invalid_parameter_error("the radius of a field is " + number.str() + ", not a number of at least 0");
-    }
+    if(!(limits.radius >= 0))
+      throw Invalid_parameter_error("the radius of a field is " + internal::written(limits.radius) +
+                                    ", not a number of at least 0");
     for(const Surface_location& target : limits.targets)
       internal::check_location(m_triangulation.input(), target);
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -519,17 +516,16 @@ private:
   void check_addition(double offset, Input_halfedge_index h) const
   {
     CGAL_precondition_msg(m_reach == 0, "sources must be added before the field is computed");
-    std::ostringstream number;
-    number << offset;
     if(!(std::isfinite(offset) && offset >= 0))
-      throw Invalid_coordinate_error("the offset of a source is " + number.str() + ", not a number of at least 0");
+      throw Invalid_coordinate_error("the offset of a source is " + internal::written(offset) +
+                                     ", not a number of at least 0");
     if(offset == 0 || h == null_index)
       return;
     const bool is_border = m_triangulation.input().is_border(h);
     const internal::Face_side side = m_propagation.sides().copy(is_border ? internal::twin_index(h) : h);
     if(offset > internal::greatest_offset * (side.length + std::abs(side.x) + side.y))
       throw Invalid_coordinate_error(
-          "the offset of a source is " + number.str() +
+          "the offset of a source is " + internal::written(offset) +
           ", so much longer than the sides of its face that it cannot be added without large rounding errors");
   }
 

@@ -137,6 +137,7 @@ public:
    * \throws Vertex_out_of_range_error if `source` is an index of no vertex of the triangulation
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
+   * \throws Invalid_parameter_error if `max_distance` is negative or not a number
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    * \throws Invalid_mesh_error if the connectivity of a visited face is invalid
@@ -149,9 +150,11 @@ public:
   {
     const auto& options = internal::options_of<internal::Distance_parameter, internal_np::visitor_t>(np...);
     internal::check_has_no_curves(*m_triangulation, "a tree cannot be grown");
-    start(vertex_at(source),
-          parameters::choose_parameter(parameters::get_parameter(options, internal::distance_parameter),
-                                       std::numeric_limits<double>::infinity()));
+    const double most = parameters::choose_parameter(parameters::get_parameter(options, internal::distance_parameter),
+                                                     std::numeric_limits<double>::infinity());
+    if(!(most >= 0))
+      throw Invalid_parameter_error("max_distance is " + internal::written(most) + ", not a number of at least 0");
+    start(vertex_at(source), most);
     auto visitor = internal::make_visitor(options);
     return run_to_the_end(visitor.get());
   }

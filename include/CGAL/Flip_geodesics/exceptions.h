@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_EXCEPTIONS_H
 
 #include <cstddef>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +12,18 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+namespace internal {
+
+/* Returns a number as it is written in messages, with six significant digits. */
+inline std::string written(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsErrors

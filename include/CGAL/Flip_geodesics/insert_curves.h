@@ -133,7 +133,7 @@ double snapping_tolerance_of(const NamedParameters& np)
   const double result = CGAL::to_double(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), default_snap));
   if(!(result >= 0 && result < largest))
-    throw Invalid_parameter_error("the snapping tolerance is " + std::to_string(result) + ", not between 0 and 1/3");
+    throw Invalid_parameter_error("the snapping tolerance is " + internal::written(result) + ", not between 0 and 1/3");
   return result;
 }
 
@@ -208,8 +208,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Curve_point` or `Curve_place`, or a point in
  *        space that lies on the surface up to \f$10^{-6}\f$ of the diagonal of the bounding box. A point in space is
  *        searched for in the faces around the previous point, and then in all faces. Two consecutive points lie in a
- *        common face; `complete_polyline()` computes the missing points of other polylines. A curve that consists of a
- *        single point adds a vertex and no edge
+ *        common face; `complete_polyline()` computes the missing points of other polylines as `Surface_location`s, which
+ *        `face_location()` converts. A curve that consists of a single point adds a vertex and no edge
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin

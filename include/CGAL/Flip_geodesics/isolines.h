@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,12 +84,9 @@ namespace internal {
 inline std::vector<double> sorted_levels(const std::vector<double>& levels)
 {
   for(std::size_t i = 0; i < levels.size(); ++i)
-    if(!std::isfinite(levels[i])) {
-      std::ostringstream number;
-      number << levels[i];
+    if(!std::isfinite(levels[i]))
       throw Invalid_parameter_error(
-          "level " + std::to_string(i) + " is " + number.str() + ", which is not a finite number", {i});
-    }
+          "level " + std::to_string(i) + " is " + written(levels[i]) + ", which is not a finite number", {i});
   std::vector<double> result = levels;
   std::sort(result.begin(), result.end());
   return result;

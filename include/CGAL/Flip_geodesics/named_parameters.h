@@ -171,7 +171,7 @@ double greatest_point_distance_of(const NamedParameters& np)
   if constexpr(is_given<NamedParameters, Point_distance_parameter>) {
     const double distance = parameters::get_parameter(np, point_distance_parameter);
     if(!(distance >= 0))
-      throw Invalid_parameter_error("greatest_point_distance is " + std::to_string(distance) +
+      throw Invalid_parameter_error("greatest_point_distance is " + Flip_geodesics::internal::written(distance) +
                                     ", which is not at least 0");
     return distance;
   } else {
@@ -215,8 +215,8 @@ auto stop_predicate(const StopPredicate& predicate)
 /*!
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the amount of work after which a search is aborted.
- * \param limit a `Window_limit`; for `shortest_paths_by_class()` a `Covering_limit`, for distance fields and
- *        logarithmic maps `Distance_field_limits`, and for `Geodesic_mean` `Mean_limits`
+ * \param limit a `Window_limit`; for `shortest_paths_by_class()` a `Covering_limit`, for `Geodesic_distance_field` and
+ *        `Logarithmic_map` `Distance_field_limits`, and for `Geodesic_mean` `Mean_limits`
  */
 template <class Limit>
 auto search_limit(const Limit& limit)

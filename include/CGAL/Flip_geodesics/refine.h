@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <type_traits>
 
@@ -103,14 +102,11 @@ Refinement_status refinement_status(End end, std::size_t missed)
 inline void check_options(const Refinement_options& options)
 {
   if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
-    throw Invalid_parameter_error("the smallest angle of a refinement is " + std::to_string(options.smallest_angle) +
+    throw Invalid_parameter_error("the smallest angle of a refinement is " + written(options.smallest_angle) +
                                   " degrees, which is not between 0 and 30");
-  if(!(options.longest_edge >= least_length)) {
-    std::ostringstream number;
-    number << options.longest_edge;
-    throw Invalid_parameter_error("the longest edge of a refinement is " + number.str() +
+  if(!(options.longest_edge >= least_length))
+    throw Invalid_parameter_error("the longest edge of a refinement is " + written(options.longest_edge) +
                                   ", which is not at least 1e-70, the smallest length of an edge");
-  }
 }
 
 /* \param on_split as for `Intrinsic_triangulation::insert()` */

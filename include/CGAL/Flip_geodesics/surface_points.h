@@ -43,12 +43,12 @@ std::array<double, 3> snapped_weights(std::array<double, 3> weights, double snap
   double sum = 0;
   for(double& weight : weights) {
     if(!(weight >= -snap && weight <= 1 + weight_sum_tolerance))
-      refuse("a barycentric coordinate of ", " is " + std::to_string(weight) + ", not between 0 and 1");
+      refuse("a barycentric coordinate of ", " is " + internal::written(weight) + ", not between 0 and 1");
     sum += weight;
     weight = weight <= snap ? 0 : weight;
   }
   if(!(std::abs(sum - 1) <= weight_sum_tolerance))
-    refuse("the barycentric coordinates of ", " sum to " + std::to_string(sum) + ", not to one");
+    refuse("the barycentric coordinates of ", " sum to " + internal::written(sum) + ", not to one");
   return weights;
 }
 

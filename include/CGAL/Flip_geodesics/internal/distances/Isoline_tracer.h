@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -64,9 +63,7 @@ inline void check_tolerance(double tolerance)
 {
   if(tolerance > 0 && std::isfinite(tolerance))
     return;
-  std::ostringstream number;
-  number << tolerance;
-  throw Invalid_parameter_error("the tolerance is " + number.str() + ", which is not a positive finite number");
+  throw Invalid_parameter_error("the tolerance is " + written(tolerance) + ", which is not a positive finite number");
 }
 
 /* Returns the given points, or else the mesh's own. */
@@ -92,12 +89,10 @@ auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const Na
 {
   using Surface = Refined_surface<TriangleMesh, Point_map<TriangleMesh, NamedParameters>, Field>;
   Surface surface(mesh, point_map(mesh, np), field, interruption);
-  if(tolerance < least_curve_tolerance * surface.longest_side()) {
-    std::ostringstream message;
-    message << "the tolerance is " << tolerance << ", too small for a mesh with a side of length "
-            << surface.longest_side() << ": rounding errors exceed it";
-    throw Invalid_parameter_error(message.str());
-  }
+  if(tolerance < least_curve_tolerance * surface.longest_side())
+    throw Invalid_parameter_error("the tolerance is " + written(tolerance) +
+                                  ", too small for a mesh with a side of length " + written(surface.longest_side()) +
+                                  ": rounding errors exceed it");
   return surface;
 }
 

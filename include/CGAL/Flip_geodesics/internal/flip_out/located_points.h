@@ -74,9 +74,9 @@ private:
     const double distance = 2 * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     m_points.distances[i] = distance;
     if(!(distance <= m_greatest_distance))
-      throw Distant_point_error("point " + std::to_string(i) + " is " + std::to_string(distance) +
+      throw Distant_point_error("point " + std::to_string(i) + " is " + written(distance) +
                                     " away from the surface, which exceeds the greatest distance of " +
-                                    std::to_string(m_greatest_distance),
+                                    written(m_greatest_distance),
                                 {i});
   }
 

@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -49,10 +48,8 @@ inline bool is_longer_than_sum(double a, double b, double c)
   const std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())};
   if(length == 0)
     throw Degenerate_face_error(edge + " has length zero", elements, Degeneracy_remedy::CONTRACT);
-  std::ostringstream number;
-  number << length;
   throw Invalid_coordinate_error(
-      edge + " has the length " + number.str() + ", which is not a number between 1e-70 and 1e70", elements);
+      edge + " has the length " + written(length) + ", which is not a number between 1e-70 and 1e70", elements);
 }
 
 inline bool satisfy_triangle_inequality(double a, double b, double c)
