@@ -107,7 +107,7 @@ def check_pages_of_repository(root):
     """Pictures and links of the pages that are read where the repository is hosted lead to files."""
     for name in ('README.md', 'CONTRIBUTING.md', 'doc/Flip_geodesics/Gallery.md'):
         page = root / name
-        targets = re.findall(r'\]\(([^)#\s]+)[^)]*\)', page.read_text())
+        targets = re.findall(r'\](?:\(|: )([^)#\s]+)', page.read_text())
         for target in targets:
             if '://' not in target and not (page.parent / target).exists():
                 problems.append(f'{name}: {target} is missing')
