@@ -344,7 +344,7 @@ private:
   void add_most_memory()
   {
     add("--most-memory", "MEGABYTES", m_options.most_memory, {0, 1e9, true},
-        "stop when a curve requires more memory [3/4 of the machine's]");
+        "stop when a curve requires more than this much memory [3/4 of the memory of the machine]");
   }
 
   void add_search()
@@ -371,7 +371,7 @@ private:
         add_outputs("-o,--output,--mesh", "write surface and curves (.obj, .ply, .vtp, .glb), curves "
                                           "(.polylines.txt), or .json, .csv, .html; may be repeated");
     add("--tubes", "RADIUS", m_options.results.tubes, not_negative,
-        "draw curves as tubes, or as lines with 0 [1/500 of the mesh size]")
+        "draw curves as tubes, or as lines with 0 [1/500 of the diagonal of the bounding box]")
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
         "write points at this distance along curves instead of crossings");
@@ -446,7 +446,7 @@ private:
     add_weights();
     add_stop_length();
     add("--stop-curve-length", "RATIO", m_options.stop_curve_length, {0, 1},
-        "stop each curve at this fraction of its length [0]");
+        "stop each curve at this fraction of its initial length [0]");
     add_files_of_curves();
 
     begin("spline", "Compute geodesic Bezier curves and B-splines",
@@ -542,7 +542,8 @@ private:
     add("--spacing", "DISTANCE", m_options.spacing, positive, "compute curves at all multiples of this distance");
     add("--voronoi", m_options.has_voronoi, "compute the curves on which the nearest source changes");
     add("--tolerance", "LENGTH", m_options.tolerance, positive,
-        "allow this deviation of these curves [1/1000 of the mesh size]");
+        "limit the deviation of isolines and Voronoi boundaries from the true curves [1/1000 of the diagonal of the "
+        "bounding box]");
     m_group = "How lengths are measured";
     add_avoid();
     add_mollify();

@@ -36,11 +36,11 @@ public:
   /// Returns the length of the edge of a halfedge, rounded. The length is positive and equal for both halfedges of the
   /// edge.
   /// \throws Degenerate_face_error if the edge has length zero
-  /// \throws Invalid_coordinate_error if the length is not a usable number
+  /// \throws Invalid_coordinate_error if the length is not finite or outside [1e-70, 1e70]
   double length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// Returns the length of the edge of a halfedge without checking it, for searches of edge paths. The result is zero
-  /// for a zero-length edge, and arbitrary if the length is not a usable number.
+  /// for a zero-length edge, and arbitrary if the length is not finite or outside [1e-70, 1e70].
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The data of a vertex from which lower bounds are computed, such as the coordinates of its point. Default
@@ -80,7 +80,7 @@ public:
   /// `traits`. This member is not called for a metric with `squared_length()` and is not required in that case.
   /// \throws Degenerate_face_error if an edge of the face has length zero or its lengths violate the triangle
   /// inequality
-  /// \throws Invalid_coordinate_error if a coordinate or length is not a usable number
+  /// \throws Invalid_coordinate_error if a coordinate or length is not finite, or a length is outside [1e-70, 1e70]
   /// \pre `h` is not on the border
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const;

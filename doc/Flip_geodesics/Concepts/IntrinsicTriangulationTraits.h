@@ -82,11 +82,11 @@ public:
   /// `boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>`.
   typedef unspecified_type Construct_face_from_lengths;
 
-  /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: the face whose
-  /// halfedges have these vectors, pairs x, y in one frame of the face, each with an error of at most `error` times its
-  /// length. It is called when a face is recomputed from the input, independently of the flips that created the face:
-  /// after `Is_inaccurate` has returned `true`, and, if `Has_drift` is `CGAL::Tag_true`, when a finished curve is found
-  /// to be bent.
+  /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: constructs the
+  /// face from the vectors of its halfedges, given as pairs (x, y) in one frame; each vector has an error of at most
+  /// `error` times its length. It is called when a face is recomputed from the input, independently of the flips that
+  /// created the face: after `Is_inaccurate` has returned `true`, and, if `Has_drift` is `CGAL::Tag_true`, when a
+  /// finished curve is found to be bent.
   typedef unspecified_type Construct_face_2;
 
   /// @}

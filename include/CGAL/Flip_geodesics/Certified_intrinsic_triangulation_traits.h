@@ -57,7 +57,7 @@ class Certified_intrinsic_triangulation_traits
 public:
   using FT = double;                   ///< the type to which squared lengths are rounded
   using Has_drift = Tag_false;         ///< predicates reported as certain are correct
-  using Point_3 = typename K::Point_3; ///< of the mesh
+  using Point_3 = typename K::Point_3; ///< the point type of the mesh
 
   /// Constructs traits with the default work limit, which takes about a tenth of a second.
   Certified_intrinsic_triangulation_traits() = default;
@@ -71,9 +71,9 @@ public:
 
   /*!
    * Returns the work limit for computing one sign by exact arithmetic with roots, counted in products of two 64-bit
-   * words; an operation with short integers counts as 32. A product of two numbers with \f$r\f$ independent roots takes
-   * \f$4^r\f$ products of integers. The previous stages take time linear in the number of faces, except for sums of
-   * roots over developable regions with parallel rulings, which have the default limit.
+   * words; an operation with short integers counts as 32 such products. A product of two numbers with \f$r\f$
+   * independent roots takes \f$4^r\f$ products of integers. The previous stages take time linear in the number of
+   * faces, except for sums of roots over developable regions with parallel rulings, which have the default limit.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 
@@ -101,10 +101,10 @@ public:
   /// Stores the new geometry of the four halfedges whose vectors a flip changes.
   struct Flipped_geometry
   {
-    Halfedge_geometry h;  ///< of the side `h` of the edge
-    Halfedge_geometry t;  ///< of the side `t` of the edge
-    Halfedge_geometry tn; ///< of the halfedge after `t` in its old face
-    Halfedge_geometry tp; ///< of the halfedge before `t` in its old face
+    Halfedge_geometry h;  ///< the geometry of the side `h` of the edge
+    Halfedge_geometry t;  ///< the geometry of the side `t` of the edge
+    Halfedge_geometry tn; ///< the geometry of the halfedge after `t` in its old face
+    Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
   };
 
   /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, with the error of a

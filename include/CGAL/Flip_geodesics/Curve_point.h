@@ -29,8 +29,9 @@ class Embedded_metric;
 template <class TriangleMesh>
 struct Curve_place
 {
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;         ///< of the mesh
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type of the mesh
+  /// The halfedge type of the mesh.
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   /// A face that contains the point, and barycentric coordinates, as a `CGAL::Polygon_mesh_processing::Face_location`.
   /// The coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`.
@@ -47,9 +48,9 @@ template <class TriangleMesh, class Point>
 struct Curve_point : Curve_place<TriangleMesh>
 {
   using Point_3 = Point;                                              ///< the point type
-  using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3; ///< of the kernel of `Point_3`
+  using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3; ///< the vector type of the kernel of `Point_3`
 
-  Point_3 point; ///< in space
+  Point_3 point; ///< the position in space
   /// The unit vector in space in the direction in which the curve continues, or at its end in the direction in which it
   /// arrives. Zero if the curve is a point.
   Vector_3 tangent;

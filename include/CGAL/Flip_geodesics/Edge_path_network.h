@@ -96,7 +96,7 @@ public:
     m_segments.set_triangulation(moved_to);
   }
 
-  /// Removes all curves, then moves the other network into this one as the constructor does.
+  /// Removes all curves, then moves the other network into this one as the move constructor does.
   Edge_path_network& operator=(Edge_path_network&& other) noexcept
   {
     if(this != &other) {

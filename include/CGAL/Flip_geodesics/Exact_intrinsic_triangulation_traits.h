@@ -98,21 +98,22 @@ public:
   using FT = NT; ///< the type of squared lengths
   /// Rounded numbers drift, even if this is not noticeable with 100 digits. Intervals bound their error.
   using Has_drift = Boolean_tag<is_rounded>;
-  using Point_3 = typename K::Point_3; ///< of the mesh
+  using Point_3 = typename K::Point_3; ///< the point type of the mesh
   /// The type of radicands: `NT` or, for `Sqrt_extension<NT, ROOT>`, `ROOT`.
   using Radicand = typename Area_unit::Radicand;
 
   using Halfedge_geometry = typename Geometry::Halfedge_geometry; ///< a squared length and an area, or a vector
-  using Face_geometry = typename Geometry::Face_geometry;         ///< of a face, in the order of its halfedges
-  using Flipped_geometry = typename Geometry::Flipped_geometry;   ///< of the four halfedges that a flip changes
+  using Face_geometry = typename Geometry::Face_geometry; ///< the geometry of a face, in the order of its halfedges
+  /// The geometry of the four halfedges that a flip changes.
+  using Flipped_geometry = typename Geometry::Flipped_geometry;
 
   /// Stores the rotation over a fan of corners, a complex number of any magnitude.
   struct Turn
   {
-    NT x = NT(1);                                      ///< the real part; the argument of the number is the angle
-    NT y = NT(0);                                      ///< the imaginary part, in the unit of area of the traits
-    bool is_empty = true;                              ///< whether it is the rotation by zero
-    Uncertain<Comparison_result> comparison = SMALLER; ///< of the angle with \f$\pi\f$
+    NT x = NT(1);         ///< the real part; the argument of the number is the angle
+    NT y = NT(0);         ///< the imaginary part, a multiple of the unit in which the traits store areas
+    bool is_empty = true; ///< whether it is the rotation by zero
+    Uncertain<Comparison_result> comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$
   };
 
   /// Constructs traits for any mesh, or with radicand 1 if the number type has no roots.

@@ -164,7 +164,8 @@ public:
   /// Contains the result of a query.
   struct Answer
   {
-    double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source, including its offset
+    /// The distance from the nearest source, including the offset of the source.
+    double distance = std::numeric_limits<double>::infinity();
     std::size_t source = 0; ///< the number of that source, in the order of insertion; 0 if the distance is infinite
   };
 
@@ -239,7 +240,7 @@ public:
    *        consecutive ones lie in one face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
-   * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+   * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error as for points
    * \throws Invalid_coordinate_error as for points
    * \throws Degenerate_face_error as for points

@@ -166,11 +166,11 @@ public:
   using Traits = Traits_;                                       ///< the template parameter
   using Metric = Metric_;                                       ///< the template parameter
   using Input_mesh = Numbered_mesh<TriangleMesh>;               ///< the numbered input
-  using vertex_descriptor = Vertex_index;                       ///< of the intrinsic triangulation
-  using halfedge_descriptor = Halfedge_index;                   ///< of the intrinsic triangulation
-  using edge_descriptor = Edge_index;                           ///< of the intrinsic triangulation
-  using face_descriptor = Face_index;                           ///< of the intrinsic triangulation
-  using FT = typename Traits::FT;                               ///< of squared lengths
+  using vertex_descriptor = Vertex_index;                       ///< the vertex type of the intrinsic triangulation
+  using halfedge_descriptor = Halfedge_index;                   ///< the halfedge type of the intrinsic triangulation
+  using edge_descriptor = Edge_index;                           ///< the edge type of the intrinsic triangulation
+  using face_descriptor = Face_index;                           ///< the face type of the intrinsic triangulation
+  using FT = typename Traits::FT;                               ///< the number type of squared lengths
   using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< the data that the traits store for a halfedge
   using Turn = typename Traits::Turn;                           ///< a rotation around a vertex, of the traits
   /// The vertex type of `Triangle_mesh`.
@@ -488,8 +488,8 @@ public:
    * `Edge_path_network` can be moved along by one of its constructors. `other` can be assigned to and destroyed.
    */
   Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
-  /// Moves a triangulation, as the constructor does. \pre no network has curves in the triangulation that is assigned
-  /// to
+  /// Moves a triangulation as the move constructor does.
+  /// \pre no network has curves in the triangulation that is assigned to
   Intrinsic_triangulation& operator=(Intrinsic_triangulation&& other) noexcept = default;
 
   /// @}

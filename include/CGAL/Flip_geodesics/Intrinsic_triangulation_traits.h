@@ -106,7 +106,7 @@ public:
   using FT = double; ///< the type to which squared lengths are rounded
   /// Vectors drift with flips, so predicates can be wrong, and finished curves must be checked.
   using Has_drift = Tag_true;
-  using Point_3 = typename K::Point_3; ///< of the mesh
+  using Point_3 = typename K::Point_3; ///< the point type of the mesh
 
   /// Stores the vector of a halfedge in the frame of its face.
   struct Halfedge_geometry
@@ -130,10 +130,10 @@ public:
   /// Stores the new geometry of the four halfedges whose vectors change with a flip.
   struct Flipped_geometry
   {
-    Halfedge_geometry h;  ///< of the side `h` of the edge
-    Halfedge_geometry t;  ///< of the side `t` of the edge
-    Halfedge_geometry tn; ///< of the halfedge after `t` in its old face
-    Halfedge_geometry tp; ///< of the halfedge before `t` in its old face
+    Halfedge_geometry h;  ///< the geometry of the side `h` of the edge
+    Halfedge_geometry t;  ///< the geometry of the side `t` of the edge
+    Halfedge_geometry tn; ///< the geometry of the halfedge after `t` in its old face
+    Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
   };
 
   /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-9.

@@ -153,7 +153,7 @@ public:
   /// Identifies a vertex, or one of its copies.
   struct Vertex
   {
-    Mesh_vertex vertex;   ///< of the mesh
+    Mesh_vertex vertex;   ///< the vertex of the mesh
     std::size_t copy = 0; ///< the number of the copy, starting at 0
 
     /// Constructs a null descriptor.
@@ -181,7 +181,7 @@ public:
   /// Identifies a halfedge.
   struct Halfedge
   {
-    Mesh_halfedge halfedge; ///< of the mesh, with the same direction
+    Mesh_halfedge halfedge; ///< the halfedge of the mesh with the same direction
     bool is_outer = false;  ///< whether it is the border halfedge of a slit along the halfedge of the mesh
 
     /// Constructs a null descriptor.
@@ -209,7 +209,7 @@ public:
   /// Identifies an edge; the edges on the two sides of a slit are different.
   struct Edge
   {
-    Mesh_edge edge;                                  ///< of the mesh
+    Mesh_edge edge;                                  ///< the edge of the mesh
     Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the one on this side
     bool is_at_slit = false;                         ///< whether it is one of the two edges at a slit
     bool is_outer = false; ///< whether the edge was obtained from its halfedge on the border of a slit

@@ -36,8 +36,9 @@ namespace Flip_geodesics {
  */
 struct Surface_location
 {
-  Input_halfedge_index halfedge = null_index;  ///< a side of the face, or of the edge, that contains the point
-  std::array<double, 3> weights = {{1, 0, 0}}; ///< of tail, head and third vertex; each is 0 or in [1e-100, 1e100]
+  Input_halfedge_index halfedge = null_index; ///< a side of the face, or of the edge, that contains the point
+  /// The weights of the tail, the head and the third vertex. Each weight is 0 or in [1e-100, 1e100].
+  std::array<double, 3> weights = {{1, 0, 0}};
 };
 
 /*!
@@ -48,10 +49,10 @@ struct Surface_location
  * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is a side
  * of a face that contains the location, or starts there. The free functions pass both as a `std::pair` of a halfedge of
  * the mesh and an angle. A function that chooses the halfedge itself takes the halfedge of the location, or the twin if
- * that halfedge is on the border. It is `halfedge(face, mesh)` for a `Face_location` in the face, and starts at the
- * vertex for a location that was made from a vertex. Only two functions choose differently: a `Trace_report` refers to
- * the side over which the geodesic has entered its last face, and `logarithmic_map()` of a tree, at the border and at
- * inserted vertices, to a direction that its documentation states.
+ * that halfedge is on the border. For a `Face_location`, the halfedge of the location is `halfedge(face, mesh)`; for a
+ * vertex, it starts there. Only two functions choose differently: a `Trace_report` refers to the side over which the
+ * geodesic has entered its last face, and `logarithmic_map()` of a tree, at the border and at inserted vertices, to a
+ * direction that its documentation states.
  */
 struct Surface_direction
 {
@@ -77,7 +78,8 @@ inline Location_kind kind(const Surface_location& location)
 struct Polar_coordinates
 {
   double radius = std::numeric_limits<double>::infinity(); ///< the length of the path; infinite if no path exists
-  double angle = std::numeric_limits<double>::quiet_NaN(); ///< in radians; NaN at the source, and if no path exists
+  /// The angle in radians; NaN at the source, and if no path exists.
+  double angle = std::numeric_limits<double>::quiet_NaN();
 };
 
 namespace internal {

@@ -54,7 +54,8 @@ using Given_place =
 template <class TriangleMesh>
 struct Given_curve_certificate
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< of the mesh
+  /// The vertex type of the mesh.
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// The verdict. It is `BENT_JOINT` only if all segments are straight, and `UNDECIDED` if coordinates or lengths of
   /// the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.

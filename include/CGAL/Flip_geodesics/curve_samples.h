@@ -38,7 +38,7 @@ namespace Flip_geodesics {
  * therefore transported to its tangent. Along a loop that does not contain a vertex, a vector is rotated by the
  * holonomy of the loop, the sum of the angle defects of the enclosed vertices.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
 template <class Triangulation>
 class Parallel_transport
@@ -61,7 +61,7 @@ public:
    *        location; by default the one described at `Surface_direction`
    * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, or, at a vertex, from 0 to the sum of
    *         its angles; on the border, which has no full turn, the angle can have any value
-   * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+   * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, or a halfedge does not satisfy the condition
    * \throws Degenerate_face_error for a face along the curve
@@ -95,7 +95,7 @@ private:
  * Parametrizes a curve, which is straight between consecutive locations, by arc length: it returns the location and the
  * direction of the curve at a given length.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
 template <class Triangulation>
 class Located_curve
@@ -107,7 +107,7 @@ public:
    * \param triangulation the triangulation, which must outlive the curve
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts, of which any two
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
-   * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+   * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Degenerate_face_error for a face along the curve
    * \throws Invalid_coordinate_error for a face along the curve
@@ -257,10 +257,10 @@ double angle_between(const Triangulation& triangulation, const Surface_location&
 template <class TriangleMesh, class Point>
 struct Curve_sample : Curve_point<TriangleMesh, Point>
 {
-  using Vector_3 = typename Curve_point<TriangleMesh, Point>::Vector_3; ///< of the kernel of `Point`
+  using Vector_3 = typename Curve_point<TriangleMesh, Point>::Vector_3; ///< the vector type of the kernel of `Point`
 
   Vector_3 normal;   ///< the unit normal of the face of `location`; zero if the face is degenerate
-  double length = 0; ///< of the curve up to here
+  double length = 0; ///< the length of the curve up to this sample
 };
 
 namespace internal {
@@ -350,7 +350,7 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`; the metric must have points
  * \return the past-the-end output iterator
  * \throws Invalid_parameter_error if `number` is less than 2
- * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+ * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Degenerate_face_error for a face along the curve

@@ -100,7 +100,7 @@ public:
    *        the last segment of a closed spline ends where the first starts
    * \param kind the type of the spline
    * \throws Invalid_curve_error if no segment is given, or fewer than three for a closed spline, if a segment has fewer
-   *         than two locations, or if no face contains two consecutive locations
+   *         than two locations, or if two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Crossing_curves_error as `refine()` does

@@ -62,7 +62,7 @@ private:
 class Invalid_mesh_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -126,7 +126,7 @@ private:
 class Invalid_coordinate_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -138,7 +138,7 @@ public:
 class Invalid_parameter_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -146,7 +146,7 @@ public:
 class Vertex_out_of_range_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -154,7 +154,7 @@ public:
 class Disconnected_endpoints_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -164,7 +164,7 @@ public:
 class Invalid_location_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -173,7 +173,7 @@ public:
 class Distant_point_error : public Invalid_location_error
 {
 public:
-  using Invalid_location_error::Invalid_location_error; ///< from a message and the elements
+  using Invalid_location_error::Invalid_location_error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -182,7 +182,7 @@ public:
 class Insertion_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -191,7 +191,7 @@ public:
 class Invalid_curve_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -200,7 +200,7 @@ public:
 class Crossing_curves_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -209,7 +209,7 @@ public:
 class Occupied_triangulation_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -218,7 +218,7 @@ public:
 class Ambiguous_order_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -227,7 +227,7 @@ public:
 class Inexact_root_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -236,7 +236,7 @@ public:
 class Singular_problem_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -245,7 +245,7 @@ public:
 class Flattening_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -254,7 +254,7 @@ public:
 class File_format_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -263,7 +263,7 @@ public:
 class File_write_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -271,7 +271,7 @@ public:
 class Input_mismatch_error : public Error
 {
 public:
-  using Error::Error; ///< from a message and the elements
+  using Error::Error; ///< constructs an error from a message and the elements
 };
 
 } // namespace Flip_geodesics

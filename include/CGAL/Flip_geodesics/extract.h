@@ -63,7 +63,7 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
  * If a curve passes a vertex within rounding, consecutive points on the edges of the vertex may coincide there in
  * space. The edges then determine on which side the curve passes, and `Surface_point::t` is not zero.
  *
- * \tparam Network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
+ * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
 template <class Network>
 class Curve_extractor
@@ -72,7 +72,7 @@ class Curve_extractor
   using Triangle_mesh = typename Triangulation::Triangle_mesh;
 
 public:
-  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< of the input mesh
+  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< the face type of the mesh
 
   /// Constructs an extractor for the curves of a network, which must outlive it.
   explicit Curve_extractor(const Network& network)

@@ -91,7 +91,7 @@ struct Mean_limits
  * needles, the vectors may be less precise than the tolerance, and the status may then depend on the numbering of the
  * mesh: one search ends with `CONVERGED`, another with `ITERATION_LIMIT`.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
 template <class Triangulation>
 class Geodesic_mean
@@ -303,7 +303,7 @@ auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Tar
 template <class TriangleMesh>
 struct Geodesic_mean_result
 {
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< of the mesh
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type of the mesh
 
   std::pair<face_descriptor, std::array<double, 3>> location; ///< the mean, a `Face_location`
   Mean_report report;                                         ///< whether the location is a mean

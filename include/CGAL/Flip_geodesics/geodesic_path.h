@@ -57,10 +57,13 @@ struct Geodesics_result
   Shortening_status status() const { return report.status(); } ///< returns how the shortening ended, for all curves
   Verdict verdict() const { return report.verdict(); }         ///< returns what is certified
 
-  std::size_t number_of_curves() const { return report.curves.size(); }                ///< returns the number of curves
-  double length(std::size_t i) const { return report.curves.at(i).length; }            ///< returns curve `i`'s length
-  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; } ///< returns curve `i`'s status
-  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }         ///< returns curve `i`'s verdict
+  std::size_t number_of_curves() const { return report.curves.size(); } ///< returns the number of curves
+  /// Returns the length of curve `i`.
+  double length(std::size_t i) const { return report.curves.at(i).length; }
+  /// Returns the status of curve `i`.
+  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; }
+  /// Returns the verdict of curve `i`.
+  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }
 };
 
 /*!

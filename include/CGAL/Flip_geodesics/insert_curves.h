@@ -47,8 +47,9 @@ namespace Flip_geodesics {
 template <class TriangleMesh>
 struct Default_curve_insertion_visitor
 {
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;         ///< of the mesh
+  /// The halfedge type of the mesh.
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type of the mesh
 
   /// Called before the edge of a halfedge is split, once for each new vertex on it.
   void before_edge_split(halfedge_descriptor, TriangleMesh&) {}
@@ -256,7 +257,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *            `elements()` are the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, also if any face that is examined is not a triangle
- * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite
+ * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite; `elements()` is
+ *            the position of the vertex in `vertices(mesh)`
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face has few of them, and up to

@@ -208,7 +208,7 @@ public:
   /// Contains the result of a query.
   struct Answer
   {
-    double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source
+    double distance = std::numeric_limits<double>::infinity(); ///< the distance from the nearest source
     std::size_t source = 0;                                    ///< the index of the distance map of that source
   };
 

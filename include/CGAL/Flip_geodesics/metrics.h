@@ -116,8 +116,8 @@ class Embedded_metric
 
 public:
   using Mesh = Numbered_mesh<TriangleMesh>;                                    ///< the mesh, numbered
-  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type; ///< of the vertices
-  using Kernel = typename Kernel_traits<Point_3>::Kernel;                      ///< of the points
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type; ///< the point type of the vertices
+  using Kernel = typename Kernel_traits<Point_3>::Kernel;                      ///< the kernel of the points
 
 private:
   static constexpr bool is_rational = internal::has_rational_coordinates<Point_3>;
@@ -361,7 +361,7 @@ class Edge_length_metric
 
 public:
   using Mesh = Numbered_mesh<TriangleMesh>; ///< the mesh, numbered
-  using Kernel = Simple_cartesian<double>;  ///< in which finished curves are measured
+  using Kernel = Simple_cartesian<double>;  ///< the kernel in which finished curves are measured
   using Point_3 = void;                     ///< `void`, since lengths do not determine points
 
   /// Constructs the metric of given lengths.
@@ -569,7 +569,7 @@ public:
   }
 
   /// Returns the length added to every edge, which is zero if none was needed. In that case this metric equals the
-  /// other one.
+  /// metric that it wraps.
   double added_length() const { return m_added; }
 
   /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not

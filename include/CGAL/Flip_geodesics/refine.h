@@ -57,7 +57,7 @@ struct Refinement_report
   std::size_t flips = 0;                                        ///< the number of flips, including those that were
                                                                 ///< undone
   std::size_t refused = 0;        ///< the number of faces left unchanged because no point can be represented there
-  double smallest_angle = 0;      ///< of all faces, in degrees
+  double smallest_angle = 0;      ///< the smallest angle of all faces, in degrees
   double smallest_free_angle = 0; ///< the smallest angle of the faces that are not exempt; see `refine()`
   std::size_t exempt = 0;         ///< the number of faces whose smallest angle is unavoidably below the bound
   std::size_t missed = 0;         ///< the number of faces that violate a bound and are not exempt
@@ -105,8 +105,8 @@ inline void check_options(const Refinement_options& options)
     throw Invalid_parameter_error("the smallest angle of a refinement is " + written(options.smallest_angle) +
                                   " degrees, which is not between 0 and 30");
   if(!(options.longest_edge >= least_length))
-    throw Invalid_parameter_error("the longest edge of a refinement is " + written(options.longest_edge) +
-                                  ", which is not at least 1e-70, the smallest length of an edge");
+    throw Invalid_parameter_error("the longest edge allowed in a refinement is " + written(options.longest_edge) +
+                                  ", but must be at least 1e-70");
 }
 
 /* \param on_split as for `Intrinsic_triangulation::insert()` */

@@ -51,7 +51,7 @@ public:
    *
    * \param search a `Shortest_edge_path`, which computes the distances. With `Search_method::DIJKSTRA` or
    *        `Search_method::A_STAR`, these are the lengths of shortest edge paths. With `Search_method::LOOK_BACK`, they
-   *        are estimates of the distances on the surface, for landmarks that guide such searches
+   *        estimate distances on the surface; use such landmarks only with `LOOK_BACK` searches
    * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called,
    *        before each search and about once per thousand vertices. If it returns `false`, `is_complete()` returns
    *        `false`, and all bounds are zero

@@ -75,7 +75,7 @@ public:
    * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked, for several concurrent
    *         propagations; the results are the same
    *
-   * \param triangulation a triangulation of the mesh, which is not stored; its flips have no effect
+   * \param triangulation a triangulation of the mesh, which is not stored; flips made in it do not affect the result
    * \param number the number of landmarks in each component; a component with fewer vertices has fewer landmarks
    * \param tag an object whose type selects sequential or parallel execution
    * \param np an optional sequence of named parameters among those listed below
@@ -109,7 +109,7 @@ public:
    * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked, for several concurrent
    *         propagations; the results are the same
    *
-   * \param triangulation a triangulation of the mesh, which is not stored; its flips have no effect
+   * \param triangulation a triangulation of the mesh, which is not stored; flips made in it do not affect the result
    * \param landmarks a range of `Vertex_index`es in any order; repeated vertices count once. Components without
    *        landmarks have no bounds
    * \param tag an object whose type selects sequential or parallel execution
@@ -729,7 +729,7 @@ Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& trian
   Shortest_path_report report = add_shortest_path(network, search, checked_landmarks(whole, np), source, target,
                                                   search_limit_of<Window_limit>(np), visitor.get());
   if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(whole))
-    throw Degenerate_face_error("a shortest path can lead through coincident vertices", {});
+    throw Degenerate_face_error("a shortest path may lead through coincident vertices", {});
   note_contraction(whole, report.shortening);
   if(network.number_of_curves() != 0) // not stopped by the visitor
     write(network);

@@ -124,10 +124,13 @@ struct Paths_by_class_result
   OutputIterator out;                         ///< the past-the-end iterator of the output
   Paths_by_class_report<TriangleMesh> report; ///< the report on the paths
 
-  std::size_t number_of_curves() const { return report.paths.size(); }                  ///< returns the number of paths
-  double length(std::size_t i) const { return report.paths.at(i).length; }              ///< returns path `i`'s length
-  Shortening_status status(std::size_t i) const { return report.paths.at(i).status(); } ///< returns path `i`'s status
-  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; }           ///< returns path `i`'s verdict
+  std::size_t number_of_curves() const { return report.paths.size(); } ///< returns the number of paths
+  /// Returns the length of path `i`.
+  double length(std::size_t i) const { return report.paths.at(i).length; }
+  /// Returns the status of path `i`.
+  Shortening_status status(std::size_t i) const { return report.paths.at(i).status(); }
+  /// Returns the verdict of path `i`.
+  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; }
   Class_search_status status() const { return report.status; } ///< returns how the search ended
   Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on all paths together
 };

@@ -64,7 +64,7 @@ namespace Flip_geodesics {
  * A map must not be used by two threads at once, not even through its `const` members; the `const` members of its
  * triangulation and of its `distance_field()` are thread-safe.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
 template <class Triangulation>
 class Logarithmic_map
@@ -443,7 +443,7 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  *        `trace_geodesic()`
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \return the direction at the end of the curve in the same form, from a halfedge by the rule of `Surface_direction`
- * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+ * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Invalid_parameter_error if the angle is not finite, or the halfedge is not a side of a face of the start
@@ -488,7 +488,7 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * \param vector a vector in space, of any kernel
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`; the metric must have points
  * \return the vector at the end of the curve, of the kernel of the points of the mesh
- * \throws Invalid_curve_error if the range is empty, or no face contains two consecutive locations
+ * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Invalid_parameter_error if a coordinate of the vector is not finite
  * \throws Degenerate_face_error for a face along the curve

@@ -353,7 +353,7 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
  * which they are folded. At other vertices, and at vertices of a degenerate face, the bisecting angle is rounded, and
  * so is the outgoing direction.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips have no effect
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
 template <class Triangulation>
 class Geodesic_tracer

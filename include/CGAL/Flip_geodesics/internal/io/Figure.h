@@ -246,7 +246,7 @@ inline void check_values(const Figure& figure, bool is_binary)
           "the name \"" + name + "\" of values is empty or has characters other than letters, digits and underscores");
     if(std::any_of(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(i),
                    [&](const Value_kind& kind) { return kind.name == name; }))
-      throw Invalid_parameter_error("two kinds of values have the name \"" + name + '"');
+      throw Invalid_parameter_error("two arrays of values have the same name \"" + name + '"');
     if(!is_binary)
       figure.for_each_value(i, [&](double x) {
         if(!std::isfinite(x))

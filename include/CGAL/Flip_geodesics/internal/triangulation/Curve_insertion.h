@@ -161,10 +161,17 @@ public:
     Triangle_places result;
     Halfedge h = check_triangle(f);
     for(Place_in_space& p : result) {
-      p = half_of(get(m_points, source(h, m_mesh)));
-      if(!are_finite(p))
-        throw Invalid_coordinate_error(
-            "a vertex of a face that a curve enters has a coordinate that is not a finite number");
+      const auto v = source(h, m_mesh);
+      p = half_of(get(m_points, v));
+      if(!are_finite(p)) {
+        const auto all = vertices(m_mesh);
+        const auto position =
+            static_cast<std::size_t>(std::distance(all.begin(), std::find(all.begin(), all.end(), v)));
+        throw Invalid_coordinate_error("vertex " + std::to_string(position) +
+                                           ", a corner of a face that a curve enters, has a coordinate that is not a "
+                                           "finite number",
+                                       {position});
+      }
       h = next(h, m_mesh);
     }
     return result;

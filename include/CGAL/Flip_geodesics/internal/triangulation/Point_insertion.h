@@ -243,10 +243,10 @@ private:
   Located_point checked_miss(const Located_point& nearest, double miss, const Surface_location& point) const
   {
     if(!(miss < largest_point_miss))
-      throw Insertion_error(
-          "a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
-              " is not in any face of the triangulation, whose flips were wrong because of rounding errors",
-          {static_cast<std::size_t>(point.halfedge.idx())});
+      throw Insertion_error("a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
+                                " cannot be located in the triangulation, because rounding errors have made its flips "
+                                "wrong; use the default traits",
+                            {static_cast<std::size_t>(point.halfedge.idx())});
     return nearest;
   }
 
