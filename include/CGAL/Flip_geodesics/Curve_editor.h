@@ -31,8 +31,8 @@ namespace Flip_geodesics {
 /// Reports the effect of a move of a `Curve_editor`.
 struct Move_report
 {
-  std::size_t legs = 0;          ///< the number of geodesic segments that were recomputed, one or two
-  std::size_t legs_by_flips = 0; ///< how many of these required edge flips because their edge sequences did not suffice
+  std::size_t legs = 0;              ///< the number of geodesic segments that were recomputed, one or two
+  std::size_t legs_by_flips = 0;     ///< the number of these segments that required edge flips
   Verdict verdict = Verdict::PROVEN; ///< the worst verdict on the recomputed segments
 };
 
@@ -69,7 +69,7 @@ class Curve_editor
   using Way = std::vector<internal::Way_step>;
 
 public:
-  using Triangulation = Triangulation_; ///< the template parameter
+  using Triangulation = Triangulation_; ///< the type of the triangulation
 
   /*!
    * Constructs a curve whose segments are obtained by shortening short edge paths.
@@ -80,7 +80,7 @@ public:
    *        which no two consecutive ones coincide; a closed curve does not repeat the first
    * \param np the named parameter `is_closed`, a `bool`: whether a segment leads from the last point to the first;
    *        `false` by default
-   * \throws Invalid_curve_error if there are fewer points, or two consecutive ones coincide
+   * \throws Invalid_curve_error if there are fewer than two points, or two consecutive ones coincide
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
    * \throws Occupied_triangulation_error if a network has curves in the triangulation

@@ -67,7 +67,7 @@ template <class Triangulation_>
 class Edge_path_network
 {
 public:
-  using Triangulation = Triangulation_;      ///< the template parameter
+  using Triangulation = Triangulation_;      ///< the type of the triangulation
   using Turn = typename Triangulation::Turn; ///< a rotation around a vertex, of the traits of the triangulation
 
   /// Describes a wedge as far as it has been inspected.
@@ -737,10 +737,10 @@ Order_conflict order_if_possible(Network& network)
  *
  * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. The
  * end of a path or a fixed node does not determine an order, but all such ends at a vertex, and the border, must lie on
- * one side of each curve that passes through the vertex. An order that is undetermined at both ends follows from those
- * of other segments on the same edges, or else is chosen: the segment that was added first lies on the left, as seen
- * along it, or against it if its curve has turned back an odd number of times before. Copies of a curve that does not
- * turn back therefore lie to its right.
+ * one side of each curve that passes through the vertex. An order that is undetermined at both ends follows from the
+ * orders of other segments on the same edges, or else is chosen: the segment that was added first lies on the left, as
+ * seen in its direction, or against its direction if its curve has turned back an odd number of times before. Copies of
+ * a curve that does not turn back therefore lie to its right.
  *
  * \param network an `Edge_path_network`
  * \throws Crossing_curves_error if curves cross in every order. The element is a vertex at which they cross, or one of

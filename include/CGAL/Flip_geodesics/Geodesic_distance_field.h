@@ -52,9 +52,10 @@ enum class Distance_field_status {
   COMPLETE,        ///< all distances are known
   RADIUS_REACHED,  ///< the distances up to the radius are known
   TARGETS_REACHED, ///< the distances of the targets are known
-  /// those up to `Geodesic_distance_field::reach()` are known; also returned if rays circulate in degenerate faces
+  /// the distances up to `Geodesic_distance_field::reach()` are known; also returned if rays circulate in degenerate
+  /// faces
   WINDOW_LIMIT_REACHED,
-  /// those up to `Geodesic_distance_field::reach()` are known; `go_further()` of the visitor returned `false`
+  /// the distances up to `Geodesic_distance_field::reach()` are known; `go_further()` of the visitor returned `false`
   STOPPED_BY_VISITOR
 };
 
@@ -112,7 +113,7 @@ struct Distance_field_limits
 /// Describes the outcome of the computation of a distance field.
 struct Distance_field_report
 {
-  Distance_field_status status = Distance_field_status::COMPLETE; ///< why it ended
+  Distance_field_status status = Distance_field_status::COMPLETE; ///< why the computation ended
   std::size_t windows = 0;                                        ///< the total number of windows created
   /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, and distances may
   /// be too long.
@@ -135,7 +136,7 @@ struct Distance_field_report
  * Windows of straight rays are propagated from face to face, and each edge keeps the lower envelope of the windows that
  * reach it \cgalCite{MMP87}. Sources are vertices, points anywhere on the surface, and curves. Each has an offset,
  * which is added to all distances from it. A computed field can be queried for the distance at any location, the
- * shortest path from there, the nearest source and the gradient.
+ * shortest path from this location, the nearest source and the gradient.
  *
  * \code
  * Geodesic_distance_field<Triangulation> field(triangulation, mesh);
@@ -159,7 +160,7 @@ class Geodesic_distance_field
 
 public:
   using Triangle_mesh = typename Triangulation::Triangle_mesh;                          ///< the mesh
-  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< its face type
+  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< the face type of the mesh
 
   /// Contains the result of a query.
   struct Answer

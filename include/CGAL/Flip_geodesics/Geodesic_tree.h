@@ -98,7 +98,7 @@ class Geodesic_tree
       "results of inexact predicates are measured from the input, to which the triangulation has no correspondence");
 
 public:
-  using Triangulation = Triangulation_; ///< the template parameter
+  using Triangulation = Triangulation_; ///< the type of the triangulation
 
   /// Constructs a tree without a source in constant time. The triangulation must outlive the tree.
   explicit Geodesic_tree(Triangulation& triangulation)
@@ -115,7 +115,7 @@ public:
    *
    * \param source a vertex of the triangulation, as a `Vertex_index`, or a point of any type that `surface_location()`
    *        accepts, which becomes a vertex as by `Intrinsic_triangulation::insert()`. Other points to which paths are
-   *        needed have to be inserted before
+   *        needed have to be inserted beforehand
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin

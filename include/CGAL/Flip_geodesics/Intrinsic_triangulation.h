@@ -163,8 +163,8 @@ class Intrinsic_triangulation_elements
 
 public:
   using Triangle_mesh = TriangleMesh;                           ///< the type of the input
-  using Traits = Traits_;                                       ///< the template parameter
-  using Metric = Metric_;                                       ///< the template parameter
+  using Traits = Traits_;                                       ///< the type of the traits
+  using Metric = Metric_;                                       ///< the type of the metric
   using Input_mesh = Numbered_mesh<TriangleMesh>;               ///< the numbered input
   using vertex_descriptor = Vertex_index;                       ///< the vertex type of the intrinsic triangulation
   using halfedge_descriptor = Halfedge_index;                   ///< the halfedge type of the intrinsic triangulation
@@ -425,8 +425,8 @@ class Intrinsic_triangulation : public Intrinsic_triangulation_elements<Triangle
   using Store = typename Elements::Store;
 
 public:
-  using Traits = Traits_;                                       ///< the template parameter
-  using Metric = Metric_;                                       ///< the template parameter
+  using Traits = Traits_;                                       ///< the type of the traits
+  using Metric = Metric_;                                       ///< the type of the metric
   using Input_mesh = typename Elements::Input_mesh;             ///< the numbered input
   using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< the data that the traits store for a halfedge
   using Turn = typename Traits::Turn;                           ///< a rotation around a vertex, of the traits

@@ -110,11 +110,11 @@ public:
   /// Describes a component of the surface.
   struct Component
   {
-    Vertex_index base_point; ///< the vertex through which all its loops pass
+    Vertex_index base_point; ///< the vertex through which all loops of the component pass
     Index genus;             ///< the number of handles
-    Index number_of_borders; ///< the number of its border loops
-    Index first_loop;        ///< the first of its loops
-    Index number_of_loops;   ///< the number of its loops, which are numbered consecutively
+    Index number_of_borders; ///< the number of borders of the component
+    Index first_loop;        ///< the first loop of the component
+    Index number_of_loops;   ///< the number of loops of the component, which are numbered consecutively
   };
 
   /*!

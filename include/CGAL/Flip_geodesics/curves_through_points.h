@@ -75,7 +75,7 @@ public:
    *        a closed spline has at least three and does not repeat the first. Consecutive points may coincide, so that
    *        the segment between them has length zero
    * \param kind the type of the spline
-   * \throws Invalid_curve_error if there are fewer points
+   * \throws Invalid_curve_error if there are fewer than two points, or fewer than three for a closed spline
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does

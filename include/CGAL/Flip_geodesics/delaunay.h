@@ -25,8 +25,9 @@ struct Delaunay_report
 {
   std::size_t flips = 0;       ///< the number of edge flips
   std::size_t constrained = 0; ///< the number of edges that are not locally Delaunay but are held by a curve
-  std::size_t remaining = 0;   ///< the number of other such edges; nonzero only if the process ended early
-  bool is_stopped = false;     ///< whether the visitor ended the process
+  /// The number of other edges that are not locally Delaunay; 0 unless the process ended early.
+  std::size_t remaining = 0;
+  bool is_stopped = false; ///< whether the visitor ended the process
   /// Returns whether each given edge is locally Delaunay or held by a curve.
   bool is_complete() const { return remaining == 0; }
 };

@@ -281,7 +281,7 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  *
  * Replaces the paths of a tree that are not globally shortest.
  *
- * The distances on the input are computed as by `Geodesic_distance_field`, exact up to rounding errors, or, if the
+ * The distances on the input are computed by a `Geodesic_distance_field`, exact up to rounding errors, or, if the
  * field cannot confirm them, by a search with outward-rounded bounds. The longer paths are then removed from the tree,
  * and shortest ones are inserted by flips, the nearest first. The inserted paths do not cross other paths of the tree,
  * since shortest paths from one vertex never cross. Vertices within the limit of the tree that were missing from it are
@@ -340,7 +340,7 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedPa
  * Writes the path lengths of a tree into a property map of the mesh; vertices without a path receive infinity.
  *
  * \param tree a tree that has been grown
- * \param mesh its mesh
+ * \param mesh the mesh of the tree
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values
  *
  * Complexity: linear in the number of vertices of the mesh.
@@ -373,7 +373,7 @@ void put_logarithmic_map(const Vertex_logarithmic_map& map, const Triangulation&
  *
  * \param map the result of `logarithmic_map(tree)`
  * \param tree the tree
- * \param mesh its mesh
+ * \param mesh the mesh of the tree
  * \param coordinates a model of `WritablePropertyMap` with the vertices of the mesh as keys and `Polar_coordinates` as
  *        values
  *
@@ -394,8 +394,8 @@ void put_logarithmic_map(const Vertex_logarithmic_map& map, const Geodesic_tree<
  * infinity.
  *
  * \param field a field that has been computed
- * \param triangulation its triangulation
- * \param mesh its mesh
+ * \param triangulation the triangulation of the field
+ * \param mesh the mesh of the field
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values
  *
  * Complexity: linear in the number of vertices of the mesh.
@@ -1062,7 +1062,7 @@ private:
  * field per thread and of the matrix. The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
- *         TBB for the second
+ *         TBB for `Parallel_tag`
  *
  * \param mesh a triangle mesh
  * \param points a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, of

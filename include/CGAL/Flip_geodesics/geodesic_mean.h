@@ -34,7 +34,7 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsTangents
 /// States why the search for a mean ended.
 enum class Mean_status {
-  CONVERGED, ///< the weighted vectors to the points cancel out there, up to the tolerance
+  CONVERGED, ///< the weighted vectors to the points cancel out, up to the tolerance
   /// no step along the mean vector decreases the sum of squares, as can happen at a vertex at which shortest paths
   /// bend, on the border, or at a point at which shortest paths arrive from two sides
   STUCK,
@@ -105,7 +105,7 @@ public:
    * \param triangulation a triangulation of the mesh; both must outlive the object
    * \param mesh the mesh
    * \param points a range of points of the surface, of any type that `surface_location()` accepts
-   * \param weights one for each point
+   * \param weights a range of numbers, one for each point
    * \throws Invalid_parameter_error if no points are given, the numbers of points and weights differ, a weight is
    *         negative or not finite, or all weights are zero
    */

@@ -257,8 +257,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *            `elements()` are the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, also if any face that is examined is not a triangle
- * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite; `elements()` is
- *            the position of the vertex in `vertices(mesh)`
+ * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite; the element is
+ *            the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face has few of them, and up to

@@ -49,8 +49,8 @@ struct Located_polyline
   /// target and third vertex of `halfedge(face, mesh)`.
   using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
 
-  bool is_closed = false; ///< whether it ends where it begins
-  /// the locations of the points; for a point on an edge of the mesh, the same one of its two faces is always chosen
+  bool is_closed = false; ///< whether the polyline ends where it begins
+  /// the locations of the points; for points on the same edge of the mesh, always the same one of the two faces
   std::vector<Face_location> locations;
   std::vector<Point> points; ///< the points in space
 
@@ -75,7 +75,7 @@ struct Located_polyline
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Isoline : Located_polyline<TriangleMesh, Point>
 {
-  double level = 0; ///< the distance
+  double level = 0; ///< the distance from the sources
 };
 
 namespace internal {
@@ -280,7 +280,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  *
  * A boundary is closed, or ends at junctions of three regions or on the border of the mesh. A point at which more than
  * three regions meet is represented by several junctions within the tolerance. The vertices of a boundary lie on the
- * true one up to rounding errors, and between them the boundary is nowhere farther than the tolerance from it. A
+ * true boundary up to rounding errors, and between them it is nowhere farther than the tolerance from the true one. A
  * junction and the vertices beside it may be off by some hundredths of the tolerance. As with `isolines()`, the number
  * of vertices inside faces grows like the inverse square root of the tolerance. Points that are not reached by any
  * source form a region with the source `Voronoi_boundary::none`.

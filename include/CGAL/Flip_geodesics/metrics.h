@@ -530,8 +530,8 @@ class Mollified_metric : private Metric
 
 public:
   using Mesh = typename Base::Mesh;       ///< the mesh, numbered
-  using Kernel = typename Base::Kernel;   ///< that of the other metric
-  using Point_3 = typename Base::Point_3; ///< that of the other metric, `void` if it has no points
+  using Kernel = typename Base::Kernel;   ///< the kernel of the other metric
+  using Point_3 = typename Base::Point_3; ///< the point type of the other metric, `void` if it has none
 
   /// Adds nothing, so that lengths and faces are those of the other metric.
   explicit Mollified_metric(const Metric& metric)
@@ -691,8 +691,8 @@ class Weighted_metric : private Metric
 
 public:
   using Mesh = typename Base::Mesh;       ///< the mesh, numbered
-  using Kernel = typename Base::Kernel;   ///< that of the other metric
-  using Point_3 = typename Base::Point_3; ///< that of the other metric, `void` if it has no points
+  using Kernel = typename Base::Kernel;   ///< the kernel of the other metric
+  using Point_3 = typename Base::Point_3; ///< the point type of the other metric, `void` if it has none
 
   /*!
    * Reads all weights. Linear in the size of the mesh if it is a `Surface_mesh`.

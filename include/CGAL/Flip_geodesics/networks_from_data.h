@@ -28,8 +28,8 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Specifies the treatment of vertices at which more than two regions, or regions and the border, meet.
 enum class Junctions {
-  FIXED, ///< they are fixed, and every curve ends there
-  FREE   ///< they can move: every region has its own closed curves, next to those of its neighbors
+  FIXED, ///< these vertices are fixed, and every curve ends there
+  FREE   ///< these vertices can move: every region has its own closed curves, next to those of its neighbors
 };
 
 namespace internal {

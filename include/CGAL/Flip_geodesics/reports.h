@@ -163,8 +163,8 @@ inline const char* to_string(Shortening_status status)
 struct Curve_report
 {
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how its shortening ended
-  double initial_length = 0;                                      ///< its initial length, before any straightening
-  double length = 0;                                              ///< its current length, 0 if it has contracted
+  double initial_length = 0; ///< the initial length of the curve, before any straightening
+  double length = 0;         ///< the current length of the curve, 0 if it has contracted
   /// The smallest angle, in radians, at an unblocked side of a joint; infinite without such sides.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back

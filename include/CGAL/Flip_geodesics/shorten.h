@@ -49,7 +49,7 @@ class Shortener
   using Straightnesses = internal::Indexed_by<Curve_index, std::vector<Straightness>>;
 
 public:
-  using Network = Network_; ///< the template parameter
+  using Network = Network_; ///< the type of the network
 
   /// Constructs a shortener and inspects every joint of the curves of `network`, which must outlive the shortener. The
   /// time is linear in the number of segments and the degrees of their end points.

@@ -63,7 +63,8 @@ inline const char* to_string(Class_search_status status)
 template <class TriangleMesh>
 struct Path_class
 {
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
+  /// The halfedge type of the mesh.
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   /// A shortest edge path of the class in the part of the covering that was laid out. This part contains the first
   /// `number` classes of edge paths; other classes may have shorter edge paths if edge paths approximate distances

@@ -72,10 +72,10 @@ class Surface_subdivision
   using Map = typename boost::property_map<OutputMesh, Tag>::type;
 
 public:
-  using vertex_descriptor = typename Graph::vertex_descriptor;     ///< of `OutputMesh`
-  using halfedge_descriptor = typename Graph::halfedge_descriptor; ///< of `OutputMesh`
-  using edge_descriptor = typename Graph::edge_descriptor;         ///< of `OutputMesh`
-  using face_descriptor = typename Graph::face_descriptor;         ///< of `OutputMesh`
+  using vertex_descriptor = typename Graph::vertex_descriptor;     ///< the vertex type of `OutputMesh`
+  using halfedge_descriptor = typename Graph::halfedge_descriptor; ///< the halfedge type of `OutputMesh`
+  using edge_descriptor = typename Graph::edge_descriptor;         ///< the edge type of `OutputMesh`
+  using face_descriptor = typename Graph::face_descriptor;         ///< the face type of `OutputMesh`
   /// The face type of the input mesh.
   using Input_face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
   /// A model of `ReadablePropertyMap`, for the parameter `edge_is_constrained_map` of functions of \cgal.

@@ -79,7 +79,7 @@ Surface_location surface_location(
  * with rounding errors, with a coordinate of -5.6e-17 for instance, thus lie on the intended edge or vertex.
  *
  * \param triangulation the triangulation
- * \param mesh its mesh
+ * \param mesh the mesh of the triangulation
  * \param location the face and the coordinates
  * \param snap a barycentric coordinate, not negative and below 1/3; by default 1e-12
  * \throws Invalid_location_error if the face is null or does not belong to the mesh, a coordinate is less than `-snap`

@@ -301,7 +301,8 @@ private:
 template <class OutputIterator, class TriangleMesh>
 struct Logarithmic_map_result
 {
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
+  /// The halfedge type of the mesh.
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   OutputIterator out;           ///< the past-the-end iterator of the output
   halfedge_descriptor halfedge; ///< the halfedge from which the angles are measured counterclockwise

@@ -42,11 +42,11 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsTracing
 /// States why a straightest geodesic ends.
 enum class Trace_status {
-  LENGTH,           ///< it has the requested length
-  VERTEX,           ///< it reaches a vertex exactly and is required to stop there
-  BORDER,           ///< it meets the border, on an edge or at a vertex, or would leave the surface there at its start
-  CONSTRAINED_EDGE, ///< it meets an edge that must not be crossed, or a vertex of such an edge
-  CROSSING_LIMIT    ///< it has crossed the maximal number of edges
+  LENGTH,           ///< the geodesic has the requested length
+  VERTEX,           ///< the geodesic reaches a vertex exactly and is required to stop there
+  BORDER,           ///< the geodesic meets the border, or would leave the surface at its start
+  CONSTRAINED_EDGE, ///< the geodesic meets an edge that must not be crossed, or a vertex of such an edge
+  CROSSING_LIMIT    ///< the geodesic has crossed the maximal number of edges
 };
 
 /// Returns the name of a status, spelled like the enumerator.
@@ -94,11 +94,11 @@ namespace Flip_geodesics {
 /// Describes a straightest geodesic that has been traced: its length, and where and why it ends.
 struct Trace_report
 {
-  double length = 0;                          ///< its length, at most the requested one
-  Trace_status status = Trace_status::LENGTH; ///< why it ends
+  double length = 0;                          ///< the length of the geodesic, at most the requested one
+  Trace_status status = Trace_status::LENGTH; ///< why the geodesic ends
   std::size_t edges = 0;                      ///< the number of crossed edges
   std::size_t vertices = 0;                   ///< the number of vertices passed straight through
-  Surface_location location;                  ///< its end
+  Surface_location location;                  ///< the end of the geodesic
   Input_halfedge_index halfedge;              ///< the halfedge from which the direction at the end is measured; see
                                               ///< `Geodesic_tracer::trace()`
   double angle = 0;               ///< the counterclockwise angle from this halfedge to the direction, in radians
@@ -420,16 +420,17 @@ private:
 template <class OutputIterator, class TriangleMesh>
 struct Trace_result
 {
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;         ///< the face type
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type
+  /// The halfedge type of the mesh.
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   OutputIterator out;                                         ///< the past-the-end iterator of the output
   Trace_report report;                                        ///< the report on the geodesic
   std::pair<face_descriptor, std::array<double, 3>> location; ///< the end of the geodesic, a `Face_location`
-  std::pair<halfedge_descriptor, double> direction;           ///< the direction in which it would continue
+  std::pair<halfedge_descriptor, double> direction;           ///< the direction in which the geodesic would continue
 
   double length() const { return report.length; }       ///< returns the length of the geodesic
-  Trace_status status() const { return report.status; } ///< returns why it ends
+  Trace_status status() const { return report.status; } ///< returns why the geodesic ends
 };
 
 namespace internal {
