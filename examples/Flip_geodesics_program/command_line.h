@@ -244,7 +244,7 @@ private:
                                     ? nullptr
                                     : add("--repair", m_options.is_repaired, "repair the mesh first");
     CLI::Option* const weld = add("--weld", "TOLERANCE", m_options.weld, {0, 1, false, true},
-                                  "merge points closer than this fraction of the bounding box [0]");
+                                  "merge points closer than this fraction of the longest side of the bounding box [0]");
     if(repair != nullptr)
       weld->needs(repair);
     add("--force", m_options.is_replacing_input, "allow a result to replace an input file");
@@ -256,8 +256,8 @@ private:
   void add_ends()
   {
     m_group = std::string("Curves, of one kind. ") + m_points;
-    CLI::Option* const from = add_text("--from", "POINT", m_options.from, "start a path here");
-    CLI::Option* const to = add_text("--to", "POINT", m_options.to, "end the path here");
+    CLI::Option* const from = add_text("--from", "POINT", m_options.from, "start a path at this point");
+    CLI::Option* const to = add_text("--to", "POINT", m_options.to, "end the path at this point");
     from->needs(to);
     to->needs(from);
   }
@@ -272,7 +272,7 @@ private:
 
   void add_files_of_paths()
   {
-    add_text("--edges", "FILE", m_options.edges, "read a path of edges per line, as vertices");
+    add_text("--edges", "FILE", m_options.edges, "read the vertices of a path along edges per line");
     add_text("--points", "FILE", m_options.points, "read a path through points per line");
     add_draw();
     add("--snap", m_options.is_snapped, "move the polylines of --draw to edges first")
@@ -282,20 +282,20 @@ private:
   CLI::Option* add_draw()
   {
     return add_text("--draw", "FILE", m_options.draw,
-                    "read a polyline per line, closed after `o`; or FILE.polylines.txt");
+                    "read the points of a polyline per line, of a closed one after `o`; or NAME.polylines.txt");
   }
 
   CLI::Option* add_loop()
   {
-    return add_text("--loop", "FILE", m_options.loop, "read a closed loop of edges per line, as vertices");
+    return add_text("--loop", "FILE", m_options.loop, "read the vertices of a closed loop of edges per line");
   }
 
   void add_networks()
   {
     add_text("--network", "FILE", m_options.network,
-             "read a path per line; `o v v ...` is a loop, `! v ...` fixes vertices");
+             "read the vertices of a path per line; `o v v ...` is a loop, `! v ...` fixes vertices");
     add_text("--segmentation", "FILE", m_options.segmentation,
-             "read a label per face and line, and shorten the boundaries");
+             "read the label of a face per line, and shorten the boundaries between labels");
     add("--free-junctions", m_options.has_free_junctions, "allow the vertices at which boundaries meet to move")
         ->needs(m_command->get_option("--segmentation"));
     add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
@@ -304,7 +304,7 @@ private:
   void add_splines()
   {
     add_text("--bezier", "FILE", m_options.bezier,
-             "read control points per line; after `s` of a B-spline, after `o` of a closed one");
+             "read the control points of a Bezier curve per line; `s ...` is a B-spline, `o ...` a closed one");
     add("--rounds", "NUMBER", m_options.rounds, {0, 16}, "halve the pieces of splines this many times [5]")
         ->needs(m_command->get_option("--bezier"));
   }
@@ -328,8 +328,9 @@ private:
   void add_weights()
   {
     add_text("--face-weights", "FILE", m_options.face_weights,
-             "read factors of lengths: one per face, or lines `face weight`");
-    add_text("--edge-weights", "FILE", m_options.edge_weights, "read factors of lengths of edges: lines `v w weight`");
+             "read factors of the lengths in faces: one per face, or lines `face weight`");
+    add_text("--edge-weights", "FILE", m_options.edge_weights,
+             "read factors of the lengths of edges: lines `v w weight`");
     choose({"--face-weights", "--edge-weights"}, false);
     if(m_command->get_option_no_throw("--kernel") != nullptr)
       exclude("--kernel", {"--face-weights", "--edge-weights"}); // certified
@@ -338,7 +339,7 @@ private:
   void add_avoid()
   {
     add_text("--avoid", "FILE", m_options.obstacles,
-             "read a barrier of edges per line, as vertices, or faces `f n n ...`");
+             "read the vertices of a barrier along edges per line, or faces `f n n ...`");
   }
 
   void add_most_memory()
@@ -382,7 +383,7 @@ private:
     add_text("--insert", "FILE", m_options.meshes.insertion,
              "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
     add_text("--cut", "FILE", m_options.meshes.cut,
-             "write the mesh cut open along the curves (formats as for --insert)");
+             "write the mesh cut open along the curves (.off, .obj, .ply, .stl, .vtp)");
     if(m_command->get_option_no_throw("--threads") != nullptr)
       exclude("--threads", {"--page"}); // which shows the steps of the curves one after the other
   }
@@ -476,8 +477,9 @@ private:
     m_group = "The triangulation";
     add("--delaunay", m_options.meshes.is_delaunay, "flip the other edges to a constrained Delaunay triangulation");
     CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
-                                    "insert vertices until no angle is smaller, in degrees");
-    add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70}, "insert vertices until no edge is longer")
+                                    "insert vertices until no angle is smaller than this, in degrees");
+    add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
+        "insert vertices until no edge is longer than this")
         ->needs(refine);
     add("--most-vertices", "NUMBER", m_options.meshes.most_vertices, not_negative,
         "insert at most this many vertices [1000000]")
@@ -508,7 +510,7 @@ private:
     add_search();
     add_threads();
     add("--landmarks", "NUMBER", m_options.landmarks, {1, 1000},
-        "precompute landmarks, recommended for hundreds of paths: 8");
+        "precompute this many landmarks; 8 are recommended for hundreds of paths");
     for(const char* const name : {"--ways", "--avoid"})
       exclude(name, {"--kernel", "--mollify", "--refuse-zero-edges", "--search", "--landmarks", "--face-weights",
                      "--edge-weights"});
@@ -520,10 +522,10 @@ private:
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
     m_group = m_points;
     add_text("--trace", "POINT,ANGLE,LENGTH", m_options.traces,
-             "trace a curve from a point, in a direction in radians; may be repeated")
+             "trace a geodesic of this length from a point, at an angle in radians; may be repeated")
         ->allow_extra_args(false)
         ->required();
-    m_group = "How lengths are measured";
+    m_group = "Metric and obstacles";
     add_avoid();
     add_mollify();
     add_weights();
@@ -538,13 +540,13 @@ private:
         ->allow_extra_args(false);
     add_text("--sources", "FILE", m_options.sources_file, "read further sources, separated by blanks");
     choose({"--source", "--sources"}, true, false);
-    add_list("--isolines", "DISTANCE,...", m_options.isolines, positive, "compute curves at these distances");
-    add("--spacing", "DISTANCE", m_options.spacing, positive, "compute curves at all multiples of this distance");
-    add("--voronoi", m_options.has_voronoi, "compute the curves on which the nearest source changes");
+    add_list("--isolines", "DISTANCE,...", m_options.isolines, positive, "compute isolines at these distances");
+    add("--spacing", "DISTANCE", m_options.spacing, positive, "compute isolines at all multiples of this distance");
+    add("--voronoi", m_options.has_voronoi, "compute the boundaries of the Voronoi diagram of the sources");
     add("--tolerance", "LENGTH", m_options.tolerance, positive,
         "limit the deviation of isolines and Voronoi boundaries from the true curves [1/1000 of the diagonal of the "
         "bounding box]");
-    m_group = "How lengths are measured";
+    m_group = "Metric and obstacles";
     add_avoid();
     add_mollify();
     add_weights();
@@ -599,7 +601,7 @@ private:
           "  flip_geodesics flatten textured.obj --seams --output flat.obj");
     m_group = "Curves to cut along, shortened first [the cut graph]";
     add_text("--network", "FILE", m_options.network,
-             "read a path per line; `o v v ...` is a loop, `! v ...` fixes vertices");
+             "read the vertices of a path per line; `o v v ...` is a loop, `! v ...` fixes vertices");
     add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
     choose({"--network", "--seams"}, false);
     add_outputs("-o,--output", "write .obj or .glb with texture coordinates; may be repeated")->required();
