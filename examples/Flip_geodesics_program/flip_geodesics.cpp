@@ -98,11 +98,11 @@ void check_names_of_results(const Options& options)
         throw Bad_input(name_of_result(name) + ": two results cannot be written to one file; name another one");
     for(const std::string& input : names_of_inputs(options))
       if(!options.is_replacing_input && !input.empty() && is_same_file(name, input) && is_plain_file(input))
-        throw Bad_input(printable(name) + ": a result would replace what is read; name another file, or add --force");
+        throw Bad_input(printable(name) + ": a result would replace an input file; name another file, or add --force");
     results.push_back(name);
   }
   if(!options.output_format.empty() && std::none_of(results.begin(), results.end(), is_standard_output))
-    throw Bad_input("--output-format is the format of a result on standard output; use - as its name");
+    throw Bad_input("--output-format requires a result on standard output; add --output -");
 }
 
 // The table goes where no result goes.

@@ -8,9 +8,9 @@
  * `shorten()` calls its members from one thread. An exception thrown by a member propagates through `shorten()` and
  * leaves valid curves, none of them longer than before.
  *
- * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well and call the first two members;
- * `refine()` requires a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Logarithmic_map`,
- * `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only the first member, as do
+ * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well and call `go_further()` and
+ * `on_flip()`; `refine()` requires a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Logarithmic_map`,
+ * `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only `go_further()`, as do
  * `geodesic_distances()` and `logarithmic_map()` unless they grow a tree. Each of these functions has a status for a
  * computation that was stopped. In that case nothing is certified, no output is written, and all objects remain usable.
  *

@@ -87,8 +87,8 @@ public:
   const Traits& traits() const;
   /// Returns the length of the edge of `h`, rounded.
   double length(Halfedge_index h) const;
-  /// Adds to `turn` the corner on the right of `h` at its tail, and returns `clockwise(h)`. If that is `null_index`,
-  /// `turn` is unchanged.
+  /// Adds to `turn` the corner on the right of `h` at its tail, and returns `clockwise(h)`. If the result is
+  /// `null_index`, `turn` is unchanged.
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const;
   /// Returns whether `turn`, the angle clockwise from `from` to `to` around a vertex, is at least \f$\pi\f$.
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const;

@@ -99,7 +99,7 @@ inline Input_text read_text(const std::string& file, const std::string& format =
   const std::string name = name_of_input(file);
   std::string bytes = file == standard_stream ? read_bytes(std::cin, name, 0) : read_file(file, name);
   if(bytes.empty())
-    throw Bad_input(name + (file == standard_stream ? ": is empty; check what writes to it"
+    throw Bad_input(name + (file == standard_stream ? ": is empty; check the program that writes to it"
                                                     : ": the file is empty; check the path"));
   constexpr const char* mark_of_gzip = "\x1f\x8b";
   if(bytes.compare(0, 2, mark_of_gzip) == 0)

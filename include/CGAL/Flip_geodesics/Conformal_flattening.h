@@ -56,8 +56,8 @@ class Conformal_flattening
 public:
   using Point = std::array<double, 2>; ///< the position in the plane, in the unit of the lengths
 
-  /// Cuts and flattens the surface with a tolerance of 1e-10 radians. The exceptions are those of the other
-  /// constructor.
+  /// Cuts and flattens the surface with a tolerance of 1e-10 radians. The exceptions are those of the
+  /// constructor with a tolerance.
   template <class Network>
   explicit Conformal_flattening(const Network& network)
     : Conformal_flattening(network, internal::default_angle_sum_tolerance)

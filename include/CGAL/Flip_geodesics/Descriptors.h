@@ -331,7 +331,7 @@ struct Edge_sequence
 enum class Side { LEFT, RIGHT };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Returns the other side.
+/// Returns the opposite side.
 inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
 
 /// \ingroup PkgFlipGeodesicsCurves
@@ -348,7 +348,7 @@ struct Joint
 struct Segment_end
 {
   Halfedge_index halfedge = null_index; ///< the halfedge of the end, outgoing at the node; null if this is not an end
-  Segment_index segment = null_index;   ///< starts or ends there along `halfedge`
+  Segment_index segment = null_index;   ///< the segment that starts or ends at the node along `halfedge`
 
   /// Returns whether this is not an end.
   bool is_none() const { return halfedge == null_index; }

@@ -52,7 +52,7 @@ public:
   struct Singularity
   {
     std::size_t face; ///< the number of the face in `operators().faces()`
-    int index;        ///< positive or negative
+    int index;        ///< the index, positive or negative
   };
 
   /*!

@@ -204,7 +204,7 @@ public:
   /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if that vertex is not valid.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
   /// Returns the halfedge that corresponds to a halfedge of the input mesh as long as its edge has not been flipped, or
-  /// `null_index` if the latter is not valid.
+  /// `null_index` if that halfedge is not valid.
   Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
   /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted

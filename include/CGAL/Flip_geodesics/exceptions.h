@@ -56,9 +56,9 @@ private:
 /// Is thrown if the connectivity of the input is not that of an oriented triangulated surface: a face is not a
 /// triangle, an edge does not belong to a face, a `Surface_mesh` contains removed vertices or edges, or there are more
 /// elements than 32-bit indices can number. It is also thrown if umbrellas meet only at a vertex and the class of a
-/// curve or the angle of directions there is requested, or if handles and tunnels of a surface that does not bound a
-/// solid are requested. `elements()` are at most eight vertices of the face, the vertices of the edge, or the vertex at
-/// which umbrellas meet.
+/// curve or the angle of directions at this vertex is requested, or if handles and tunnels of a surface that does not
+/// bound a solid are requested. `elements()` are at most eight vertices of the face, the vertices of the edge, or the
+/// vertex at which umbrellas meet.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -75,9 +75,9 @@ enum class Degeneracy_remedy {
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a face has a degenerate edge, or lengths that violate the triangle inequality, or if degenerate faces
-/// at a degenerate edge leave no surface when the edge is contracted. `elements()` are its vertices. It is also thrown
-/// if a path cannot be followed through almost degenerate faces because of rounding errors; in this case `elements()`
-/// is empty.
+/// at a degenerate edge leave no surface when the edge is contracted. `elements()` are the vertices of the edge or
+/// face. It is also thrown if a path cannot be followed through almost degenerate faces because of rounding errors; in
+/// this case `elements()` is empty.
 class Degenerate_face_error : public Error
 {
 public:

@@ -234,7 +234,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  * still computed.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
- *         TBB for the second
+ *         TBB for `Parallel_tag`
  *
  * \param mesh a triangle mesh
  * \param pairs a range of `std::pair`s of a source and a target: vertices, or points of any types that

@@ -219,8 +219,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself
  *   if no coordinate differs by more than the tolerance. Shorter edges collapse.
  * - Coincident borders are stitched with `CGAL::Polygon_mesh_processing::stitch_borders()`; their coordinates are
- *   bitwise identical. If more than two border edges coincide, two of the same component are stitched and the others
- *   are not. Borders remain open if stitching would create two edges with the same two vertices.
+ *   bitwise identical. If more than two border edges coincide, two edges of the same component are stitched, and the
+ *   others are not. Borders remain open if stitching would create two edges with the same two vertices.
  * - Triangles whose corners are collinear according to exact predicates are removed by a flip of their longest edge,
  *   which does not change the surface. If this is impossible, they are deleted, which leaves a slit inside the surface.
  *

@@ -16,10 +16,10 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * States how certain the claim of a function is. A function for geodesics claims that a curve is locally shortest; one
- * for shortest paths that no path between the same ends is shorter; one for homotopy classes that no path of the class
- * is shorter; and one for distances that no path is shorter than the distance. The section
- * \ref Flip_geodesicsAssumptions lists the assumptions.
+ * States how certain the claim of a function is. A function for geodesics claims that a curve is locally shortest. A
+ * function for shortest paths claims that no path between the same ends is shorter, and a function for homotopy classes
+ * that no path of the class is shorter. A function for distances claims that no path is shorter than the distance. The
+ * section \ref Flip_geodesicsAssumptions lists the assumptions.
  */
 enum class Verdict {
   PROVEN, ///< the claim holds exactly

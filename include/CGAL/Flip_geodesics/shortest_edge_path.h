@@ -36,9 +36,8 @@ namespace Flip_geodesics {
  *
  * Landmarks are computed once for many searches on one mesh, and guide these searches around bumps and holes. By the
  * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound of the distance
- * between them \cgalCite{GH05}. On most meshes this
- * bound is larger than the distance in space, and it also exists for metrics without points. `Geodesic_landmarks`
- * provide bounds of the distances on the surface.
+ * between them \cgalCite{GH05}. On most meshes this bound is larger than the distance in space, and it also exists for
+ * metrics without points. `Geodesic_landmarks` provide bounds of the distances on the surface.
  *
  * The distances take 32 bytes per vertex, and can be read by several threads concurrently.
  */
@@ -52,9 +51,9 @@ public:
    * \param search a `Shortest_edge_path`, which computes the distances. With `Search_method::DIJKSTRA` or
    *        `Search_method::A_STAR`, these are the lengths of shortest edge paths. With `Search_method::LOOK_BACK`, they
    *        estimate distances on the surface; use such landmarks only with `LOOK_BACK` searches
-   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called,
-   *        before each search and about once per thousand vertices. If it returns `false`, `is_complete()` returns
-   *        `false`, and all bounds are zero
+   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is
+   *        called, before each search and about once per thousand vertices. If it returns `false`, `is_complete()`
+   *        returns `false`, and all bounds are zero
    * \throws Invalid_coordinate_error as `Shortest_edge_path` does, for any edge
    *
    * Complexity: 17 searches over the whole mesh, \cgalBigO{n \log n}.
@@ -174,8 +173,8 @@ public:
    *     \cgalParamDefault{`Search_method::A_STAR`, or `Search_method::LOOK_BACK` if landmarks are given}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{landmarks}
-   *     \cgalParamDescription{landmarks that guide the search; the lower bound is then multiplied by only 1.02, since it
-   *       is nearly attained}
+   * \cgalParamDescription{landmarks that guide the search; the lower bound is then multiplied by only 1.02, since it is
+   *     nearly attained}
    *     \cgalParamType{`Landmark_distances`}
    *     \cgalParamDefault{no landmarks}
    *     \cgalParamPrecondition{the landmarks were computed for this mesh, and the method is `Search_method::LOOK_BACK`}
@@ -210,8 +209,8 @@ public:
    * Returns the halfedges of an edge path from `source` to `target`, or no halfedges if the two vertices are equal.
    *
    * \param source, target vertices of the input
-   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called,
-   *        about once per thousand vertices. If it returns `false`, the search ends and returns no halfedges
+   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is
+   *        called, about once per thousand vertices. If it returns `false`, the search ends and returns no halfedges
    * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the input
    * \throws Disconnected_endpoints_error if no edge path connects the vertices
    * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN. Edges of
@@ -230,8 +229,8 @@ public:
    *
    * \param source a vertex of the input
    * \param visit a function object
-   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is called,
-   *        about once per thousand vertices. If it returns `false`, the remaining vertices are not visited
+   * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is
+   *        called, about once per thousand vertices. If it returns `false`, the remaining vertices are not visited
    * \return whether all vertices have been visited
    * \throws Vertex_out_of_range_error if `source` is not a vertex of the input
    * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN

@@ -85,12 +85,14 @@ struct Paths_by_class_report
                                                   ///< shortest in its class
   std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
   std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
-  double lower_bound = 0; ///< a lower bound for paths of classes not found; infinite if none remains
+  double lower_bound = 0; ///< a lower bound for paths of classes not found; infinite if all classes were found
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
   std::size_t visited = 0;                                 ///< the number of vertices of the universal covering that
                                                            ///< were visited
 
-  /// Returns a proven lower bound of the lengths of all paths whose classes are not represented in `paths`. The bound is infinite if every class is represented, and may be less than the length of the last path if that path is not confirmed.
+  /// Returns a proven lower bound of the lengths of all paths whose classes are not represented in `paths`. The bound
+  /// is infinite if every class is represented, and may be less than the length of the last path if that path is not
+  /// confirmed.
   double lower_bound_of_others() const
   {
     double least = lower_bound;

@@ -131,7 +131,7 @@ class Angle_stop_predicate
 {
 public:
   /// Sets the limit.
-  /// \param angle in radians, in (0, \f$\pi\f$]
+  /// \param angle the limit of the angle, in radians, in (0, \f$\pi\f$]
   explicit Angle_stop_predicate(double angle)
     : m_key(1 - std::cos(angle) / (std::abs(std::cos(angle)) + std::sin(angle)))
   {
@@ -161,7 +161,7 @@ public:
   {
   }
 
-  /// Returns `ITERATION_LIMIT` if this number of steps has been taken, otherwise `CONTINUE`.
+  /// Returns `ITERATION_LIMIT` if the maximal number of steps has been taken, otherwise `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.steps >= m_limit ? Stop_decision::ITERATION_LIMIT : Stop_decision::CONTINUE;
@@ -232,7 +232,7 @@ class Memory_stop_predicate
 {
 public:
   /// Sets the limit.
-  /// \param limit in bytes
+  /// \param limit the maximal memory, in bytes
   explicit Memory_stop_predicate(std::size_t limit)
     : m_limit(limit)
   {
@@ -250,7 +250,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops as soon as one of several predicates does; the first one that stops determines the decision.
+/// Stops as soon as one of several predicates stops, with the decision of the first predicate that does so.
 /// \cgalModels{FlipOutStopPredicate}
 template <class... Predicates>
 class Any_stop_predicate

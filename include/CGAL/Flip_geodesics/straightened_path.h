@@ -227,9 +227,9 @@ private:
  * Adds an edge path to an empty network after initial straightening, so that `shorten()` needs few flips.
  *
  * The curve is never longer than the path. The curve may pass through vertices between its ends, but its topology does
- * not change otherwise, and `shorten()` determines what is straight. The function is intended for paths of which only
- * the ends matter, such as those of `Shortest_edge_path`. If a stop predicate or a visitor has to observe the whole
- * process, use `Edge_path_network::add_curve()` instead.
+ * not change otherwise, and `shorten()` determines which segments and joints are straight. The function is intended for
+ * paths of which only the ends matter, such as those of `Shortest_edge_path`. If a stop predicate or a visitor has to
+ * observe the whole process, use `Edge_path_network::add_curve()` instead.
  *
  * The face strip along the path is unfolded, the path is shortened in it with a funnel algorithm, and the strip is
  * moved to the other side of the vertices at which the path bends \cgalCite{XW07}. All of this is computed in doubles
@@ -239,8 +239,8 @@ private:
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path, whose length becomes the initial length of the curve
- * \param most_memory in bytes, as for `Memory_stop_predicate`: if the records of the flips would take more, the path
- *        itself is added
+ * \param most_memory a limit in bytes, as for `Memory_stop_predicate`: if the records of the flips would take more, the
+ *        path itself is added
  * \return the number of flips
  *
  * \throws Invalid_curve_error as `Edge_path_network::add_curve()` does

@@ -124,7 +124,7 @@ template <class VertexMap>
 struct Vertex_values
 {
   /// Constructs the values from a name and a map.
-  /// \param name the name in the file, which consists of letters, digits and underscores and is unique
+  /// \param name the name of the values in the file, which consists of letters, digits and underscores and is unique
   /// \param map the values at vertices
   Vertex_values(std::string name, VertexMap map)
     : name(std::move(name))
@@ -132,7 +132,7 @@ struct Vertex_values
   {
   }
 
-  std::string name; ///< in the file
+  std::string name; ///< the name of the values in the file
   VertexMap map;    ///< the values at vertices
 };
 
