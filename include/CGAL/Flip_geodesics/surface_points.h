@@ -16,6 +16,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -168,10 +169,25 @@ struct Halved_corners
     const auto& input = triangulation->input().uncontracted();
     const Input_halfedge_index h = input.index(graph_halfedge(f, *mesh));
     check_triangle(input, h);
-    return {{corner(h), corner(input.next(h)), corner(input.next(input.next(h)))}};
+    const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
+    const Triangle_places corners = {{corner(h), corner(hn), corner(hp)}};
+    check_side(corners[0], corners[1], h);
+    check_side(corners[1], corners[2], hn);
+    check_side(corners[2], corners[0], hp);
+    return corners;
   }
 
 private:
+  // Squares of much shorter distances would underflow beside a longer side.
+  void check_side(const Place_in_space& p, const Place_in_space& q, Input_halfedge_index h) const
+  {
+    const Place_in_space d = difference(p, q);
+    if((std::max)({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) >= greatest_length) {
+      const auto& input = triangulation->input().uncontracted();
+      throw_unusable_length(2 * std::hypot(d[0], d[1], d[2]), input.tail(h), input.tail(input.next(h)));
+    }
+  }
+
   Place_in_space corner(Input_halfedge_index h) const
   {
     const auto& input = triangulation->input().uncontracted();
@@ -216,7 +232,7 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
  * calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
- * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite
+ * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is longer than 1e70
  * \throws Invalid_mesh_error if a face is not a triangle
  *
  * Complexity: linear in the number of faces of the mesh.
