@@ -37,7 +37,8 @@ inline Mesh::Halfedge_index mesh_halfedge(Input_halfedge_index h)
 }
 
 /// The positions of the corners of a flattened mesh in the plane, at the targets of halfedges.
-inline Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> texture_of(Mesh& mesh)
+using Texture_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+inline Texture_map texture_of(Mesh& mesh)
 {
   return mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:texture").first;
 }

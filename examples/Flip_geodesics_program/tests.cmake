@@ -340,6 +340,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                     quad_seam.obj --repair --seams --output x.obj)
     flip_geodesics_add_program_test(flatten_no_disk 2 "cannot be flattened: the cut surface is not a disk" flatten torus.off
                                     --network joined_network.txt --output x.obj)
+    # Corners of one vertex have the same texture coordinates on one side of the cut.
+    flip_geodesics_add_program_test(flatten_cut_torus 0 "0 cuts.*flattened" flatten disk.off --output flat_disk.obj)
+    set_tests_properties(program_flatten_cut_torus PROPERTIES DEPENDS program_cut_graph)
+    flip_geodesics_add_program_test(flattened_has_no_seams 2 "flat_disk.obj: the texture has no seam inside" network
+                                    flat_disk.obj --seams)
+    set_tests_properties(program_flattened_has_no_seams PROPERTIES DEPENDS program_flatten_cut_torus)
   endif()
   flip_geodesics_add_program_test(flatten_format 2 "x.ply: the extension .*--output. use one of obj glb" flatten
                                   torus.off --output x.ply)

@@ -70,6 +70,24 @@ FG::Conformal_flattening<Triangulation> refined_and_flattened(const Mesh& mesh, 
                   "sharpest corners by --network, with a line `! v ...` of them");
 }
 
+// The corners at a vertex inside an uncut edge are one point of the plane. The positions in the two faces of the edge,
+// which differ by rounding errors, are replaced by one of them; they differ at no other vertex.
+void unite_corners(const FG::Surface_subdivision<Triangulation, Mesh>& subdivision, const Network& network,
+                   Texture_map texture)
+{
+  const Mesh& mesh = subdivision.mesh();
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const auto origin = subdivision.vertex_origin(v);
+    if(origin.intrinsic_vertex != FG::null_index || network.is_occupied(origin.intrinsic_halfedge))
+      continue;
+    const Mesh::Halfedge_index first =
+        mesh.is_border(mesh.halfedge(v)) ? mesh.prev_around_target(mesh.halfedge(v)) : mesh.halfedge(v);
+    for(const Mesh::Halfedge_index h : mesh.halfedges_around_target(first))
+      if(!mesh.is_border(h))
+        texture[h] = texture[first];
+  }
+}
+
 } // namespace
 
 Flattened_mesh flattened_mesh(const Mesh& mesh, const Network_request& cut, Progress& progress)
@@ -81,7 +99,9 @@ try {
   cut_open(network, cut, visitor);
   const auto flattening = refined_and_flattened(mesh, network, visitor, progress);
   auto subdivision = FG::common_subdivision(triangulation, mesh);
-  flattening.carry_to(subdivision, texture_of(subdivision.mesh()));
+  const Texture_map texture = texture_of(subdivision.mesh());
+  flattening.carry_to(subdivision, texture);
+  unite_corners(subdivision, network, texture);
   std::ostringstream report;
   report << counted(static_cast<std::size_t>(network.number_of_curves()), "cut", "cuts") << "; "
          << readable(subdivision.mesh().number_of_vertices()) << " vertices, flattened in "
