@@ -137,14 +137,19 @@ struct Run
         std::cerr << "flip_geodesics: " << remark << '\n';
   }
 
-  // Completes the files, and prints the table of the curves, if any were requested, and lines for people.
-  int finish(const std::string& lines, bool has_curves = true)
+  // Completes the files, and prints the table of the curves, if any were requested, and lines for people. A defect of
+  // the result, unless it is empty, goes to standard error and makes the result incomplete.
+  int finish(const std::string& lines, bool has_curves = true, const std::string& defect = "")
   {
     progress.enter("writing");
     std::vector<std::string> remarks = input.remarks();
     std::istringstream in(lines);
     for(std::string line; std::getline(in, line);)
       remarks.push_back(line);
+    if(!defect.empty()) {
+      remarks.push_back(defect);
+      std::cerr << "flip_geodesics: " << name_of_input(options.mesh) << ": " << defect << '\n';
+    }
     outputs->close(input, remarks);
     if(!options.is_quiet) {
       std::ostream& out = summary_stream(options);
@@ -153,7 +158,7 @@ struct Run
         outputs->print_summary(out);
       out << lines;
     }
-    return outputs->has_failed() ? incomplete : success;
+    return outputs->has_failed() || !defect.empty() ? incomplete : success;
   }
 };
 
@@ -315,7 +320,7 @@ int run_drawn(Run run)
 int run_without_curves(Run run)
 {
   const std::string& command = run.options.command;
-  std::string lines;
+  std::string lines, defect;
   std::optional<Mesh_info> info;
   if(command == "info") {
     info = mesh_info(run.input, run.input.remarks());
@@ -328,12 +333,13 @@ int run_without_curves(Run run)
         flattened_mesh(run.input, is_cut_given ? requests_of(run).front() : cut_graph_request(), run.progress);
     meshes.flattened = std::move(flattened.mesh);
     lines = flattened.report;
+    defect = flattened.defect;
   }
   run.open();
   if(info)
     run.outputs->write(*info);
   run.outputs->write(meshes);
-  return run.finish(lines, false);
+  return run.finish(lines, false, defect);
 }
 
 // Runs the command.

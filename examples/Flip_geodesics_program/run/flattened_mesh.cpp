@@ -18,8 +18,11 @@
 #include <CGAL/Flip_geodesics/subdivide.h>
 #endif
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace program {
@@ -88,6 +91,14 @@ void unite_corners(const FG::Surface_subdivision<Triangulation, Mesh>& subdivisi
   }
 }
 
+std::size_t number_of_faces_not_counterclockwise(const Mesh& mesh, Texture_map texture)
+{
+  return static_cast<std::size_t>(std::count_if(mesh.faces_begin(), mesh.faces_end(), [&](Mesh::Face_index f) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    return !CGAL::left_turn(texture[h], texture[mesh.next(h)], texture[mesh.prev(h)]);
+  }));
+}
+
 } // namespace
 
 Flattened_mesh flattened_mesh(const Mesh& mesh, const Network_request& cut, Progress& progress)
@@ -102,12 +113,17 @@ try {
   const Texture_map texture = texture_of(subdivision.mesh());
   flattening.carry_to(subdivision, texture);
   unite_corners(subdivision, network, texture);
+  const std::size_t turned = number_of_faces_not_counterclockwise(subdivision.mesh(), texture);
   std::ostringstream report;
   report << counted(static_cast<std::size_t>(network.number_of_curves()), "cut", "cuts") << "; "
          << readable(subdivision.mesh().number_of_vertices()) << " vertices, flattened in "
          << counted(static_cast<std::size_t>(flattening.iterations()), "step", "steps") << "; angle sums within "
          << flattening.angle_error() << " radians, positions within " << flattening.layout_error() << " of the size\n";
-  return {std::move(subdivision.mesh()), report.str()};
+  std::string defect;
+  if(turned > 0)
+    defect = "the texture is not injective: in the plane, " + counted(turned, "triangle is", "triangles are") +
+             " degenerate or turned over; remesh the surface, or cut it differently by --network";
+  return {std::move(subdivision.mesh()), report.str(), defect};
 } catch(const FG::Error& error) {
   throw Bad_input("the mesh cannot be flattened: " + with_advice_to_repair(error));
 }
