@@ -327,6 +327,13 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(certify_bent 1 "path.txt line 1.: it is not locally shortest: BENT_JOINT at point"
                                   certify torus.off --draw path.txt --stats bent.csv)
   flip_geodesics_add_program_test(certify_gap 1 "gap.txt line 2.: " certify torus.off --draw gap.txt)
+  file(WRITE ${program_dir}/twice.polylines.txt "6 1 0 0 1 0 0 0.5 0.5 0 0.5 0.5 0 0.5 0.5 0 0 1 0\n")
+  flip_geodesics_add_program_test(certify_coincident_points 0 "certificates: 1 PROVEN" certify no_seam.obj --draw
+                                  twice.polylines.txt)
+  # Points that differ by rounding errors are projected to one vertex.
+  file(WRITE ${program_dir}/nearly_twice.polylines.txt "4 1 0 0 0.5 0.5 0 0 1 0 1e-17 1 0\n")
+  flip_geodesics_add_program_test(certify_nearly_coincident_points 0 "certificates: 1 PROVEN" certify no_seam.obj --draw
+                                  nearly_twice.polylines.txt)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)

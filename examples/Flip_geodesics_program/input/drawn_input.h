@@ -7,11 +7,14 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // Files of polylines that are drawn on the mesh: lines of points as for --points, after `o` closed; or, in a file
@@ -57,6 +60,35 @@ inline Curve_request read_polyline_on_mesh(Point_reader& read_point, Text_scanne
   return curve;
 }
 
+// Whether two points are one: the same vertex, or the same weights of the same vertices, whichever faces they refer to.
+inline bool are_coincident(const Mesh& mesh, const CGAL::Flip_geodesics::Surface_location& a,
+                           const CGAL::Flip_geodesics::Surface_location& b)
+{
+  const auto weights_of_vertices = [&](const CGAL::Flip_geodesics::Surface_location& at) {
+    const Mesh::Halfedge_index h = mesh_halfedge(at.halfedge);
+    const std::array<Mesh::Vertex_index, 3> vertices = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+    std::vector<std::pair<Mesh::Vertex_index, double>> result;
+    for(std::size_t i = 0; i < 3; ++i)
+      if(at.weights[i] != 0)
+        result.emplace_back(vertices[i], at.weights[i]);
+    if(result.size() == 1)
+      result.front().second = 1;
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  return weights_of_vertices(a) == weights_of_vertices(b);
+}
+
+// Merges consecutive coincident points, such as those of curves through coincident vertices.
+inline void merge_coincident_points(const Mesh& mesh, Curve_request& curve)
+{
+  std::vector<CGAL::Flip_geodesics::Surface_location>& points = curve.points;
+  const auto are_same = [&](const auto& a, const auto& b) { return are_coincident(mesh, a, b); };
+  points.erase(std::unique(points.begin(), points.end(), are_same), points.end());
+  while(curve.is_closed && points.size() > 1 && are_same(points.front(), points.back()))
+    points.pop_back();
+}
+
 inline std::vector<Curve_request> read_drawn_curves(const Input_mesh& mesh, const Input_text& input)
 {
   const std::string ending = ".polylines.txt";
@@ -70,6 +102,7 @@ inline std::vector<Curve_request> read_drawn_curves(const Input_mesh& mesh, cons
   for_each_line(input, [&](Text_scanner& words) {
     const std::string name = words.place();
     curves.push_back(project ? read_polyline_in_space(words, *project) : read_polyline_on_mesh(read_point, words));
+    merge_coincident_points(mesh, curves.back());
     curves.back().name = name;
     curves.back().is_drawn = true;
     if(curves.back().points.size() < (curves.back().is_closed ? 3u : 2u))
