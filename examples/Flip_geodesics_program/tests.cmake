@@ -200,6 +200,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   add_test(NAME program_distance_matrix COMMAND ${CMAKE_COMMAND} -E cat matrix.csv WORKING_DIRECTORY ${program_dir})
   set_tests_properties(program_distance_matrix PROPERTIES DEPENDS program_distance_map PASS_REGULAR_EXPRESSION
                        "^0,[^,]*,[^,]*\n[^,]*,0,[^,]*\n[^,]*,[^,]*,0\n$")
+  flip_geodesics_add_program_test(distance_without_path 0 "\n1,1,0\n.*\n3,inf,\n4,inf,\n5,inf,\n" distance
+                                  two_parts.off --source 0 --map -)
   flip_geodesics_add_program_test(values_alone 2 "--values requires --output" distance torus.off --source 0 --values)
   flip_geodesics_add_program_test(sample 0 "3 LENGTH" trace torus.off --trace 0,0.5,2 --trace 0,0.5,0 --trace 7,1,0.25
                                   --sample 0.5 --polylines samples.txt)

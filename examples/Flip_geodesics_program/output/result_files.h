@@ -7,6 +7,7 @@
 #include "run/curve_engine.h"
 #include "run/field_curves.h"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -62,12 +63,17 @@ inline void write_map(Output_file& file, const CGAL::Flip_geodesics::Vertex_loga
   }
 }
 
-/// The same of the distance from the nearest of several sources and the number of that.
+/// The same of the distance from the nearest of several sources and the number of that, which is empty for vertices
+/// without a path.
 inline void write_map(Output_file& file, const Distance_map& map)
 {
   file.stream() << "vertex,distance,source\n";
-  for(std::size_t v = 0; v < map.distances.size(); ++v)
-    file.stream() << v << ',' << map.distances[v] << ',' << map.nearest[v] << '\n';
+  for(std::size_t v = 0; v < map.distances.size(); ++v) {
+    file.stream() << v << ',' << map.distances[v] << ',';
+    if(std::isfinite(map.distances[v]))
+      file.stream() << map.nearest[v];
+    file.stream() << '\n';
+  }
 }
 
 /// Comma-separated values, the rows of a matrix.
