@@ -319,6 +319,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon with more than three" info
                                   pyramid.off)
   flip_geodesics_add_program_test(info_near_borders 0 "nearly coincide with others and stay open" info seam.off)
+  flip_geodesics_add_program_test(info_short_edges 0 "length 1e-170 to .*\n  3 edges have lengths outside 1e-70 to 1e70" info
+                                  tiny.off)
+  file(WRITE ${program_dir}/giant.off "OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n")
+  flip_geodesics_add_program_test(info_long_edges 0 "length 1e.300 to 1.41421e.300;.*\n  3 edges have lengths outside" info
+                                  giant.off)
   flip_geodesics_add_program_test(info_json 0 "\"components\":.{\"vertices\":288,.*\"genus\":1}.*\"defects\":" info
                                   torus.off --quiet --json -)
   flip_geodesics_add_program_test(certify_written 0 "2 LOCALLY_SHORTEST" path torus.off --pairs pairs.txt --mesh

@@ -4,6 +4,8 @@
 
 #include "readable.h"
 
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -19,6 +21,26 @@
 
 namespace program {
 
+namespace {
+
+bool is_length_in_range(double length)
+{
+  namespace internal = CGAL::Flip_geodesics::internal;
+  return length >= internal::least_length && length <= internal::greatest_length;
+}
+
+// Squares of lengths that are out of range may underflow or overflow.
+double edge_length(Mesh::Edge_index e, const Mesh& mesh)
+{
+  const double length = std::sqrt(CGAL::Polygon_mesh_processing::squared_edge_length(e, mesh));
+  if(is_length_in_range(length))
+    return length;
+  const Kernel::Vector_3 v(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+  return std::hypot(v.x(), v.y(), v.z());
+}
+
+} // namespace
+
 Mesh_info mesh_info(const Mesh& mesh, const std::vector<std::string>& defects)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -32,14 +54,21 @@ Mesh_info mesh_info(const Mesh& mesh, const std::vector<std::string>& defects)
   };
   for(const Mesh::Vertex_index v : mesh.vertices())
     mesh.is_isolated(v) ? ++info.isolated_vertices : ++at(mesh.halfedge(v)).vertices;
+  std::size_t edges_out_of_range = 0;
   info.shortest_edge = std::numeric_limits<double>::infinity();
   for(const Mesh::Edge_index e : mesh.edges()) {
     ++at(mesh.halfedge(e)).edges;
-    const double length = std::sqrt(PMP::squared_edge_length(e, mesh));
+    const double length = edge_length(e, mesh);
     info.shortest_edge = (std::min)(info.shortest_edge, length);
     info.longest_edge = (std::max)(info.longest_edge, length);
-    info.degenerate_edges += PMP::is_degenerate_edge(e, mesh) ? 1 : 0;
+    if(PMP::is_degenerate_edge(e, mesh))
+      ++info.degenerate_edges;
+    else if(!is_length_in_range(length))
+      ++edges_out_of_range;
   }
+  if(edges_out_of_range > 0)
+    info.defects.push_back(counted(edges_out_of_range, "edge has a length", "edges have lengths") +
+                           " outside 1e-70 to 1e70, with which no curves can be computed; scale the mesh");
   for(const Mesh::Face_index f : mesh.faces()) {
     ++info.components[component[f]].faces;
     info.degenerate_faces += PMP::is_degenerate_triangle_face(f, mesh) ? 1 : 0;
