@@ -100,7 +100,7 @@ public:
         return describe_unknown(argument.substr(0, argument.find('=')), *given.front(), help);
     if(word != remaining.end())
       return "'" + *word + "' is unexpected: there is one mesh, and every other value follows an option" + help;
-    return error.what() + help;
+    return describe_misuse(error) + help;
   }
 
 private:
@@ -142,7 +142,8 @@ private:
   };
 
   static constexpr const char* m_points =
-      "A POINT is a vertex `v`, x,y,z in space, a,b,t on an edge or a,b,c,t,u in a face";
+      "A POINT is a vertex `v`, x,y,z in space (with a decimal point or an exponent in x or y), a,b,t on an edge or "
+      "a,b,c,t,u in a face";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 
@@ -156,6 +157,25 @@ private:
     if(!range.contains(static_cast<double>(result)))
       throw CLI::ValidationError(name, "'" + text + "' is out of range; use " + range.text());
     return result;
+  }
+
+  // Requires one of some names, which the message lists.
+  static CLI::Validator one_of(const std::vector<std::string>& names)
+  {
+    const auto check = [names](const std::string& text) {
+      const bool is_known = std::find(names.begin(), names.end(), text) != names.end();
+      return is_known ? std::string() : "'" + text + "' is not known; use " + joined(names, " or ");
+    };
+    return CLI::Validator(check, "");
+  }
+
+  // The names with commas between, and `last` before the last one.
+  static std::string joined(const std::vector<std::string>& names, const std::string& last)
+  {
+    std::string text;
+    for(std::size_t i = 0; i < names.size(); ++i)
+      text += (i == 0 ? "" : i + 1 == names.size() ? last : ", ") + names[i];
+    return text;
   }
 
   template <class Text>
@@ -243,10 +263,11 @@ private:
     CLI::Option* const repair = command == "repair" || command == "info"
                                     ? nullptr
                                     : add("--repair", m_options.is_repaired, "repair the mesh first");
-    CLI::Option* const weld = add("--weld", "TOLERANCE", m_options.weld, {0, 1, false, true},
-                                  "merge points closer than this fraction of the longest side of the bounding box [0]");
+    CLI::Option* const weld = add(
+        "--weld", "TOLERANCE", m_options.weld, {0, 1, false, true},
+        "merge points whose coordinates differ by at most this fraction of the longest side of the bounding box [0]");
     if(repair != nullptr)
-      weld->needs(repair);
+      weld->description(weld->get_description() + "; requires --repair")->needs(repair);
     add("--force", m_options.is_replacing_input, "allow a result to replace an input file");
     add("-q,--quiet", m_options.is_quiet, "do not print the table and the progress");
     add_text("--json", "FILE", m_options.results.json, "write all results as JSON; - for standard output");
@@ -313,7 +334,7 @@ private:
   {
     m_group = "Computation";
     add_text("--kernel", "NAME", m_options.kernel, "use exact predicates (certified) or double [certified]")
-        ->check(CLI::IsMember({"certified", "double"}).description(""));
+        ->check(one_of({"certified", "double"}));
     add_mollify();
     add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");
     add_most_memory();
@@ -322,7 +343,8 @@ private:
   void add_mollify()
   {
     add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
-        "lengthen all edges by this fraction of their mean length");
+        "lengthen all edges equally until each face satisfies the triangle inequality by this fraction of the mean "
+        "length");
   }
 
   void add_weights()
@@ -338,8 +360,9 @@ private:
 
   void add_avoid()
   {
+    const std::string on_barrier = m_command->get_name() == "shortest" ? "; no path may end on a barrier" : "";
     add_text("--avoid", "FILE", m_options.obstacles,
-             "read the vertices of a barrier along edges per line, or faces `f n n ...`");
+             ("read the vertices of a barrier along edges per line, or faces `f n n ...`" + on_barrier).c_str());
   }
 
   void add_most_memory()
@@ -351,7 +374,7 @@ private:
   void add_search()
   {
     add_text("--search", "NAME", m_options.search, "search edge paths by lookback, astar or dijkstra [lookback]")
-        ->check(CLI::IsMember({"lookback", "astar", "dijkstra"}).description(""));
+        ->check(one_of({"lookback", "astar", "dijkstra"}));
   }
 
   void add_threads()
@@ -477,9 +500,9 @@ private:
     m_group = "The triangulation";
     add("--delaunay", m_options.meshes.is_delaunay, "flip the other edges to a constrained Delaunay triangulation");
     CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
-                                    "insert vertices until no angle is smaller than this, in degrees");
+                                    "insert vertices until no angle is smaller than this, from 0 to 30 degrees");
     add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
-        "insert vertices until no edge is longer than this")
+        "insert vertices until no edge is longer than this; requires --refine")
         ->needs(refine);
     add("--most-vertices", "NUMBER", m_options.meshes.most_vertices, not_negative,
         "insert at most this many vertices [1000000]")
@@ -649,12 +672,27 @@ private:
     return names;
   }
 
+  // Describes known options that are used in a wrong way.
+  static std::string describe_misuse(const CLI::ParseError& error)
+  {
+    const std::string text = error.what();
+    const std::string too_often = ": At Most 1 required but received ";
+    if(const std::size_t at = text.find(too_often); at != std::string::npos)
+      return text.substr(0, at) + " is given " + text.substr(at + too_often.size()) + " times; give it once";
+    if(text.rfind("--longest-edge requires", 0) == 0)
+      return text + ", with 0 for any angles";
+    return text;
+  }
+
   std::string describe_unknown(const std::string& unknown, const CLI::App& given, const std::string& help) const
   {
     const std::string name = unknown[1] == '-' ? unknown : '-' + unknown;
+    std::vector<std::string> others;
     for(const CLI::App* command : m_app.get_subcommands({}))
       if(command->get_option_no_throw(name) != nullptr)
-        return name + " is not an option of " + given.get_name() + ", but of " + command->get_name() + help;
+        others.push_back(command->get_name());
+    if(!others.empty())
+      return name + " is not an option of " + given.get_name() + ", but of " + joined(others, " and ") + help;
     const std::string meant = unknown.size() > 2 ? nearest_option(name, given) : ""; // one letter is near many
     return unknown + " is not known" + (meant.empty() ? help : "; did you mean " + meant + "?");
   }

@@ -330,7 +330,8 @@ int run_without_curves(Run run)
   if(command == "flatten") {
     const bool is_cut_given = !run.options.network.empty() || run.options.has_seams;
     Flattened_mesh flattened =
-        flattened_mesh(run.input, is_cut_given ? requests_of(run).front() : cut_graph_request(), run.progress);
+        flattened_mesh(run.input, name_of_input(run.options.mesh),
+                       is_cut_given ? requests_of(run).front() : cut_graph_request(), run.progress);
     meshes.flattened = std::move(flattened.mesh);
     lines = flattened.report;
     defect = flattened.defect;
@@ -377,7 +378,7 @@ int flushed(int status)
 {
   if(std::cout.flush())
     return status;
-  std::cerr << "flip_geodesics: standard output: could not be written completely; check the free space on the disk\n";
+  std::cerr << "flip_geodesics: standard output: " << reason_of_failed_write() << '\n';
   return status == success ? incomplete : status;
 }
 

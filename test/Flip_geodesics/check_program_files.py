@@ -331,6 +331,14 @@ def case_full_disk(folder):
             _, errors = folder.run(1, *arguments, **how)
             check('standard output' in errors, errors)
 
+    for arguments in (['--help'], ['path', 'torus.off', '--random', '2'],
+                      ['path', 'torus.off', '--random', '20', '--polylines', '-', '--quiet']):
+        reader, writer = os.pipe()
+        os.close(reader)
+        _, errors = folder.run(1, *arguments, stdout=writer)
+        os.close(writer)
+        check('standard output: could not be written completely; its reader has ended' in errors, errors)
+
 
 def case_closed_streams(folder):
     """A result does not become standard error, which a curve that fails writes to."""

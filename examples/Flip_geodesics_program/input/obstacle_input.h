@@ -113,7 +113,7 @@ inline Weights read_edge_weights(const Input_mesh& input_mesh, const Input_text&
     const std::string edge = std::to_string(ends[0].idx()) + " and " + std::to_string(ends[1].idx());
     const Mesh::Halfedge_index h = mesh.halfedge(mesh_vertex(ends[0]), mesh_vertex(ends[1]));
     if(h == Mesh::null_halfedge())
-      words.fail("no edge joins vertices " + edge + "; correct them");
+      words.fail("no edge joins vertices " + edge + "; correct the line");
     result.of_edges[mesh.edge(h)] = read_weight(words, items[2], "the edge of vertices " + edge);
   });
   if(are_none)

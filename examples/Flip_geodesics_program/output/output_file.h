@@ -80,7 +80,7 @@ public:
   void check()
   {
     if(m_is_open && !m_out)
-      fail(m_no_space);
+      fail(reason_of_failed_write());
   }
 
   /// Completes the file, or reports that this is not possible.
@@ -89,7 +89,7 @@ public:
     if(!m_is_open)
       return;
     if(!finish() || (!m_is_direct && !Run_files::instance().complete(m_part, m_place)))
-      return fail(m_no_space);
+      return fail(reason_of_failed_write());
     m_is_open = false;
     m_part.clear();
   }
@@ -146,8 +146,6 @@ private:
     Run_files::instance().remove(m_part);
     m_part.clear();
   }
-
-  static constexpr const char* m_no_space = "could not be written completely; check the free space on the disk";
 
   std::string m_name;
   std::filesystem::path m_place, m_part; // the latter empty if there is none

@@ -57,7 +57,7 @@ inline void check_result_format(const Options& options, const std::string& optio
     return;
   std::string formats;
   for(const std::string& format : known)
-    formats += ' ' + format;
+    formats += ' ' + format + (format == "polylines" && !is_standard_output(name) ? ".txt" : "");
   throw Bad_input(
       is_standard_output(name)
           ? "--output-format determines the format of " + option + " on standard output; use one of" + formats
@@ -86,10 +86,12 @@ inline void check_formats_of_results(const Options& options)
 {
   const Result_names& names = options.results;
   const std::vector<std::string> meshes = {"off", "obj", "ply", "stl", "vtp"};
-  const std::vector<std::string> of_outputs = options.command == "repair" ? meshes
-                                              : options.command == "flatten"
-                                                  ? std::vector<std::string>{"obj", "glb"}
-                                                  : std::vector<std::string>{"obj", "ply", "vtp", "glb", "polylines"};
+  std::vector<std::string> of_outputs = {"obj", "ply", "vtp", "glb", "polylines", "csv", "html"};
+  if(options.command == "repair")
+    of_outputs = meshes;
+  else if(options.command == "flatten")
+    of_outputs = {"obj", "glb"};
+  of_outputs.push_back("json"); // like csv and html, of the options that `sort_outputs()` gives it to
   for(const std::string& name : names.outputs)
     check_result_format(options, "--output", name, of_outputs);
   check_result_format(options, "--subdivision", options.meshes.subdivision, meshes);

@@ -7,6 +7,7 @@
 #include "file_name.h"
 #include "printable.h"
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -53,6 +54,13 @@ inline bool is_standard_output(const std::string& name) { return open_file(name)
 inline std::string name_of_result(const std::string& name)
 {
   return is_standard_output(name) ? "standard output" : printable(name);
+}
+
+/// Returns why the last write to a file has failed, and what to do. \pre no other call has set `errno` since
+inline const char* reason_of_failed_write()
+{
+  return errno == EPIPE ? "could not be written completely; its reader has ended"
+                        : "could not be written completely; check the free space on the disk";
 }
 
 /// Do two names stand for one file, whether it exists or not?

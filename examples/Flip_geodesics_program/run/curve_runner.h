@@ -96,7 +96,8 @@ public:
       network.clear();
       m_triangulation.rollback();
     } catch(const FG::Crossing_curves_error& error) {
-      throw Bad_input(name + error.what() + "; separate the curves, or fix the vertex in a network");
+      const std::string vertex = std::to_string(error.elements().front());
+      throw Bad_input(name + error.what() + "; separate the curves, or use --network with a line `! " + vertex + "`");
     } catch(const FG::Ambiguous_order_error& error) {
       throw Bad_input(name + error.what() + "; move the curves to different edges");
     } catch(const FG::Error&) {

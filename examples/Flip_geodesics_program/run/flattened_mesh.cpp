@@ -16,6 +16,10 @@
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
+#include <boost/property_map/property_map.hpp>
 #endif
 
 #include <algorithm>
@@ -24,6 +28,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace program {
 
@@ -53,8 +58,9 @@ void cut_open(Network& network, const Network_request& cut, Progress_visitor& vi
 }
 
 // Scale factors that vary much, as on a cube, exist in small faces only, so that these are made smaller until they do.
-FG::Conformal_flattening<Triangulation> refined_and_flattened(const Mesh& mesh, Network& network,
-                                                              Progress_visitor& visitor, Progress& progress)
+FG::Conformal_flattening<Triangulation> refined_and_flattened(const Mesh& mesh, const std::string& name,
+                                                              Network& network, Progress_visitor& visitor,
+                                                              Progress& progress)
 {
   FG::Refinement_options bounds;
   for(const double part : {1. / 8, 1. / 16, 0.}) { // of the size of the mesh, for the next time
@@ -69,7 +75,8 @@ FG::Conformal_flattening<Triangulation> refined_and_flattened(const Mesh& mesh, 
     }
     bounds.longest_edge = part * size_of(mesh);
   }
-  throw Bad_input("the mesh cannot be flattened: it would be stretched too much at vertices inside; cut through its "
+  throw Bad_input(name +
+                  ": the mesh cannot be flattened: it would be stretched too much at vertices inside; cut through its "
                   "sharpest corners by --network, with a line `! v ...` of them");
 }
 
@@ -99,16 +106,23 @@ std::size_t number_of_faces_not_counterclockwise(const Mesh& mesh, Texture_map t
   }));
 }
 
+std::size_t number_of_components(const Mesh& mesh)
+{
+  std::vector<std::size_t> component(mesh.number_of_faces());
+  return CGAL::Polygon_mesh_processing::connected_components(
+      mesh, boost::make_iterator_property_map(component.begin(), get(boost::face_index, mesh)));
+}
+
 } // namespace
 
-Flattened_mesh flattened_mesh(const Mesh& mesh, const Network_request& cut, Progress& progress)
+Flattened_mesh flattened_mesh(const Mesh& mesh, const std::string& name, const Network_request& cut, Progress& progress)
 try {
   Triangulation triangulation(mesh);
   Network network(triangulation);
   Progress_visitor visitor(progress);
   progress.enter("cutting", "steps");
   cut_open(network, cut, visitor);
-  const auto flattening = refined_and_flattened(mesh, network, visitor, progress);
+  const auto flattening = refined_and_flattened(mesh, name, network, visitor, progress);
   auto subdivision = FG::common_subdivision(triangulation, mesh);
   const Texture_map texture = texture_of(subdivision.mesh());
   flattening.carry_to(subdivision, texture);
@@ -125,12 +139,16 @@ try {
              " degenerate or turned over; remesh the surface, or cut it differently by --network";
   return {std::move(subdivision.mesh()), report.str(), defect};
 } catch(const FG::Error& error) {
-  throw Bad_input("the mesh cannot be flattened: " + with_advice_to_repair(error));
+  const bool is_degenerate = dynamic_cast<const FG::Degenerate_face_error*>(&error) != nullptr;
+  const std::size_t components = is_degenerate ? 1 : number_of_components(mesh);
+  throw Bad_input(name + ": the mesh cannot be flattened: " +
+                  (components > 1 ? "it has " + readable(components) + " components; flatten them separately"
+                                  : with_advice_to_repair(error)));
 }
 
 #else
 
-Flattened_mesh flattened_mesh(const Mesh&, const Network_request&, Progress&)
+Flattened_mesh flattened_mesh(const Mesh&, const std::string&, const Network_request&, Progress&)
 {
   throw Bad_input("the program was compiled without Eigen, which flattening requires; install Eigen and compile");
 }

@@ -19,7 +19,8 @@ struct Flattened_mesh
 };
 
 /// Cuts a surface along shortened curves and flattens it conformally. \throws Bad_input
-Flattened_mesh flattened_mesh(const Mesh& mesh, const Network_request& cut, Progress& progress);
+Flattened_mesh flattened_mesh(const Mesh& mesh, const std::string& name, const Network_request& cut,
+                              Progress& progress);
 
 } // namespace program
 

@@ -97,7 +97,8 @@ std::string describe(const Mesh_info& info, const Mesh& mesh)
         << counted(c.faces, "triangle", "triangles") << ", genus " << c.genus() << ", "
         << counted(c.borders, "border", "borders") << '\n';
   }
-  out << "defects     " << (info.defects.empty() ? "none\n" : "and what --repair does:\n");
+  out << "defects     "
+      << (info.defects.empty() ? "none\n" : "and what --repair does; the numbers above are those after the repair:\n");
   for(const std::string& line : info.defects)
     out << "  " << line << '\n';
   return out.str();

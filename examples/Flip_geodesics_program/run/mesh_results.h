@@ -88,7 +88,7 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     if(report.exempt > 0)
       text << ", " << report.smallest_free_angle << " without "
            << counted(report.exempt, "exempt face", "exempt faces");
-    text << "; " << readable(report.missed) << " missed" << ending(report) << '\n';
+    text << "; " << counted(report.missed, "face", "faces") << " outside the bounds" << ending(report) << '\n';
   }
   return text.str();
 }

@@ -100,6 +100,9 @@ private:
         add_failure(pair, "the search was aborted at " + readable(report.visited) +
                               " vertices of the covering; request fewer paths or increase --most-memory");
       note_others(pair, report);
+    } catch(const FG::Disconnected_endpoints_error& error) {
+      add_failure(pair,
+                  m_request.obstacles.are_none() ? error.what() : "no path between the two ends avoids the obstacles");
     } catch(const FG::Error& error) {
       add_failure(pair, with_advice_to_repair(error));
     }

@@ -8,6 +8,8 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <functional>
 #include <string>
 
@@ -55,7 +57,9 @@ try {
   }
   return requests;
 } catch(const FG::Error& error) {
-  throw Bad_input("the loops of the surface: " + with_advice_to_repair(error));
+  const bool has_no_solid = are_handles_and_tunnels && !CGAL::is_closed(mesh);
+  throw Bad_input("the loops of the surface: " + with_advice_to_repair(error) +
+                  (has_no_solid ? "; omit --handles, or close the surface" : ""));
 }
 
 } // namespace program

@@ -48,8 +48,9 @@ inline bool is_longer_than_sum(double a, double b, double c)
   const std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())};
   if(length == 0)
     throw Degenerate_face_error(edge + " has length zero", elements, Degeneracy_remedy::CONTRACT);
-  throw Invalid_coordinate_error(
-      edge + " has the length " + written(length) + ", which is not a number between 1e-70 and 1e70", elements);
+  throw Invalid_coordinate_error(edge + " has the length " + written(length) +
+                                     ", which is not a number between 1e-70 and 1e70; scale the mesh",
+                                 elements);
 }
 
 inline bool satisfy_triangle_inequality(double a, double b, double c)
@@ -289,8 +290,8 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
 
 [[noreturn]] inline void throw_disconnected(Vertex_index source, Vertex_index target)
 {
-  throw Disconnected_endpoints_error("no path of edges connects vertex " + std::to_string(source.idx()) +
-                                         " and vertex " + std::to_string(target.idx()),
+  throw Disconnected_endpoints_error("vertices " + std::to_string(source.idx()) + " and " +
+                                         std::to_string(target.idx()) + " lie in different connected components",
                                      {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
 }
 
