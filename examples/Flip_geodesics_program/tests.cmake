@@ -433,7 +433,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --pairs pairs.txt --ways 2 --page ways.html)
   flip_geodesics_add_program_test(ways_at_random 0 "6 curves: 6 WITHIN_ROUNDING" shortest torus.off --random 3 --seed 2
                                   --ways 2)
-  flip_geodesics_add_program_test(no_other_ways 0 "1 curve: 1 WITHIN_ROUNDING.*no other exists" shortest pyramid.off
+  flip_geodesics_add_program_test(no_other_ways 0 "1 curve: 1 WITHIN_ROUNDING.*no other class exists" shortest pyramid.off
                                   --repair --from 0 --to 2 --ways 3)
   flip_geodesics_add_program_test(ways_along_wall 0 "2 WITHIN_ROUNDING.*length   8.46715 of.*flips    52" shortest
                                   ${pair_beside_wall} --ways 2 --avoid wall.txt)

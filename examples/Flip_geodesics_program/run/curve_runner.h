@@ -87,7 +87,7 @@ public:
     if(request.has_no_given_curves() || !request.curves.front().points.empty())
       return;
     namespace FG = CGAL::Flip_geodesics;
-    m_progress.enter("looking for curves that cross");
+    m_progress.enter("searching for curves that cross");
     const std::string name = request.curves.size() == 1 ? request.curves.front().name + ": " : "the network: ";
     std::vector<Curve_result> results(request.curves.size());
     try {
@@ -312,7 +312,7 @@ private:
     m_mesh_results = improve_triangulation(m_options.meshes, network, m_progress);
     record(network, recorder);
     if(m_options.meshes.has_files())
-      m_progress.enter("making meshes of the curves");
+      m_progress.enter("inserting the curves into the mesh");
     m_meshes = result_meshes(m_options.meshes, m_mesh, network);
     network.clear();
     m_triangulation.rollback();
@@ -340,7 +340,7 @@ private:
   void find_shortest(Network& network, const Curve_request& request, Curve_result& result)
   {
     const Stopwatch stopwatch;
-    m_progress.enter("looking for the shortest path", "steps");
+    m_progress.enter("searching for the shortest path", "steps");
     Progress_visitor visitor(m_progress);
     Noted_search search(m_search);
     const auto report =
@@ -358,7 +358,7 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
-    m_progress.enter("looking for the shortest path", "steps");
+    m_progress.enter("searching for the shortest path", "steps");
     Progress_visitor visitor(m_progress);
     std::vector<std::pair<Mesh::Face_index, std::array<double, 3>>> path;
     const FG::Shortest_path_report report =
@@ -532,7 +532,7 @@ private:
     FG::Distances_report shortest;
     shortest.status = report.status;
     if(m_options.is_shortest) {
-      m_progress.enter("looking for shorter paths", "steps");
+      m_progress.enter("searching for shorter paths", "steps");
       shortest = FG::make_shortest(tree, CGAL::parameters::visitor(std::ref(visitor)));
       m_progress.add_flips(shortest.flips);
     }
@@ -677,7 +677,7 @@ private:
 
   void extract(Network& network, std::vector<Curve_result>& results)
   {
-    m_progress.enter("reading curves off", "curves", results.size());
+    m_progress.enter("extracting curves", "curves", results.size());
     CGAL::Flip_geodesics::Curve_extractor<Network> extractor(network);
     for(std::size_t c = 0; c < results.size(); ++c) {
       const Stopwatch stopwatch;

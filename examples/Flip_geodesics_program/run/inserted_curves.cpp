@@ -185,7 +185,7 @@ Result_meshes meshes_along(const Mesh& mesh, const std::vector<Curve_result>& cu
   Result_meshes result;
   if(options.insertion.empty() && options.cut.empty())
     return result;
-  progress.enter("making meshes of the curves");
+  progress.enter("inserting the curves into the mesh");
   const Triangulation triangulation(mesh);
   std::vector<std::vector<Location>> locations;
   for(const Curve_result& curve : curves) {

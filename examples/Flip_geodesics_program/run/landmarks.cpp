@@ -45,7 +45,7 @@ FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size
 template <class Metric>
 Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, const Metric& metric, Progress& progress)
 {
-  progress.enter("making landmarks", "steps");
+  progress.enter("computing landmarks", "steps");
   Progress_visitor visitor(progress);
   const Stopwatch stopwatch;
   try {

@@ -41,7 +41,7 @@ public:
 
   Ways operator()(Progress& progress)
   {
-    progress.enter("searching for ways", "steps");
+    progress.enter("searching for homotopy classes", "steps");
     progress.expect_curves(m_request.pairs.size());
     for(const Curve_request& pair : m_request.pairs) {
       if(const std::string why = obstruction(pair); why.empty())
@@ -172,9 +172,9 @@ private:
     line << (report.is_confirmed() ? ", confirmed; " : ", not confirmed; ");
     const double bound = report.lower_bound_of_others();
     if(std::isinf(bound))
-      line << "no other exists\n";
+      line << "no other class exists\n";
     else
-      line << "any other is at least " << bound << " long\n";
+      line << "the paths of all other classes are at least " << bound << " long\n";
     m_ways.others += line.str();
   }
 

@@ -57,7 +57,7 @@ public:
   void set_share(double share) { m_share.store(share, std::memory_order_relaxed); }
   void add_steps(std::size_t count) { m_steps.fetch_add(count, std::memory_order_relaxed); }
 
-  /// A line for people, as `reading the mesh, 2 s` or `reading curves off, 131 of 500 curves, 94 413 flips, 4 s, 26 %,
+  /// A line for people, as `reading the mesh, 2 s` or `extracting curves, 131 of 500 curves, 94 413 flips, 4 s, 26 %,
   /// about 11 s left`.
   std::string line() const
   {
