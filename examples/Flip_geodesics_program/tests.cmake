@@ -203,6 +203,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(distance_without_path 0 "\n1,1,0\n.*\n3,inf,\n4,inf,\n5,inf,\n" distance
                                   two_parts.off --source 0 --map -)
   flip_geodesics_add_program_test(values_alone 2 "--values requires --output" distance torus.off --source 0 --values)
+  flip_geodesics_add_program_test(values_of_obj 2 "--values requires --output with a file .ply, .vtp or .json" distance
+                                  torus.off --source 0 --isolines 0.3 --values -o values.obj)
+  flip_geodesics_add_program_test(values_in_json 0 "\"distances\":.0," distance torus.off --source 0 --values -o -
+                                  --output-format json --quiet)
   flip_geodesics_add_program_test(sample 0 "3 LENGTH" trace torus.off --trace 0,0.5,2 --trace 0,0.5,0 --trace 7,1,0.25
                                   --sample 0.5 --polylines samples.txt)
   add_test(NAME program_samples COMMAND ${CMAKE_COMMAND} -E cat samples.txt WORKING_DIRECTORY ${program_dir})
