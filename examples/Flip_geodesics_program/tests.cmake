@@ -519,6 +519,13 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --source 0 --map x.csv --face-weights word_weight.csv)
   flip_geodesics_add_program_test(weight_beyond 2 "weight_beyond.csv line 1: face 576 does not exist. use 0 to 575" path
                                   torus.off --from 0 --to 150 --face-weights weight_beyond.csv)
+  file(WRITE ${program_dir}/repeated_face.csv "0,2\n5,3\n0,2\n")
+  flip_geodesics_add_program_test(weight_of_face_repeated 2 "repeated_face.csv line 3: face 0 already has a weight" path
+                                  torus.off --from 0 --to 150 --face-weights repeated_face.csv)
+  file(WRITE ${program_dir}/repeated_edge.csv "0,1,0.5\n1,0,0.7\n")
+  flip_geodesics_add_program_test(weight_of_edge_repeated 2
+                                  "repeated_edge.csv line 2: the edge of vertices 1 and 0 already has a weight" path
+                                  torus.off --from 0 --to 150 --edge-weights repeated_edge.csv)
   flip_geodesics_add_program_test(weights_mixed 2 "mixed_weights.csv line 2: a line has 1 item. write one weight" path torus.off --from 0
                                   --to 150 --face-weights mixed_weights.csv)
   flip_geodesics_add_program_test(weight_of_no_edge 2 "no_edge.csv line 2: no edge joins vertices 1 and 5. correct the line" path torus.off

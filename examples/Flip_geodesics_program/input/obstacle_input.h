@@ -56,9 +56,12 @@ inline Obstacles read_obstacles(const Input_mesh& input_mesh, const Input_text& 
   return result;
 }
 
-// The factor of a length.
-inline double read_weight(const Text_scanner& words, std::string_view item, const std::string& element)
+// The factor of a length. \param is_weighted whether the element has a weight in a line before
+inline double read_weight(const Text_scanner& words, std::string_view item, const std::string& element,
+                          bool is_weighted)
 {
+  if(is_weighted)
+    words.fail(element + " already has a weight; remove one of them");
   const auto weight = read_number<double>(words, item, "write the weight of " + element);
   if(!(weight > 0))
     words.fail("the weight of " + element + " is " + printable(item) + "; give a positive number");
@@ -71,6 +74,7 @@ inline Weights read_face_weights(const Input_mesh& mesh, const Input_text& input
 {
   const std::size_t number_of_faces = mesh.number_of_faces_in_file();
   std::vector<double> in_file(number_of_faces, 1);
+  std::vector<char> is_weighted(number_of_faces, 0);
   std::size_t number_of_weights = 0, number_of_items = 0;
   for_each_line(input, [&](Text_scanner& words) {
     const std::vector<std::string_view> items = items_of_line(words);
@@ -80,9 +84,12 @@ inline Weights read_face_weights(const Input_mesh& mesh, const Input_text& input
       words.fail("a line has " + counted(items.size(), "item", "items") +
                  "; write one weight in all lines, or a face and its weight in all of them");
     const std::size_t f = items.size() == 2 ? read_face(mesh, words, items.front()) : number_of_weights;
-    const double weight = read_weight(words, items.back(), "face " + std::to_string(f));
-    if(f < number_of_faces)
+    const double weight =
+        read_weight(words, items.back(), "face " + std::to_string(f), f < number_of_faces && is_weighted[f] != 0);
+    if(f < number_of_faces) {
       in_file[f] = weight;
+      is_weighted[f] = 1;
+    }
     ++number_of_weights;
   });
   if(number_of_weights == 0 || (number_of_items == 1 && number_of_weights != number_of_faces))
@@ -99,6 +106,7 @@ inline Weights read_edge_weights(const Input_mesh& input_mesh, const Input_text&
 {
   const Mesh& mesh = input_mesh;
   Weights result = {input.name(), {}, std::vector<double>(mesh.number_of_edges(), 1)};
+  std::vector<char> is_weighted(mesh.number_of_edges(), 0);
   bool are_none = true;
   for_each_line(input, [&](Text_scanner& words) {
     are_none = false;
@@ -114,7 +122,9 @@ inline Weights read_edge_weights(const Input_mesh& input_mesh, const Input_text&
     const Mesh::Halfedge_index h = mesh.halfedge(mesh_vertex(ends[0]), mesh_vertex(ends[1]));
     if(h == Mesh::null_halfedge())
       words.fail("no edge joins vertices " + edge + "; correct the line");
-    result.of_edges[mesh.edge(h)] = read_weight(words, items[2], "the edge of vertices " + edge);
+    const Mesh::Edge_index e = mesh.edge(h);
+    result.of_edges[e] = read_weight(words, items[2], "the edge of vertices " + edge, is_weighted[e] != 0);
+    is_weighted[e] = 1;
   });
   if(are_none)
     throw Bad_input(input.name() +
