@@ -711,7 +711,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
 
   if(Python3_Interpreter_FOUND AND UNIX)
     foreach(case inputs results kinds_of_results failed_curves page places standard_streams interruption full_disk
-                 closed_streams conditions progress)
+                 closed_streams conditions progress values_without_path)
       add_test(NAME program_files_${case}
                COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_program_files.py --program
                        $<TARGET_FILE:flip_geodesics> --torus $<TARGET_FILE:generate_torus> ${case})

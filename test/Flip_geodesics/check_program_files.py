@@ -8,10 +8,12 @@ interruption and full disks are told.
 
 import argparse
 import csv
+import math
 import os
 import re
 import resource
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -241,6 +243,19 @@ def case_kinds_of_results(folder):
         folder.refuse('--map writes lines', 'log', 'torus.off', '--source', '0', '--map', name)
     folder.refuse('--stats writes lines', 'path', 'torus.off', '--random', '2', '--stats', 'a.html')
     folder.refuse('--page writes a page', 'path', 'torus.off', '--random', '2', '--page', 'page')
+
+
+def case_values_without_path(folder):
+    """A vertex that no path reaches has an infinite distance and no source."""
+    (folder.path / 'parts.off').write_text('OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n5 0 0\n6 0 0\n6 1 0\n3 0 1 2\n3 3 4 5\n')
+    run = folder.start('distance', 'parts.off', '--source', '0', '--values', '-o', 'values.ply')
+    check(run.wait() == 0, run.stderr.read())
+    header, data = (folder.path / 'values.ply').read_bytes().split(b'end_header\n', 1)
+    check(re.findall(rb'property (\w+ \w+)', header)[:5] == [b'double x', b'double y', b'double z', b'double distance',
+                                                            b'double source'], header)
+    vertices = [struct.unpack_from('<5d3B', data, 43 * v) for v in range(6)]
+    check([v[4] for v in vertices[:3]] == [0, 0, 0], vertices)
+    check(all(math.isinf(v[3]) and math.isnan(v[4]) for v in vertices[3:]), vertices)
 
 
 def case_interruption(folder):

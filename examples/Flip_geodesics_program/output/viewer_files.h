@@ -16,7 +16,9 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -61,19 +63,18 @@ public:
   }
 
 private:
-  template <class Value>
-  static auto value_map(const std::vector<Value>& values)
-  {
-    return boost::make_function_property_map<Mesh::Vertex_index>([&values](Mesh::Vertex_index v) { return values[v]; });
-  }
-
   // Text cannot hold that points of curves have no value.
   template <class... Parts>
   void write_with(std::ostream& out, const Distance_map& values, const Parts&... parts) const
   {
     namespace IO = CGAL::Flip_geodesics::IO;
-    const IO::Vertex_values distances("distance", value_map(values.distances));
-    const IO::Vertex_values nearest("source", value_map(values.nearest));
+    const auto distance = [&values](Mesh::Vertex_index v) { return values.distances[v]; };
+    const auto source = [&values](Mesh::Vertex_index v) {
+      return std::isfinite(values.distances[v]) ? static_cast<double>(values.nearest[v])
+                                                : std::numeric_limits<double>::quiet_NaN();
+    };
+    const IO::Vertex_values distances("distance", boost::make_function_property_map<Mesh::Vertex_index>(distance));
+    const IO::Vertex_values nearest("source", boost::make_function_property_map<Mesh::Vertex_index>(source));
     if(m_format == "ply")
       IO::write_PLY(out, parts..., distances, nearest);
     else if(m_format == "vtp")
