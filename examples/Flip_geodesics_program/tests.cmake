@@ -431,7 +431,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/face_beyond.txt "f 5 576\n")
   file(WRITE ${program_dir}/face_word.txt "f 5 x\n")
   set(pair_beside_wall torus.off --from 13 --to 270)
-  flip_geodesics_add_program_test(ways 0 "4 curves: 4 WITHIN_ROUNDING.*ways     4 from 13 to 150, confirmed. any other"
+  flip_geodesics_add_program_test(ways 0 "4 curves: 4 WITHIN_ROUNDING.*ways     4 from 13 to 150, confirmed. the paths of all other"
                                   shortest torus.off --from 13 --to 150 --ways 4 --mesh ways.vtp --stats ways.csv)
   flip_geodesics_add_program_test(ways_of_pairs 0 "4 curves: 4 WITHIN_ROUNDING.*from 0 to 150.*from 3 to 77" shortest
                                   torus.off --pairs pairs.txt --ways 2 --page ways.html)
@@ -681,7 +681,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length_trace 1 "length zero; use --repair" trace zero_length.off --trace 3,0,1)
   flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 curve met degenerate edges.*for it\n" path
                                   zero_length.off --pairs zero_length.txt --kernel certified)
-  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 met" log zero_length.off --source 0 --map
+  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 curves met" log zero_length.off --source 0 --map
                                   zero_length.csv)
   flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170[^\n]*. scale the mesh\n" path tiny.off --from 0 --to 1)
   flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" path flat.off --draw flat.polylines.txt)

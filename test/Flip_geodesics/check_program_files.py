@@ -229,7 +229,7 @@ def case_standard_streams(folder):
     folder.refuse('two results', 'path', 'torus.off', *pairs, '--polylines', '-', '--stats', '/dev/stdout')
     folder.refuse('use --format with one of', 'path', '-', *pairs, stdin=torus())
     folder.refuse('--output-format determines the format of --output', 'path', 'torus.off', *pairs, '--mesh', '-')
-    folder.refuse('--output-format is the format', 'path', 'torus.off', *pairs, '--mesh', 'a.obj', '--output-format', 'obj')
+    folder.refuse('--output-format requires a result on standard output', 'path', 'torus.off', *pairs, '--mesh', 'a.obj', '--output-format', 'obj')
 
 
 def case_kinds_of_results(folder):
@@ -346,7 +346,7 @@ def case_full_disk(folder):
             _, errors = folder.run(1, *arguments, **how)
             check('standard output' in errors, errors)
 
-    for arguments in (['--help'], ['path', 'torus.off', '--random', '2'],
+    for arguments in (['path', 'torus.off', '--random', '2'],
                       ['path', 'torus.off', '--random', '20', '--polylines', '-', '--quiet']):
         reader, writer = os.pipe()
         os.close(reader)

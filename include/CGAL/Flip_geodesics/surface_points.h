@@ -171,20 +171,25 @@ struct Halved_corners
     check_triangle(input, h);
     const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
     const Triangle_places corners = {{corner(h), corner(hn), corner(hp)}};
-    check_side(corners[0], corners[1], h);
-    check_side(corners[1], corners[2], hn);
-    check_side(corners[2], corners[0], hp);
+    check_sides(corners, {{h, hn, hp}});
     return corners;
   }
 
 private:
-  // Squares of much shorter distances would underflow beside a longer side.
-  void check_side(const Place_in_space& p, const Place_in_space& q, Input_halfedge_index h) const
+  // Squares of distances from one side would underflow if another one were longer by more than the range of lengths.
+  void check_sides(const Triangle_places& corners, const std::array<Input_halfedge_index, 3>& sides) const
   {
-    const Place_in_space d = difference(p, q);
-    if((std::max)({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) >= greatest_length) {
+    std::array<double, 3> lengths;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const Place_in_space d = difference(corners[i], corners[(i + 1) % 3]);
+      lengths[i] = (std::max)({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+    }
+    const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+    if(*longest / greatest_length * least_length > *shortest && *shortest > 0) {
       const auto& input = triangulation->input().uncontracted();
-      throw_unusable_length(2 * std::hypot(d[0], d[1], d[2]), input.tail(h), input.tail(input.next(h)));
+      const auto i = static_cast<std::size_t>(longest - lengths.begin());
+      const Place_in_space d = difference(corners[i], corners[(i + 1) % 3]);
+      throw_unusable_length(2 * std::hypot(d[0], d[1], d[2]), input.tail(sides[i]), input.tail(input.next(sides[i])));
     }
   }
 
@@ -232,7 +237,8 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
  * calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
- * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is longer than 1e70
+ * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is more than 1e140 times
+ *         as long as another one
  * \throws Invalid_mesh_error if a face is not a triangle
  *
  * Complexity: linear in the number of faces of the mesh.
