@@ -5,7 +5,7 @@
 #
 #   bash test/run.sh           every test, each public header alone and every example with clang++, in which tests
 #                              share instances of templates; a call of each public function with g++ and under
-#                              sanitizers; the program of README.md with g++: some eighteen minutes with two processors
+#                              sanitizers; the program of README.md with g++: some ten minutes with two processors
 #   bash test/run.sh --full    in addition every test with all of its cases, each header alone and every example with
 #                              g++, optimized with clang++, and under sanitizers with checked iterators; OpenMesh and
 #                              MPI installed as well: hours. Compares results bit by bit between compilers and processors:
