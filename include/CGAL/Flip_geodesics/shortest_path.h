@@ -443,7 +443,7 @@ void raise_lower_bound(const Triangulation& triangulation, Unfolded_faces<Triang
         report.lower_bound, (std::min)({windows.lower_bound(), windows.least_distance(sweep.source()), sweep.bound()}));
 }
 
-/* A path of length zero is shortest, if its ends are proven to coincide. */
+/* A zero-length path is shortest if its ends are proven to coincide. */
 inline Shortest_path_report report_of_no_length(const Shortening_report& shortening)
 {
   Shortest_path_report report;

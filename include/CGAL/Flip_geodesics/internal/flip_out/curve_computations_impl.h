@@ -153,7 +153,7 @@ std::vector<Form> curve_forms(const Network& network, const TriangleMesh& mesh, 
   return result;
 }
 
-/* Returns the path of length zero between coincident vertices: its two end points. */
+/* Returns the zero-length path between coincident vertices: its two end points. */
 template <class Form, class Triangulation, class TriangleMesh>
 Computed_output<Form> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh, Vertex_index v)
 {

@@ -605,7 +605,7 @@ void add_values(Shape& shape, const FaceGraph& mesh, const IO::Vertex_values<Ver
     };
 }
 
-/* A line of length zero is left unchanged. */
+/* A zero-length line is left unchanged. */
 inline Shape tube_shape(const Shape& line, const IO::Tubes& tubes)
 {
   check_finite(line);

@@ -246,7 +246,7 @@ private:
     for_each_outgoing_halfedge(input(), from.vertex, [&](Input_halfedge_index h) {
       const std::size_t to = lift(input().tail(twin_index(h)), m_words.continued(from.word, h));
       m_neighbors.push_back(static_cast<Index>(to));
-      // Edges of length zero are not allowed: they would lead to infinitely many classes.
+      // Degenerate edges are not allowed: they would lead to infinitely many classes.
       const double distance = from.distance + m_triangulation.metric().length(input(), h);
       if(distance < m_lifts[to].distance && m_lifts[to].neighbors == none) {
         m_lifts[to].distance = distance;
