@@ -13,6 +13,8 @@ from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to
 OVERSAMPLING = 2
 THICK = 0.005  # the width from which on tubes have round ends, relative to what is drawn
 SHARP_CORNER = math.cos(math.radians(25))
+FLAT_CURVES, FLAT_VALUES = 1.0, 0.7  # how far curves, and colors that stand for values, are the same in shadows
+MOST_BYTES = 300_000  # of a picture
 LETTER_SIZE = 1 / 46  # of panel letters, relative to the width of a picture
 LABEL_SIZE = 1 / 56  # of other text, likewise
 
@@ -73,6 +75,26 @@ def without_repetitions(line):
     return [p for p, before in zip(line, [None, *line]) if p != before]
 
 
+def with_steps(line, length):
+    """A polyline with further points on it, no farther than `length` from each other."""
+    result = [line[0]]
+    for p, q in zip(line, line[1:]):
+        count = math.ceil(math.dist(p, q) / length)
+        result += [tuple(a + k / count * (b - a) for a, b in zip(p, q)) for k in range(1, count + 1)]
+    return result
+
+
+def runs_of(line, is_wanted):
+    """The longest pieces of a polyline of which all points are wanted."""
+    runs = [[]]
+    for p, wanted in zip(line, is_wanted):
+        if wanted:
+            runs[-1].append(p)
+        elif runs[-1]:
+            runs.append([])
+    return [run for run in runs if len(run) > 1]
+
+
 def cut_into_dashes(line, length):
     """Dashes of about this length with gaps of the same length. They leave no gap at a sharp corner, so that zigzags
     stay recognizable, unless corners are so close to each other that no gap would be left."""
@@ -118,10 +140,12 @@ class Panel:
     def __init__(self, size, unit=None):
         self.size, self.unit = size, unit or size
         self.actors, self.labels, self.bar, self.text = [], [], None, ''
+        self.flatness, self.parts, self.undrawn = {}, [], []
+        self.margin = 0  # the part of the width at the left in which nothing is drawn
         self.renderer = vtk.vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
 
-    def _add(self, source, name, is_port=True):
+    def _add(self, source, name, is_port=True, flatness=FLAT_CURVES):
         mapper = vtk.vtkPolyDataMapper()
         if is_port:
             mapper.SetInputConnection(source.GetOutputPort())
@@ -135,19 +159,24 @@ class Panel:
         if mapper.GetInput().GetNumberOfPoints():
             self.renderer.AddActor(actor)
             self.actors.append(actor)
+            self.flatness[actor] = flatness
         return actor
+
+    def _add_surface(self, points, faces, data, name, flatness=0.0, is_port=False):
+        self.parts.append((points, faces))
+        return self._add(data, name, is_port, flatness)
 
     def surface(self, points, faces, name=SURFACE, is_smooth=True):
         data = poly_data(points, faces)
         if not is_smooth:
-            actor = self._add(data, name, is_port=False)
+            actor = self._add_surface(points, faces, data, name)
             actor.GetProperty().SetInterpolationToFlat()
         else:
             normals = vtk.vtkPolyDataNormals()
             normals.SetInputData(data)
             normals.SetFeatureAngle(40)
             normals.ConsistencyOff()
-            actor = self._add(normals, name)
+            actor = self._add_surface(points, faces, normals, name, is_port=True)
         return actor
 
     def colored_surface(self, points, faces, values, colors):
@@ -157,7 +186,7 @@ class Panel:
         normals = vtk.vtkPolyDataNormals()
         normals.SetInputData(data)
         normals.SetFeatureAngle(40)
-        actor = self._add(normals, SURFACE)
+        actor = self._add_surface(points, faces, normals, SURFACE, FLAT_VALUES, is_port=True)
         ramp = vtk.vtkColorTransferFunction()
         for value, name in colors:
             ramp.AddRGBPoint(value, *color(name))
@@ -180,7 +209,7 @@ class Panel:
                            (poly_data([points[v] for f in laid for v in f], np.arange(3 * len(laid)).reshape(-1, 3)),
                             np.array(laid).ravel())):
             data.GetPointData().SetNormals(numpy_to_vtk(bends[ends], deep=True))
-            actor = self._add(data, SURFACE, is_port=False)
+            actor = self._add(data, SURFACE, is_port=False, flatness=0.0)
         places = np.array([plane[i] for triple in corners for i in triple], float)
         data.GetPointData().SetTCoords(numpy_to_vtk(places, deep=True))
         actor.GetProperty().SetColor(color(WHITE))
@@ -200,8 +229,37 @@ class Panel:
         return self._add(tubes, name)
 
     def dashes(self, polylines, name, width):
-        """Tubes with gaps, for curves that are not results."""
-        self.tubes([dash for line in polylines for dash in cut_into_dashes(line, 3 * width * self.unit)], name, width)
+        """Tubes with gaps, for curves that are not results. They are not drawn where the surface faces away: parts of
+        dashes beside an outline would not be recognized."""
+        self.undrawn.append(([line for line in map(without_repetitions, polylines) if len(line) > 1], name, width))
+
+    def _draw_dashes(self):
+        for polylines, name, width in self.undrawn:
+            length = 3 * width * self.unit
+            fine = [with_steps(line, length / 6) for line in polylines]
+            is_seen = iter(self.is_facing([p for line in fine for p in line]))
+            runs = [run for line in fine for run in runs_of(line, [next(is_seen) for _ in line])]
+            self.tubes([dash for run in runs for dash in cut_into_dashes(run, length)], name, width)
+        self.undrawn = []
+
+    def is_facing(self, places, least=0.1):
+        """For each place whether the surface faces the viewer there: its normal and the direction to the viewer have at
+        least this cosine."""
+        return self.normals_at(places) @ unit(self.direction) >= least
+
+    def normals_at(self, places):
+        """The normals of the surface at the vertices that are nearest to some places."""
+        corners = np.concatenate([np.array(points, float)[np.array(faces)] for points, faces in self.parts])
+        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])  # as long as twice the area
+        points, vertex = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
+        sums = np.zeros_like(points)
+        np.add.at(sums, vertex.ravel(), across.repeat(3, axis=0))
+        locator = vtk.vtkStaticPointLocator()
+        data = poly_data(points)
+        locator.SetDataSet(data)
+        locator.BuildLocator()
+        normals = sums / np.maximum(np.linalg.norm(sums, axis=1), 1e-30)[:, None]
+        return normals[[locator.FindClosestPoint(p) for p in places]]
 
     def contours(self, points, faces, values, levels, name, width):
         """The lines on a surface where a number per point has certain levels, as tubes."""
@@ -246,8 +304,8 @@ class Panel:
         thickness = width * self.unit / length
         arrow = vtk.vtkArrowSource()
         arrow.SetShaftRadius(thickness / 2)
-        arrow.SetTipRadius(1.5 * thickness)
-        arrow.SetTipLength(min(0.6, 4 * thickness))
+        arrow.SetTipRadius(1.6 * thickness)
+        arrow.SetTipLength(min(0.5, 4.5 * thickness))
         arrow.SetShaftResolution(12)
         arrow.SetTipResolution(24)
         glyphs = vtk.vtkGlyph3D()
@@ -261,12 +319,12 @@ class Panel:
         self.labels.append((point, text, name, anchor, shift))
 
     def title(self, text):
-        """Writes text behind the letter of the panel."""
+        """Writes text behind the letter of the panel, above the picture."""
         self.text = text
 
     def color_bar(self, colors, texts, title=''):
-        """A bar of the colors of `colored_surface()` at the left, with texts at some numbers."""
-        self.bar = colors, texts, title
+        """A bar of the colors of `colored_surface()` in a margin at the left, with texts at some numbers."""
+        self.bar, self.margin = (colors, texts, title), 0.17
 
     def look(self, direction, up=(0, 1, 0), target=None, zoom=1.0, has_ground=True):
         """Looks from `direction` at everything, or at `target` so much closer than that. The surface stands on a white
@@ -281,7 +339,8 @@ class Panel:
         seen = points @ axes.T
         middle = axes.T @ ((seen.min(axis=0) + seen.max(axis=0)) / 2)
         focus = middle if self.target is None else np.array(self.target)
-        self.height = seen_height(points, aspect, self.direction, self.up, self.zoom)
+        self.height = seen_height(points, aspect * (1 - self.margin), self.direction, self.up, self.zoom)
+        focus = focus - self.margin / 2 * aspect * self.height * axes[0]
         self.middle, self.plane = focus, axes[:2]
         camera = vtk.vtkCamera()
         camera.ParallelProjectionOn()
@@ -295,10 +354,12 @@ class Panel:
 
     def picture(self, width, height):
         """The panel in a picture of so many pixels, each the mean of several."""
+        self._draw_dashes()
         camera = self._fitted_camera(width / height)
         stage = Stage(self.renderer)
         up = unit(self.up) if self.has_ground else None
-        many = light(stage, camera, OVERSAMPLING * width, OVERSAMPLING * height, up, self.sun)
+        blur = round(3 * max(1, self.zoom))
+        many = light(stage, camera, OVERSAMPLING * width, OVERSAMPLING * height, up, self.sun, self.flatness, blur)
         stage.close()
         return many.reshape(height, OVERSAMPLING, width, OVERSAMPLING, 3).mean(axis=(1, 3))[::-1]
 
@@ -321,12 +382,12 @@ def annotate(image, panel, left, top, width, height):
         write_text(image, place, text, name, anchor, size, is_bold=True)
     if panel.text:
         letter = round(LETTER_SIZE * image.width)
-        write_text(image, (left + 2.6 * letter, top + 0.9 * letter), panel.text, INK, 'lm', size, is_bold=True)
+        write_text(image, (left + 2.6 * letter, top - 0.93 * letter), panel.text, INK, 'lm', size, is_bold=True)
     if panel.bar:
         colors, texts, title = panel.bar
         (low, _), (high, _) = colors[0], colors[-1]
-        start, length = left + size, round(0.3 * height)
-        bottom = top + 5 * size + length
+        start, length = left + size, round(0.5 * height)
+        bottom = top + (height + length) // 2
         levels = np.linspace(high, low, length)
         parts = [np.interp(levels, [value for value, _ in colors], [color(name)[k] for _, name in colors])
                  for k in range(3)]
@@ -340,9 +401,12 @@ def annotate(image, panel, left, top, width, height):
 
 
 def add_letter(image, index, left, top):
-    """The letter of a panel in its upper left corner."""
+    """The letter of a panel in its upper left corner, on white."""
     size = round(LETTER_SIZE * image.width)
-    write_text(image, (left + size // 4, top + size // 4), f'({"abcdefgh"[index]})', INK, 'la', size, is_bold=True)
+    place, letter = (left + size // 4, top + size // 4), f'({"abcdefgh"[index]})'
+    box = ImageDraw.Draw(image).textbbox(place, letter, text_font(size, is_bold=True), 'la')
+    ImageDraw.Draw(image).rectangle([left, top, box[2] + size // 4, box[3] + size // 4], WHITE)
+    write_text(image, place, letter, INK, 'la', size, is_bold=True)
 
 
 def to_image(panels, width, height, columns=None, gap=0.02):
@@ -353,21 +417,32 @@ def to_image(panels, width, height, columns=None, gap=0.02):
     result = np.ones((height, width, 3))
     corners = [(round(i % columns * (share + gap * width)), round(i // columns * (part + gap * width)))
                for i in range(len(panels))]
-    boxes = [(left, top, min(share, width - left), min(part, height - top)) for left, top in corners]
+    above = round(1.8 * LETTER_SIZE * width) if any(panel.text for panel in panels) else 0  # for letters and titles
+    boxes = [(left, top + above, min(share, width - left), min(part, height - top) - above) for left, top in corners]
     for panel, (left, top, wide, high) in zip(panels, boxes):
         result[top:top + high, left:left + wide] = panel.picture(wide, high)
     image = Image.fromarray((255 * result + 0.5).astype(np.uint8))
     for i, (panel, box) in enumerate(zip(panels, boxes)):
         annotate(image, panel, *box)
         if len(panels) > 1:
-            add_letter(image, i, *box[:2])
+            add_letter(image, i, box[0], box[1] - above)
     return image
 
 
 def write_picture(path, image):
     """WebP takes a fifth of a PNG, with no difference that is visible; the small picture of the overview is a PNG."""
-    options = {'optimize': True} if path.suffix == '.png' else {'quality': 88, 'method': 6}
-    image.convert('RGB').save(path, **options)
+    if path.suffix == '.png':
+        image.convert('RGB').save(path, optimize=True)
+    else:
+        save_small(path, image.convert('RGB'), method=6)
+
+
+def save_small(path, image, **options):
+    """Saves as WebP, in the best quality in which the file is not too large."""
+    for quality in range(88, 40, -4):
+        image.save(path, quality=quality, **options)
+        if path.stat().st_size <= MOST_BYTES:
+            break
 
 
 def size_of(points):

@@ -11,7 +11,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-SKY, SUN = 36, 16      # lamps of each
+SKY, SUN = 72, 16      # lamps of each
 SUN_RADIUS = 0.11      # of the disk about the sun's direction from which its lamps shine, which softens shadows
 DEPTH_PIXELS = 640, 1024  # of what a lamp sees, in each direction: one of the sky, and one of the sun
 BIAS = 6.0             # pixels, as far behind what a lamp sees a place is still lit
@@ -129,10 +129,12 @@ def places_of(camera, depths, aspect):
     return plane - (near + (far - near) * depths.reshape(-1, 1)) * towards, towards
 
 
-def light(stage, camera, width, height, up, sun):
+def light(stage, camera, width, height, up, sun, flatness, blur):
     """A picture of what is on a stage, numbers from 0 to 1. `up` is the direction from the ground, None for no ground;
-    `sun` the sun's direction."""
+    `sun` the sun's direction. `flatness` has a number from 0 to 1 per actor: how far its own color is kept in shadows.
+    Light on surfaces is smoothed over `blur` pixels."""
     albedo, lamp_lit = base_and_sun(stage, camera, width, height, sun)
+    flat = levels(stage, camera, width, height, flatness)
     depths = stage.depths(camera, width, height)
     center, radius = bounding_sphere(stage.renderer)
     places, towards = places_of(camera, depths, width / height)
@@ -148,8 +150,9 @@ def light(stage, camera, width, height, up, sun):
                   for group, pixels in zip(lamps, DEPTH_PIXELS))
     is_ground = is_ground.reshape(depths.shape)
     sky, shine = (np.where(is_ground, smooth_where(is_ground, lights, width // 120),
-                           smooth_where(~is_ground, lights, 3)) for lights in (sky, shine))
-    lit = (albedo * (0.16 + 0.50 * sky[..., None]) + 0.36 * lamp_lit * shine[..., None]) ** 0.9
+                           smooth_where(~is_ground, lights, blur)) for lights in (sky, shine))
+    dark, sky_share, sun_share = 0.22 + 0.40 * flat, 0.46 - 0.24 * flat, 0.36 - 0.10 * flat
+    lit = (albedo * (dark + sky_share * sky[..., None]) + sun_share * lamp_lit * shine[..., None]) ** 0.9
     ground = 1 - (0.5 * np.clip(0.85 - sky, 0, 1) + 0.15 * (1 - shine)) * fading(width, height)
     return np.where(is_ground[..., None], ground[..., None], np.clip(lit, 0, 1))
 
@@ -198,6 +201,25 @@ def lowest_height(renderer, up):
     for actor in renderer.GetActors():
         lowest = min(lowest, float((points_of(actor) @ up).min()))
     return lowest
+
+
+def levels(stage, camera, width, height, numbers):
+    """A picture of the numbers of the actors."""
+    before = []
+    for actor in stage.renderer.GetActors():
+        look, mapper = actor.GetProperty(), actor.GetMapper()
+        before.append((actor, look.GetColor(), actor.GetTexture(), mapper.GetScalarVisibility()))
+        look.SetColor(3 * [numbers[actor]])
+        look.SetAmbient(1)
+        look.SetDiffuse(0)
+        actor.SetTexture(None)
+        mapper.ScalarVisibilityOff()
+    result = stage.colors(camera, width, height)
+    for actor, color, texture, has_scalars in before:
+        actor.GetProperty().SetColor(color)
+        actor.SetTexture(texture)
+        actor.GetMapper().SetScalarVisibility(has_scalars)
+    return result
 
 
 def base_and_sun(stage, camera, width, height, sun):

@@ -46,6 +46,12 @@ class Tools:
         path.write_text(''.join(' '.join(map(str, curve)) + '\n' for curve in curves))
         return path
 
+    def logarithms(self, mesh, source):
+        """The places of the vertices in the tangent plane of a point, by their shortest paths."""
+        path = self.folder / 'map.csv'
+        self.run('flip_geodesics', 'log', mesh, '--source', source, '--shortest', '--quiet', '--map', path)
+        return [tuple(map(float, row.split(',')[3:])) for row in path.read_text().splitlines()[1:]]
+
     def curves(self, command, mesh, *arguments):
         """The page that the program writes of some curves."""
         page = self.folder / 'page.html'

@@ -32,7 +32,7 @@ sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics_program/page')]
 
 from figure_browser import Browser  # noqa: E402
 from figure_colors import FIFTH, FIXED, FOURTH, INK, MESH, RESULT, SECOND, START, SURFACE, THIRD, WHITE  # noqa: E402
-from figure_drawing import Panel, seen_height, size_of, to_image, write_picture  # noqa: E402
+from figure_drawing import Panel, axes_of, save_small, seen_height, size_of, to_image, write_picture  # noqa: E402
 from figure_light import frame, unit  # noqa: E402
 from figure_pictures import checker, compass  # noqa: E402
 from figure_tools import Graph, Tools, read_obj, read_off, read_ply, read_vtp  # noqa: E402
@@ -68,10 +68,10 @@ def length_of(line):
     return sum(map(math.dist, line, line[1:]))
 
 
-def wire_panel(points, faces, width=0.0025):
+def wire_panel(points, faces, width=0.0025, name=INK):
     """A surface with its edges."""
     panel = surface_panel(points, faces, is_smooth=False)
-    panel.edges(points, faces, width=width)
+    panel.edges(points, faces, name, width)
     return panel
 
 
@@ -137,7 +137,23 @@ def segments(tools, mesh):
     spiral = [(0.5 * math.sqrt(k / 14), 2.4 * k) for k in range(14)]
     seeds = {graph.nearest((r * math.cos(t), r * math.sin(t), side)) for side in (-0.5, 0.5) for r, t in spiral}
     label = graph.regions(sorted(seeds))
-    return points, faces, [max(label[v] for v in f) for f in faces]
+    return points, faces, colored(faces, [max(label[v] for v in f) for f in faces])
+
+
+def colored(faces, labels):
+    """Labels from 0 on, as few as a greedy coloring takes, so that regions that share an edge have different ones."""
+    regions, owners, beside = connected_regions(faces, labels), {}, {}
+    for f, region in zip(faces, regions):
+        beside.setdefault(region, set())
+        for k in range(3):
+            other = owners.setdefault(frozenset((f[k - 1], f[k])), region)
+            if other != region:
+                beside[region].add(other)
+                beside[other].add(region)
+    color = {}
+    for region in beside:
+        color[region] = min(set(range(len(beside))) - {color.get(other) for other in beside[region]})
+    return [color[region] for region in regions]
 
 
 FRONT = {'direction': (0.35, 0.2, 1)}  # how the bunny is seen
@@ -213,9 +229,13 @@ def patchwork(tools):
 
 
 def draw_controls(panel, points, is_numbered=True):
-    panel.balls(points, FIXED, 0.04)
+    """Control points, with numbers on the far sides of their middle."""
+    panel.balls(points, FIXED, 0.035)
+    right, up = axes_of(panel.direction, panel.up)[:2]
     for k, p in enumerate(points if is_numbered else ()):
-        panel.label(p, str(k + 1), FIXED, shift=(-1.1, -0.6))
+        away = unit(np.subtract(p, np.mean(points, axis=0)))
+        x, y = unit((away @ right, away @ up))
+        panel.label(p, str(k + 1), FIXED, shift=(1.3 * x, -1.3 * y))
 
 
 def spline_on_head(tools, is_numbered=False):
@@ -227,8 +247,8 @@ def spline_on_head(tools, is_numbered=False):
     polygon = tools.curves('path', mesh, '--pairs', tools.lines('pairs', zip(controls, controls[1:] + controls[:1])))
     curve = tools.curves('spline', mesh, '--bezier', tools.lines('controls', [('o', *controls)]))
     panel = panel_in_view(points, faces, {'direction': (-0.3, 0.2, 1)})
-    panel.dashes(polygon.curves.values(), START, 0.013)
-    panel.tubes(curve.curves.values(), RESULT, 0.017)
+    panel.dashes(polygon.curves.values(), START, 0.010)
+    panel.tubes(curve.curves.values(), RESULT, 0.014)
     draw_controls(panel, [points[v] for v in controls], is_numbered)
     return panel
 
@@ -283,7 +303,7 @@ def teaser(tools):
 def detour_path(graph):
     """A path of edges on a coarse surface that makes a detour."""
     way = [graph.nearest(p) for p in ((0.08, 0.1, 0.13), (0.17, 0.08, 0.19), (0.22, 0.02, 0.17), (0.17, 0.02, 0),
-                                      (0.22, 0.02, -0.17), (0.17, 0.08, -0.19), (0.08, 0.1, -0.13))]
+                                      (0.22, 0.02, -0.17), (0.08, 0.1, -0.13))]
     return [v for a, b in zip(way, way[1:]) for v in graph.path(a, b)[:-1]] + way[-1:]
 
 
@@ -320,7 +340,7 @@ def conforming_triangulation(tools):
     run = page.runs[0]
     state = run.state(-1)
     inputs = {edge for edge, _, _ in run.input_edges}
-    before = wire_panel(page.points, page.faces)
+    before = wire_panel(page.points, page.faces, name=MESH)
     before.dashes(run.state(0).lines, START, 0.012)
     after = surface_panel(page.points, page.faces, is_smooth=False)
     sides = untouched_sides(page) | {frozenset((a, b)) for edge, a, b in run.input_edges if edge in state.present}
@@ -341,15 +361,10 @@ def flip_panel(page, step, is_start_drawn=False):
     panel.tubes([[page.points[v] for v in side] for side in untouched_sides(page)], INK, 0.0018)
     panel.tubes(state.edges, INK, 0.0025)
     panel.tubes([run.polylines[e] for e in state.fresh], SECOND, 0.007)
-    if is_start_drawn:
-        panel.dashes(run.state(0).lines, START, 0.008)
-    if 0 < step < len(run.steps):
+    if is_start_drawn or step == 0:
+        panel.dashes(run.state(0).lines, START, 0.009 if is_start_drawn else 0.010)  # inside of a curve on top
+    if step > 0:
         panel.tubes(state.lines, RESULT, 0.010)
-    elif step == 0:
-        if not is_start_drawn:
-            panel.dashes(state.lines, START, 0.012)
-    else:
-        panel.tubes(state.lines, RESULT, 0.012)
     panel.balls(ends_of(page), FIXED, 0.03)
     panel.look(**NEAR)
     return panel
@@ -413,17 +428,17 @@ def early_stop(tools):
     """Boundaries between boxes: as edges, stopped at 85 % of their lengths, and geodesics."""
     mesh = tools.mesh('refined_elephant.off')
     points, faces = read_off(mesh)
-    labels = [sum(2 ** i for i in range(3) if points[f[0]][i] > 0.1) for f in faces]
+    labels = colored(faces, [sum(2 ** i for i in range(3) if points[f[0]][i] > 0.1) for f in faces])
     panels = [patches(points, faces, labels, ELEPHANT)]
     for ratio in (1, 0.85, 0):
         tools.run('network_early_stop_example', mesh, ratio)
         curves = read_vtp(tools.folder / 'network.vtp')
         if ratio == 1:
-            panels[0].dashes(curves, START, 0.013)
+            panels[0].dashes(curves, START, 0.009)
             continue
         options = ('--stop-length', ratio) if ratio else ()
         panels.append(cut_patches(tools, mesh, labels, ELEPHANT, *options)[1])
-        panels[-1].tubes(curves, RESULT, 0.013)
+        panels[-1].tubes(curves, RESULT, 0.009)
     return panels
 
 
@@ -462,9 +477,9 @@ def seams(tools):
             levels = [(k + 0.5) / count for k in range(2 * count)]
             panel.contours(corners, faces, [p[axis] for p in plane], levels, INK, 0.0025)
         if is_tight:
-            panel.tubes(page.curves.values(), RESULT, 0.015)
+            panel.tubes(page.curves.values(), RESULT, 0.012)
         else:
-            panel.dashes(page.runs[0].state(0).lines, START, 0.011)
+            panel.dashes(page.runs[0].state(0).lines, START, 0.012)
         panel.balls(ends_of(page), FIXED, 0.04)
         panels.append(panel)
     return panels
@@ -479,7 +494,7 @@ def drawn_polyline(tools):
     points, faces = read_off(mesh)
     before, after = wire_panel(points, faces, 0.0015), wire_panel(points, faces, 0.0015)
     before.dashes([drawn], START, 0.011)
-    after.tubes([snapped], SECOND, 0.008)
+    after.tubes([snapped], SECOND, 0.009)
     after.tubes([tight], RESULT, 0.011)
     for panel in (before, after):
         panel.look((0, -0.6, 1), up=(0, 0, 1))
@@ -489,9 +504,9 @@ def drawn_polyline(tools):
 @figure(960)
 def loops(tools):
     """Closed curves on a torus with bumps, before and after."""
-    around, along = 96, 48
-    start = [[around // 8 * i * along + j for j in range(along)] for i in range(8)]
-    start.append([i * along + (round(6 * math.sin(10 * math.pi * i / around)) + 12) % along for i in range(around)])
+    around, along = 192, 96
+    start = [[around // 4 * i * along + j for j in range(along)] for i in range(4)]
+    start.append([i * along + round(24 + 14 * math.sin(6 * math.pi * i / around)) for i in range(around)])
     start[-1] = staircase(start[-1], along)
     page = tools.curves('loop', tools.torus(around, along), '--loop', tools.lines('loops', start))
     before, after = (surface_panel(page.points, page.faces) for _ in range(2))
@@ -523,38 +538,44 @@ def handles_of(loops):
     return [number[k] for k in range(len(loops))]
 
 
-GENERA = (('refined_elephant.off', {'direction': (0.9, 0.45, -0.5), 'target': (0.21, 0.25, 0.13), 'zoom': 3.2}),
-          ('refined_elephant.off', {'direction': (-0.35, 0.8, -0.7), 'target': (-0.28, -0.27, -0.06), 'zoom': 4.5}),
-          ('eight.off', {'direction': (0.75, 1, 0.3)}))  # the handles of an elephant, at its trunk and its tail
+TRUNK = {'direction': (0.9, 0.45, -0.5), 'target': (0.21, 0.25, 0.13), 'zoom': 2.8, 'has_ground': False}
+TAIL = {'direction': (-0.35, 0.8, -0.7), 'target': (-0.28, -0.27, -0.06), 'zoom': 4.5, 'has_ground': False}
+GENERA = (('refined_elephant.off', {'direction': (0.45, 0.65, -0.9)}), ('refined_elephant.off', TRUNK),
+          ('refined_elephant.off', TAIL), ('eight.off', {'direction': (0.75, 1, 0.3)}))
 
 
-@figure(800)
+def handle_panels(tools, example, draw):
+    """Loops of an elephant, as a whole and at its trunk and its tail, and of a surface of genus 2."""
+    panels = []
+    for name, view in GENERA:
+        mesh = tools.mesh(name)
+        tools.run(example, mesh)
+        panels.append(panel_in_view(*read_off(mesh), view, 1.5))
+        draw(panels[-1])
+    for letter, detail, shift in (('b', TRUNK, (-3, 0)), ('c', TAIL, (0, -2.5))):
+        panels[0].label(detail['target'], f'({letter})', INK, shift=shift)
+    return panels
+
+
+@figure(1360, 2000, columns=2)
 def loop_basis(tools):
     """Closed geodesics around the handles of two surfaces, found from the surfaces alone."""
-    panels = []
-    for name, view in GENERA:
-        mesh = tools.mesh(name)
-        tools.run('loop_basis_example', mesh)
+    def draw(panel):
         loops = read_vtp(tools.folder / 'loop_basis.vtp')
-        panel = panel_in_view(*read_off(mesh), view)
         for loop, number in zip(loops, handles_of(loops)):
             panel.tubes([loop], (RESULT, SECOND, THIRD)[number], 0.017)
-        panels.append(panel)
-    return panels
+
+    return handle_panels(tools, 'loop_basis_example', draw)
 
 
-@figure(800)
+@figure(1360, 2000, columns=2)
 def handles_and_tunnels(tools):
     """Closed geodesics around the handles (blue) and the tunnels (green) of two solids."""
-    panels = []
-    for name, view in GENERA:
-        mesh = tools.mesh(name)
-        tools.run('handle_and_tunnel_loops_example', mesh)
-        panel = panel_in_view(*read_off(mesh), view)
+    def draw(panel):
         for kind, color in (('handles', RESULT), ('tunnels', SECOND)):
             panel.tubes(read_vtp(tools.folder / f'{kind}.vtp'), color, 0.017)
-        panels.append(panel)
-    return panels
+
+    return handle_panels(tools, 'handle_and_tunnel_loops_example', draw)
 
 
 def staircase(loop, along):
@@ -577,8 +598,7 @@ def poisson(tools):
     bunny = heat_panel(tools, mesh, 11509, target, {'direction': (-0.35, 0.2, -1)})
     panels = []
     for panel, colors in (bunny, heated_dinosaur(tools)):
-        most = colors[-1][0]
-        panel.color_bar(colors, [(most * k / 4, f'{most * k / 4:.2g}') for k in range(5)], 'u')
+        panel.color_bar(colors, [(0.05 * k, f'{0.05 * k:.2f}') for k in range(int(colors[-1][0] / 0.05) + 1)], 'u')
         panels.append(panel)
     return panels
 
@@ -770,20 +790,22 @@ def joined(pieces, rounds=20):
 
 @figure(1000)
 def logarithmic_map(tools):
-    """The plane about one vertex, a grid and circles, laid over a torus by the logarithmic map; and its cut locus."""
-    around, along = 240, 120
+    """The plane about one vertex, a disk with a grid and circles, laid over a torus by the logarithmic map; and its cut
+    locus."""
+    around, along = 320, 160
     mesh = tools.torus(around, along)
+    points, faces = read_off(mesh)
     source = 3 * around // 4 * along + along // 6
-    tools.run('geodesic_tree_example', mesh, source)
-    data = read_obj(tools.folder / 'logarithmic_map.obj')
-    points, plane, faces = data['v'], data['vt'], data['f']
+    plane = tools.logarithms(mesh, source)
     pieces = cut_locus(points, faces, plane)
     whole = [f for f in faces if not cut_locus(points, [f], plane)]
+    distance = [math.hypot(x, y) for x, y in plane]
+    disk = [f for f in whole if max(distance[v] for v in f) < 1.5]
     panels = []
-    for numbers in (([x for x, _ in plane], [y for _, y in plane]), ([math.hypot(x, y) for x, y in plane],)):
+    for part, numbers in ((disk, ([x for x, _ in plane], [y for _, y in plane])), (whole, (distance,))):
         panel = panel_in_view(points, faces, LYING)
         for values, name in zip(numbers, (RESULT, SECOND)):
-            panel.contours(points, whole, values, [0.15 * k + 0.001 for k in range(-40, 41)], name, 0.006)
+            panel.contours(points, part, values, [0.15 * k + 0.001 for k in range(-40, 41)], name, 0.006)
         panel.tubes(joined(pieces), INK, 0.012)
         panel.balls([points[source]], FIXED, 0.04)
         panels.append(panel)
@@ -820,17 +842,23 @@ def face_along(points, faces, place, right, reach=0.04):
 
 @figure(1060)
 def decal(tools):
-    """A compass rose on a bear, and a board on a torus that is so large that it is discontinuous."""
+    """A compass rose on a bear, and a board on a torus that is so large that it is discontinuous at the cut locus."""
     panels = []
     for mesh, place, right, size, picture, view in (
             (tools.mesh('bear.off'), (0.02, -0.12, 0.45), (1, 0, 0), 0.62, compass(), {'direction': (0.15, 0.15, 1)}),
-            (tools.torus(240, 120), (0.25, -1, 0.5), (1, 0, 0), 2.8, checker(14), LYING)):
+            (tools.torus(480, 240), (0.25, -1, 0.5), (1, 0, 0), 2.8, checker(14), LYING)):
         points, faces = read_off(mesh)
         middle = points[Graph(points, faces).nearest(place)]
-        tools.run('decal_example', mesh, face_along(points, faces, middle, right, 0.1), size)
+        face = face_along(points, faces, middle, right, 0.1)
+        tools.run('decal_example', mesh, face, size)
         data = read_obj(tools.folder / 'decal.obj')
-        panel = Panel(size_of(points))
+        panel = Panel(size_of(points), seen_height(points, 1.2, **view))
         panel.textured_surface(data['v'], data['f'], data['ft'], data['vt'], picture)
+        if view is LYING:
+            mesh = tools.torus(240, 120)
+            points, faces = read_off(mesh)
+            source = Graph(points, faces).nearest(data['v'][data['f'][face][0]])
+            panel.tubes(joined(cut_locus(points, faces, tools.logarithms(mesh, source))), INK, 0.014)
         panel.look(**view)
         panels.append(panel)
     return panels
@@ -858,8 +886,9 @@ def tree(tools):
     return panels
 
 
-def bump(tools, count=72, height=0.9, shift=0.06):
-    """A square with a bump, a little off the middle: vertex i * count + j lies at i in the first direction."""
+def bump(tools, count=71, height=0.7, shift=0.06):
+    """A square with a bump, a little off the middle: vertex i * count + j lies at i in the first direction. The left
+    half mirrors the right one."""
     def point(i, j):
         x, y = 2 * i / (count - 1) - 1, 2 * j / (count - 1) - 1
         return x, y, height * math.exp(-(x * x + (y - shift) ** 2) / 0.08)
@@ -870,23 +899,26 @@ def bump(tools, count=72, height=0.9, shift=0.06):
     with path.open('w') as out:
         out.write(f'OFF\n{count ** 2} {2 * len(corners)} 0\n')
         out.writelines('{} {} {}\n'.format(*point(i, j)) for i in range(count) for j in range(count))
-        out.writelines(f'3 {a} {b} {c}\n3 {a} {c} {d}\n' for a, b, c, d in corners)
+        for a, b, c, d in corners:
+            is_left = 2 * (a // count) < count - 1
+            out.write(f'3 {a} {b} {c}\n3 {a} {c} {d}\n' if is_left else f'3 {a} {b} {d}\n3 {b} {c} {d}\n')
     return path
 
 
-@figure(800, 1300)
+@figure(860, 1300)
 def shortest_path(tools):
     """An edge path past a bump, the geodesic that it becomes, and the shortest path on the other side."""
-    count = 72
-    mesh = bump(tools, count)
+    mesh = bump(tools)
     graph = Graph(*read_off(mesh))
-    first, through, last = graph.nearest((-0.86, 0, 0)), graph.nearest((0.05, 0.5, 0)), graph.nearest((0.86, 0, 0))
+    first, through, last = (graph.nearest(place) for place in ((-0.86, 0, 0), (0, 0.6, 0), (0.86, 0, 0)))
     tools.run('shortest_path_example', mesh, first, last)
     shortest = read_vtp(tools.folder / 'shortest_path.vtp')[0]
     start = graph.path(first, through) + graph.path(through, last)[1:]
     page = tools.curves('path', mesh, '--edges', tools.lines('start', [start]))
-    panel = panel_in_view(page.points, page.faces, {'direction': (0, -0.75, 1), 'up': (0, 0, 1)}, 13 / 8)
-    panel.dashes([[page.points[v] for v in start]], START, 0.010)
+    panel = panel_in_view(page.points, page.faces, {'direction': (0, -0.42, 1), 'up': (0, 0, 1)}, 130 / 86)
+    heights = [p[2] for p in page.points]
+    panel.contours(page.points, page.faces, heights, [0.05 + 0.1 * k for k in range(7)], MESH, 0.003)
+    panel.dashes([[page.points[v] for v in start]], START, 0.013)
     for line, name in ((*page.curves.values(), SECOND), (shortest, RESULT)):
         panel.tubes([line], name, 0.013)
         panel.label(line[len(line) // 4], f'{length_of(line):.3f}', name, shift=(1.2, 1.3))
@@ -914,13 +946,22 @@ def parallel_transport(tools):
     tools.run('parallel_transport_example', mesh, face, 1.6)
     arrows = read_vtp(tools.folder / 'arrows.vtp')
     field = panel_in_view(points, faces, view)
-    thin = {points[v] for v in range(around * along) if v // along % 2 == 0 and v % along % 2 == 0}
-    arrows = [line for line in arrows if line[0] in thin]
-    vectors = [0.075 * field.unit * unit(np.subtract(line[-1], line[0])) for line in arrows]
-    field.arrows([line[0] for line in arrows], vectors, RESULT, 0.011)
-    curve = tools.curves('path', mesh, '--from', faces[face][0], '--to', 44 * along + 6)
-    field.tubes(curve.curves.values(), INK, 0.012)
-    field.balls([[sum(points[v][i] for v in faces[face]) / 3 for i in range(3)]], FIXED, 0.04)
+    source = tuple(np.mean([points[v] for v in faces[face]], axis=0))
+    to_source = ','.join(map(str, (*faces[face], 1 / 3, 1 / 3)))
+    curve = tools.curves('path', mesh, '--from', to_source, '--to', 44 * along + 6).curves[0]
+    starts = [line[0] for line in arrows]
+    starts = [p for p, is_facing in zip(starts, field.is_facing(starts, 0.45)) if is_facing]
+    chosen = [source]
+    for p in sorted(starts, key=lambda p: min(math.dist(p, q) for q in curve)):
+        if min(math.dist(p, q) for q in chosen) > 0.115 * field.unit:
+            chosen.append(p)
+    vectors = {line[0]: unit(np.subtract(line[-1], line[0])) for line in arrows}
+    vectors[source] = unit(np.subtract(points[faces[face][0]], points[faces[face][-1]]))
+    lifted = np.array(chosen) + 0.012 * field.unit * field.normals_at(chosen)
+    for these, name, length, width in ((slice(1), START, 0.16, 0.016), (slice(1, None), RESULT, 0.11, 0.012)):
+        field.arrows(lifted[these], [length * field.unit * vectors[p] for p in chosen[these]], name, width)
+    field.tubes([curve], INK, 0.012)
+    field.balls([source], FIXED, 0.04)
 
     mesh = tools.mesh('sphere966.off')
     points, faces = read_off(mesh)
@@ -941,13 +982,20 @@ def parallel_transport(tools):
         carried = transported(line, vector, center)
         ends = np.cumsum([0, *map(math.dist, line, line[1:])])
         chosen = sorted({int(np.argmin(np.abs(ends - ends[-1] * k / 6))) for k in range(1, 7)})
+        if line is list(sides.curves.values())[-1]:
+            chosen = chosen[:-1]
         loop.arrows([line[k] for k in chosen], [0.16 * loop.unit * carried[k] for k in chosen], RESULT, 0.012)
         vector = carried[-1]
     start = points[corners[0]]
-    loop.arrows([start], [0.16 * loop.unit * first], START, 0.012)
+    for direction, name in ((first, START), (vector, SECOND)):
+        loop.arrows([start], [0.2 * loop.unit * direction], name, 0.016)
     loop.balls([start], FIXED, 0.04)
-    angle = math.degrees(math.acos(first @ vector))
-    loop.label(start, f'{angle:.0f}\N{DEGREE SIGN}', INK, shift=(-2, 1))
+    angle = math.acos(first @ vector)
+    across = unit(vector - (vector @ first) * first)
+    arc = [tuple(start + 0.11 * loop.unit * (math.cos(t) * first + math.sin(t) * across))
+           for t in np.linspace(0, angle, 40)]
+    loop.tubes([arc], INK, 0.006)
+    loop.label(arc[20], f'{math.degrees(angle):.0f}\N{DEGREE SIGN}', INK, shift=(1.2, -0.8))
     return [field, loop]
 
 
@@ -972,20 +1020,6 @@ def means(tools):
         panel.look(view)
         panels.append(panel)
     return panels
-
-
-def ways_panel(tools, mesh, ends, number, obstacles=()):
-    """The shortest paths of several classes, the shortest blue and the others the lighter the longer, and obstacles."""
-    tools.run('other_ways_example', mesh, *ends, number, *sorted(obstacles))
-    points, faces = read_off(mesh)
-    panel = surface_panel(points, [f for i, f in enumerate(faces) if i not in obstacles])
-    if obstacles:
-        panel.surface(points, [faces[i] for i in obstacles], FIXED)
-    paths = read_vtp(tools.folder / 'other_ways.vtp')
-    for k, (path, name) in enumerate(zip(paths, (RESULT, *GREENS))):
-        panel.tubes([path], name, 0.012 - 0.0006 * k)  # where two run together, the shorter one shows
-    panel.balls([points[v] for v in ends], FIXED, 0.03)
-    return panel
 
 
 WAYS = RESULT, SECOND, THIRD, FIFTH, FOURTH
@@ -1034,11 +1068,10 @@ def isolines(tools):
              (-0.15, 0.4, 0.1), (0.25, 0.05, 0.3), (-0.3, -0.1, 0.4), (0.15, -0.2, 0.4), (-0.1, 0.1, 0.3)]
     sources = sorted({graph.nearest(seed) for seed in seeds})
     tools.run('isolines_example', mesh, *sources)
-    panel = surface_panel(points, faces)
-    panel.tubes(read_vtp(tools.folder / 'isolines.vtp'), RESULT, 0.0035)
-    panel.tubes(read_vtp(tools.folder / 'voronoi.vtp'), SECOND, 0.009)
-    panel.balls([points[source] for source in sources], FIXED, 0.024)
-    panel.look((0.35, 0.2, 1))
+    panel = panel_in_view(points, faces, FRONT)
+    panel.tubes(read_vtp(tools.folder / 'isolines.vtp'), RESULT, 0.007)
+    panel.tubes(read_vtp(tools.folder / 'voronoi.vtp'), SECOND, 0.012)
+    panel.balls([points[source] for source in sources], FIXED, 0.035)
     return [distances(tools), panel]
 
 
@@ -1050,10 +1083,10 @@ def spline(tools):
     controls = [in_front(points, *p) for p in ((-0.12, -0.3), (-0.02, 0.05), (0.3, -0.02), (0.36, -0.32))]
     panel = panel_in_view(points, faces, FRONT)
     polygon = tools.curves('path', mesh, '--pairs', tools.lines('pairs', zip(controls, controls[1:])))
-    panel.dashes(polygon.curves.values(), START, 0.013)
+    panel.dashes(polygon.curves.values(), START, 0.010)
     for kind, name in (((), RESULT), (('s',), SECOND)):
         curve = tools.curves('spline', mesh, '--bezier', tools.lines('controls', [(*kind, *controls)]))
-        panel.tubes(curve.curves.values(), name, 0.017)
+        panel.tubes(curve.curves.values(), name, 0.014)
     draw_controls(panel, [points[v] for v in controls])
     return [panel, spline_on_head(tools, is_numbered=True)]
 
@@ -1111,7 +1144,7 @@ class Animation:
     def write(self, path, width, height):
         images = [to_image(panels, width, height) for panels in self.frames]
         times = [1500] + [400] * (len(images) - 2) + [3000]
-        images[0].save(path, save_all=True, append_images=images[1:], duration=times, loop=0, quality=82, method=6)
+        save_small(path, images[0], save_all=True, append_images=images[1:], duration=times, loop=0, method=6)
 
 
 def main():
