@@ -3,7 +3,8 @@
 """Reads the manual as a browser would: check_manual.py HTML
 
 Briefs stand beside the names in all lists, figures have numbers and are named by them, citations and enumerators are
-links, no sign of the markup is left over, and no type of the implementation is named. The pages beside the manual have the pictures and files that they name.
+links, no sign of the markup is left over, and no type of the implementation is named. The pages beside the manual have
+the pictures and files that they name, and pictures are small.
 """
 
 import re
@@ -113,6 +114,18 @@ def check_pages_of_repository(root):
                 problems.append(f'{name}: {target} is missing')
 
 
+def check_pictures(root):
+    """Each picture is on a page, and none takes long to load."""
+    manual = root / 'doc/Flip_geodesics'
+    pages = [*manual.glob('*.txt'), *manual.glob('*.md')]
+    text = ''.join(page.read_text() for page in pages)
+    for picture in (manual / 'fig').iterdir():
+        if picture.name not in text:
+            problems.append(f'{picture.name} is on no page')
+        if picture.stat().st_size > 300_000:
+            problems.append(f'{picture.name} has more than 300 000 bytes')
+
+
 def check_first_program(root):
     """README.md and the chapter Getting Started print the same program."""
     listings = [re.search(pattern, (root / name).read_text(), re.S)
@@ -144,6 +157,7 @@ def main():
         check_headers(name, text)
     check_figures(pages)
     check_pages_of_repository(Path(__file__).parents[2])
+    check_pictures(Path(__file__).parents[2])
     check_first_program(Path(__file__).parents[2])
     print('\n'.join(problems))
     sys.exit(1 if problems else 0)
