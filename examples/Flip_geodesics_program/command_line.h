@@ -269,7 +269,7 @@ private:
     if(repair != nullptr)
       weld->description(weld->get_description() + "; requires --repair")->needs(repair);
     add("--force", m_options.is_replacing_input, "allow a result to replace an input file");
-    add("-q,--quiet", m_options.is_quiet, "do not print the table and the progress");
+    add("-q,--quiet", m_options.is_quiet, "do not print the table or the progress");
     add_text("--json", "FILE", m_options.results.json, "write all results as JSON; - for standard output");
     add_text("--output-format", "NAME", m_options.output_format, "use this format if --output is -, standard output");
   }
@@ -286,15 +286,15 @@ private:
   void add_pairs()
   {
     add_ends();
-    add_text("--pairs", "FILE", m_options.pairs, "read a path per line, `source target`; # starts a comment");
+    add_text("--pairs", "FILE", m_options.pairs, "read one path per line, `source target`; # starts a comment");
     add("--random", "NUMBER", m_options.random, {1, 1e7}, "compute this many paths between random vertices");
     add("--seed", "NUMBER", m_options.seed, not_negative, "set the seed of --random [1]");
   }
 
   void add_files_of_paths()
   {
-    add_text("--edges", "FILE", m_options.edges, "read the vertices of a path along edges per line");
-    add_text("--points", "FILE", m_options.points, "read a path through points per line");
+    add_text("--edges", "FILE", m_options.edges, "read one path along edges per line, given by its vertices");
+    add_text("--points", "FILE", m_options.points, "read one path per line, given by points through which it passes");
     add_draw();
     add("--snap", m_options.is_snapped, "move the polylines of --draw to edges first")
         ->needs(m_command->get_option("--draw"));
@@ -302,21 +302,22 @@ private:
 
   CLI::Option* add_draw()
   {
-    return add_text("--draw", "FILE", m_options.draw,
-                    "read the points of a polyline per line, of a closed one after `o`; or NAME.polylines.txt");
+    return add_text(
+        "--draw", "FILE", m_options.draw,
+        "read one polyline per line, given by its points, or NAME.polylines.txt; `o ...` is a closed polyline");
   }
 
   CLI::Option* add_loop()
   {
-    return add_text("--loop", "FILE", m_options.loop, "read the vertices of a closed loop of edges per line");
+    return add_text("--loop", "FILE", m_options.loop, "read one closed loop of edges per line, given by its vertices");
   }
 
   void add_networks()
   {
     add_text("--network", "FILE", m_options.network,
-             "read the vertices of a path per line; `o v v ...` is a loop, `! v ...` fixes vertices");
+             "read one path per line, given by its vertices; `o v v ...` is a loop, `! v ...` fixes vertices");
     add_text("--segmentation", "FILE", m_options.segmentation,
-             "read the label of a face per line, and shorten the boundaries between labels");
+             "read one face label per line, and shorten the boundaries between faces with different labels");
     add("--free-junctions", m_options.has_free_junctions, "allow the vertices at which boundaries meet to move")
         ->needs(m_command->get_option("--segmentation"));
     add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
@@ -324,8 +325,9 @@ private:
 
   void add_splines()
   {
-    add_text("--bezier", "FILE", m_options.bezier,
-             "read the control points of a Bezier curve per line; `s ...` is a B-spline, `o ...` a closed one");
+    add_text(
+        "--bezier", "FILE", m_options.bezier,
+        "read one Bezier curve per line, given by its control points; `s ...` is a B-spline, `o ...` a closed one");
     add("--rounds", "NUMBER", m_options.rounds, {0, 16}, "halve the pieces of splines this many times [5]")
         ->needs(m_command->get_option("--bezier"));
   }
@@ -343,8 +345,8 @@ private:
   void add_mollify()
   {
     add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
-        "lengthen all edges equally until each face satisfies the triangle inequality by this fraction of the mean "
-        "length");
+        "lengthen all edges equally until each face satisfies the triangle inequality with a margin of this fraction "
+        "of the mean length");
   }
 
   void add_weights()
@@ -361,8 +363,9 @@ private:
   void add_avoid()
   {
     const std::string on_barrier = m_command->get_name() == "shortest" ? "; no path may end on a barrier" : "";
-    add_text("--avoid", "FILE", m_options.obstacles,
-             ("read the vertices of a barrier along edges per line, or faces `f n n ...`" + on_barrier).c_str());
+    add_text(
+        "--avoid", "FILE", m_options.obstacles,
+        ("read one barrier along edges per line, given by its vertices, or faces `f n n ...`" + on_barrier).c_str());
   }
 
   void add_most_memory()
@@ -398,11 +401,11 @@ private:
         "draw curves as tubes, or as lines with 0 [1/500 of the diagonal of the bounding box]")
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
-        "write points at this distance along curves instead of crossings");
+        "write points at this distance along each curve instead of its crossings with edges");
     add_text("--page", "FILE", m_options.results.page, "write a page for a browser: surface, curves and flips");
     add_text("--polylines", "FILE", m_options.results.polylines,
-             "write a line per point, `curve a b t x y z`: (1-t) a + t b");
-    add_text("--stats", "FILE", m_options.results.stats, "write a line per curve as CSV");
+             "write one line per point, `curve a b t x y z`, for the point (1-t) a + t b of an edge");
+    add_text("--stats", "FILE", m_options.results.stats, "write one line per curve as CSV");
     add_text("--insert", "FILE", m_options.meshes.insertion,
              "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
     add_text("--cut", "FILE", m_options.meshes.cut,
@@ -498,7 +501,8 @@ private:
     choose({"--from", "--edges", "--points", "--draw", "--loop", "--network", "--segmentation", "--seams", "--bezier"},
            true);
     m_group = "The triangulation";
-    add("--delaunay", m_options.meshes.is_delaunay, "flip the other edges to a constrained Delaunay triangulation");
+    add("--delaunay", m_options.meshes.is_delaunay,
+        "flip all edges but those of the curves to a constrained Delaunay triangulation");
     CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
                                     "insert vertices until no angle is smaller than this, from 0 to 30 degrees");
     add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
@@ -574,7 +578,7 @@ private:
     add_mollify();
     add_weights();
     add_files_of_curves();
-    add_text("--map", "FILE", m_options.results.map, "write a line `vertex,distance,source` per vertex as CSV");
+    add_text("--map", "FILE", m_options.results.map, "write one line `vertex,distance,source` per vertex as CSV");
     add("--values", m_options.results.has_values, "add the distances of vertices to binary .ply and .vtp files")
         ->needs(m_command->get_option("--output"));
     add_text("--matrix", "FILE", m_options.results.matrix, "write the distances between the sources as CSV");
@@ -591,7 +595,7 @@ private:
     add_arithmetic();
     add_weights();
     add_files_of_curves();
-    add_text("--map", "FILE", m_options.results.map, "write a line per vertex, `vertex,distance,angle,x,y`");
+    add_text("--map", "FILE", m_options.results.map, "write one line `vertex,distance,angle,x,y` per vertex as CSV");
   }
 
   void add_commands_of_meshes()
@@ -624,7 +628,7 @@ private:
           "  flip_geodesics flatten textured.obj --seams --output flat.obj");
     m_group = "Curves to cut along, shortened first [the cut graph]";
     add_text("--network", "FILE", m_options.network,
-             "read the vertices of a path per line; `o v v ...` is a loop, `! v ...` fixes vertices");
+             "read one path per line, given by its vertices; `o v v ...` is a loop, `! v ...` fixes vertices");
     add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
     choose({"--network", "--seams"}, false);
     add_outputs("-o,--output", "write .obj or .glb with texture coordinates; may be repeated")->required();

@@ -473,7 +473,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(distance_from_wall 2 "^flip_geodesics: vertex 3 lies on a barrier of --avoid, on both"
                                   distance torus.off --source 3 --map x.csv --avoid wall.txt)
   flip_geodesics_add_program_test(distance_inside_obstacle 2
-                                  "point 1.0,2.0,0.3 lies inside an obstacle of --avoid; choose another one" distance
+                                  "point 1.0,2.0,0.3 lies inside an obstacle of --avoid; choose another point" distance
                                   torus.off --source 1.0,2.0,0.3 --map x.csv --avoid all_faces.txt)
   flip_geodesics_add_program_test(trace_from_wall 2 "vertex 3 lies on a barrier" trace torus.off --trace 3,0,1 --avoid
                                   wall.txt)
@@ -520,11 +520,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(weight_beyond 2 "weight_beyond.csv line 1: face 576 does not exist. use 0 to 575" path
                                   torus.off --from 0 --to 150 --face-weights weight_beyond.csv)
   file(WRITE ${program_dir}/repeated_face.csv "0,2\n5,3\n0,2\n")
-  flip_geodesics_add_program_test(weight_of_face_repeated 2 "repeated_face.csv line 3: face 0 already has a weight" path
+  flip_geodesics_add_program_test(weight_of_face_repeated 2 "repeated_face.csv line 3: face 0 is given two weights" path
                                   torus.off --from 0 --to 150 --face-weights repeated_face.csv)
   file(WRITE ${program_dir}/repeated_edge.csv "0,1,0.5\n1,0,0.7\n")
   flip_geodesics_add_program_test(weight_of_edge_repeated 2
-                                  "repeated_edge.csv line 2: the edge of vertices 1 and 0 already has a weight" path
+                                  "repeated_edge.csv line 2: the edge of vertices 1 and 0 is given two weights" path
                                   torus.off --from 0 --to 150 --edge-weights repeated_edge.csv)
   flip_geodesics_add_program_test(weights_mixed 2 "mixed_weights.csv line 2: a line has 1 item. write one weight" path torus.off --from 0
                                   --to 150 --face-weights mixed_weights.csv)
@@ -554,7 +554,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   0.3 --mesh spacing.vtp)
   flip_geodesics_add_program_test(spacing_too_large 0 "0 curves.*no isoline at a multiple of --spacing" distance
                                   torus.off --source 0 --spacing 99)
-  flip_geodesics_add_program_test(spacing_too_small 2 "--spacing 1e-09 makes more than 10000 isolines" distance
+  flip_geodesics_add_program_test(spacing_too_small 2 "--spacing 1e-09 results in more than 10000 isolines" distance
                                   torus.off --source 0 --spacing 1e-9)
   flip_geodesics_add_program_test(spacing_zero 2 "--spacing: '0' is out of range. use more than 0" distance torus.off
                                   --source 0 --spacing 0)

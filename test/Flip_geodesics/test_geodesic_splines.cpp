@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(bad_points_are_refused)
         [words](const FG::Invalid_location_error& e) { return std::string(e.what()).find(words) != std::string::npos; };
   };
   BOOST_CHECK_EXCEPTION(FG::surface_location(t, mesh, Face_location{f, {{2, 0, 0}}}), FG::Invalid_location_error,
-                        names("not between 0 and 1"));
+                        names("must be between 0 and 1"));
   BOOST_CHECK_EXCEPTION(FG::surface_location(t, mesh, Face_location{f, {{0.5, 0.25, 0}}}), FG::Invalid_location_error,
                         names("sum to"));
   BOOST_CHECK_THROW(FG::geodesics_through(t, {snapped}), FG::Invalid_curve_error);

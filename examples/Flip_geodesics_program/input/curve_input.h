@@ -30,7 +30,7 @@ inline void check_chain(const Mesh& mesh, const Curve_request& curve)
   for(std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < v.size(); ++i) {
     const Vertex_index a = v[i], b = v[(i + 1) % v.size()];
     if(mesh.halfedge(mesh_vertex(a), mesh_vertex(b)) == Mesh::null_halfedge())
-      throw Bad_input(curve.name + ": the curve is not connected, no edge connects vertices " +
+      throw Bad_input(curve.name + ": the curve is not connected: no edge connects vertices " +
                       std::to_string(a.idx()) + " and " + std::to_string(b.idx()) +
                       "; list every vertex along the curve");
   }

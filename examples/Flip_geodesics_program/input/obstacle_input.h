@@ -38,7 +38,7 @@ inline Obstacles read_obstacles(const Input_mesh& input_mesh, const Input_text& 
     if(words.take('f')) {
       const std::vector<std::string_view> items = items_of_line(words);
       if(items.empty())
-        words.fail("the line has no faces; write 0-based numbers of faces behind the `f`");
+        words.fail("the line has no faces; write 0-based numbers of faces after the `f`");
       for(const std::string_view item : items)
         is_in_file[read_face(input_mesh, words, item)] = 1;
       return;
@@ -61,7 +61,7 @@ inline double read_weight(const Text_scanner& words, std::string_view item, cons
                           bool is_weighted)
 {
   if(is_weighted)
-    words.fail(element + " already has a weight; remove one of them");
+    words.fail(element + " is given two weights; remove one of the lines");
   const auto weight = read_number<double>(words, item, "write the weight of " + element);
   if(!(weight > 0))
     words.fail("the weight of " + element + " is " + printable(item) + "; give a positive number");

@@ -174,7 +174,7 @@ private:
   Soup::Point_3 point(const std::array<double, 4>& x, const Element& element, const Scanner& scanner) const
   {
     if(x[3] == 0)
-      scanner.fail(element, "lies at infinity, its fourth coordinate is 0; correct it");
+      scanner.fail(element, "lies at infinity because its fourth coordinate is 0; correct it");
     const std::array<double, 3> divided = {x[0] / x[3], x[1] / x[3], x[2] / x[3]};
     for(double coordinate : divided)
       if(!std::isfinite(coordinate) && !m_input.may_have_points_not_finite())

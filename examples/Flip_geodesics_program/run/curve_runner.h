@@ -114,7 +114,7 @@ private:
     if(crossing != nullptr && crossing->elements().front() >= m_mesh.number_of_vertices())
       return "curves cross at one of the given points, or between them";
     return with_advice(error, m_options.are_zero_edges_refused ? "omit --refuse-zero-edges or use --mollify"
-                                                               : "give --mollify");
+                                                               : "use --mollify");
   }
 
   // For `compute_on_surface()`, which decides whether degenerate edges are contracted.

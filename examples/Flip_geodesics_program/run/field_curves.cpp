@@ -149,7 +149,7 @@ std::vector<double> wanted_levels(const Field_request& request, double farthest)
   const double number = std::ceil(farthest / request.spacing) - 1;
   if(number > most_levels) {
     std::ostringstream message;
-    message << "--spacing " << request.spacing << " makes more than " << most_levels << " isolines; use at least "
+    message << "--spacing " << request.spacing << " results in more than " << most_levels << " isolines; use at least "
             << 1.001 * farthest / most_levels;
     throw Bad_input(message.str());
   }
@@ -212,8 +212,8 @@ double scale_of(const Mesh& mesh, const Metric& metric, const Path_conditions& c
   const double scale =
       FG::internal::least_stretch_of_faces(metric, Mesh_metric(mesh.points()), FG::Numbered_mesh<Mesh>(mesh));
   if(scale == 0)
-    throw Bad_input("isolines and boundaries in a metric of other lengths require faces that are not degenerate; give "
-                    "--repair");
+    throw Bad_input("with weights or --mollify, isolines and Voronoi boundaries require faces that are not degenerate; "
+                    "use --repair");
   return scale;
 }
 

@@ -150,7 +150,8 @@ try {
 
 Flattened_mesh flattened_mesh(const Mesh&, const std::string&, const Network_request&, Progress&)
 {
-  throw Bad_input("the program was compiled without Eigen, which flattening requires; install Eigen and compile");
+  throw Bad_input(
+      "the program was compiled without Eigen, which flattening requires; install Eigen and compile it again");
 }
 
 #endif

@@ -98,8 +98,7 @@ std::string describe(const Mesh_info& info, const Mesh& mesh)
         << counted(c.borders, "border", "borders") << '\n';
   }
   out << "defects     "
-      << (info.defects.empty() ? "none\n"
-                               : "with the repairs by --repair; the numbers above are those after the repair:\n");
+      << (info.defects.empty() ? "none\n" : "removed by --repair; the numbers above are those after the repair:\n");
   for(const std::string& line : info.defects)
     out << "  " << line << '\n';
   return out.str();

@@ -147,15 +147,17 @@ private:
     const std::size_t reached =
         m_faces.empty() ? 0 : spread(network, 0, is_reached, [](std::size_t, int, std::size_t) {});
     if(m_faces.empty() || reached != m_faces.size())
-      throw Flattening_error("the cut surface is not connected: " + std::to_string(reached) + " of " +
-                             std::to_string(m_faces.size()) + " faces are connected");
+      throw Flattening_error("the cut surface is not connected: only " + std::to_string(reached) + " of " +
+                             std::to_string(m_faces.size()) +
+                             " faces are connected to the first one; flatten each component separately");
     if(m_surface.euler_characteristic() != 1)
-      throw Flattening_error("the cut surface is not a disk; its Euler characteristic is " +
-                             std::to_string(m_surface.euler_characteristic()));
+      throw Flattening_error("the cut surface is not a disk, since its Euler characteristic is " +
+                             std::to_string(m_surface.euler_characteristic()) +
+                             " instead of 1; cut it along a cut graph");
     for(const Intrinsic_face& face : m_faces)
       if(!internal::Plane_triangle(face.lengths).has_finite_cotangents())
         throw Degenerate_face_error("an intrinsic face at vertex " + std::to_string(face.vertices[0].idx()) +
-                                        " is degenerate",
+                                        " is degenerate; flip to a Delaunay triangulation first, or mollify the metric",
                                     {static_cast<std::size_t>(face.vertices[0].idx())});
   }
 
@@ -277,8 +279,8 @@ private:
                                    "; flip the triangulation to Delaunay or refine it",
                                {static_cast<std::size_t>(face.vertices[0].idx())});
     if(!(m_angle_error <= tolerance))
-      throw Flattening_error("the angle sums miss 2 pi by " + internal::written(m_angle_error) +
-                             " still; the triangulation has faces too thin for double");
+      throw Flattening_error("the angle sums still differ from 2 pi by " + internal::written(m_angle_error) +
+                             "; some faces of the triangulation are too thin for double precision");
   }
 
   // Halves the step until the convex function decreases along all of it, that is, until the slope at its end is not

@@ -217,7 +217,7 @@ public:
     for(const Surface_location& p : internal::located_places(m_triangulation, way))
       places.push_back(placed(p));
     if(places.empty() || !is_same(places.front(), m_points[i]))
-      throw Invalid_curve_error("the path along which a point is moved does not start at the point", {0});
+      throw Invalid_curve_error("the path along which a point is moved must start at this point", {0});
     return move(i, places.back(), [&] { return steps(places); });
   }
 
@@ -325,8 +325,9 @@ private:
     for(std::size_t k = 0; k + 1 < places.size(); ++k) {
       const Input_halfedge_index face = internal::common_face(m_triangulation.input(), places[k], places[k + 1]);
       if(face == null_index)
-        throw Invalid_curve_error(
-            "point " + std::to_string(k + 1) + " of a path has no common face with the previous point", {k + 1});
+        throw Invalid_curve_error("point " + std::to_string(k + 1) +
+                                      " of a path does not lie in a common face with the previous point",
+                                  {k + 1});
       result.push_back({places[k], face});
     }
     return result;

@@ -261,8 +261,8 @@ public:
     for(std::size_t i = 0; i + 1 < at.size(); ++i) {
       faces.push_back(internal::common_face(m_triangulation.input(), at[i], at[i + 1]));
       if(faces.back() == null_index)
-        throw Invalid_curve_error("no face contains points " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                                      " of a curve that is a source",
+        throw Invalid_curve_error("points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                                      " of a source curve do not lie in a common face",
                                   {i, i + 1});
     }
     check_addition(offset, at.front().halfedge);
@@ -322,7 +322,7 @@ public:
     auto visitor = internal::make_visitor(options);
     if(!(limits.radius >= 0))
       throw Invalid_parameter_error("the radius of a field is " + internal::written(limits.radius) +
-                                    ", not a number of at least 0");
+                                    ", but must not be negative");
     for(const Surface_location& target : limits.targets)
       internal::check_location(m_triangulation.input(), target);
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -520,7 +520,7 @@ private:
     CGAL_precondition_msg(m_reach == 0, "sources must be added before the field is computed");
     if(!(std::isfinite(offset) && offset >= 0))
       throw Invalid_coordinate_error("the offset of a source is " + internal::written(offset) +
-                                     ", not a number of at least 0");
+                                     ", but must be finite and not negative");
     if(offset == 0 || h == null_index)
       return;
     const bool is_border = m_triangulation.input().is_border(h);
@@ -593,7 +593,8 @@ private:
   typename Query::Arrival arrival_at(const Surface_location& at) const
   {
     if(m_extent != Distance_field_extent::EVERYWHERE)
-      throw Invalid_parameter_error("a field for vertices only is queried at a point that is not a vertex");
+      throw Invalid_parameter_error("a field with the extent VERTICES_ONLY can be queried at vertices only; compute it "
+                                    "with the extent EVERYWHERE");
     return query()(at.halfedge, internal::normalized(at.weights));
   }
 

@@ -93,9 +93,9 @@ struct Geodesic_tree_report
 template <class Triangulation_>
 class Geodesic_tree
 {
-  static_assert(
-      internal::has_edge_sequences<Triangulation_> || !Triangulation_::Traits::Has_drift::value,
-      "results of inexact predicates are measured from the input, to which the triangulation has no correspondence");
+  static_assert(internal::has_edge_sequences<Triangulation_> || !Triangulation_::Traits::Has_drift::value,
+                "traits with Has_drift == Tag_true require a model of IntrinsicTriangulationOfMesh, since results are "
+                "measured on the input mesh");
 
 public:
   using Triangulation = Triangulation_; ///< the type of the triangulation
@@ -153,7 +153,7 @@ public:
     const double most = parameters::choose_parameter(parameters::get_parameter(options, internal::distance_parameter),
                                                      std::numeric_limits<double>::infinity());
     if(!(most >= 0))
-      throw Invalid_parameter_error("max_distance is " + internal::written(most) + ", not a number of at least 0");
+      throw Invalid_parameter_error("max_distance is " + internal::written(most) + ", but must not be negative");
     start(vertex_at(source), most);
     auto visitor = internal::make_visitor(options);
     return run_to_the_end(visitor.get());

@@ -291,7 +291,7 @@ private:
   void make(const VertexRange& base_points, internal::Interruption* interruption)
   {
     static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                  "the base points are not a range of vertices of the triangulation, Vertex_index");
+                  "the base points must be a range of Vertex_index, the vertices of the triangulation");
     const auto& input = checked_input(*m_triangulation);
     const auto length = weight(*m_triangulation);
     m_forest = internal::Edge_forest(input, base_points, length, interruption);
@@ -338,7 +338,7 @@ private:
   void check_closed_chain(const HalfedgeRange& halfedges) const
   {
     static_assert(internal::is_range_of<HalfedgeRange, Input_halfedge_index>,
-                  "the curve is not a range of halfedges of the input, Input_halfedge_index");
+                  "the curve must be a range of Input_halfedge_index, the halfedges of the input");
     const auto& input = m_triangulation->input();
     Vertex_index start = null_index, end = null_index;
     std::size_t position = 0;
@@ -352,7 +352,8 @@ private:
       ++position;
     }
     if(start != end)
-      throw Invalid_curve_error("a curve that does not end where it starts has no class", {position});
+      throw Invalid_curve_error("a curve that does not end where it starts has no homology class; pass a closed curve",
+                                {position});
   }
 
   template <class Network>
@@ -370,7 +371,7 @@ private:
       internal::append_input_edges(triangulation, word, result);
     });
     if(start != end)
-      throw Invalid_curve_error("a curve that does not end where it starts has no class");
+      throw Invalid_curve_error("a curve that does not end where it starts has no homology class; pass a closed curve");
     return result;
   }
 

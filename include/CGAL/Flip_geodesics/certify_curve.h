@@ -356,10 +356,10 @@ Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, co
   using Triangulation =
       typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
   using Place = std::decay_t<decltype(*std::begin(curve))>;
-  static_assert(
-      std::is_convertible<Place, Given_place<TriangleMesh>>::value ||
-          internal::is_place<Triangulation, TriangleMesh, Place>,
-      "the curve is not a range of points on the mesh: vertices, Face_location, Surface_location or Given_place");
+  static_assert(std::is_convertible<Place, Given_place<TriangleMesh>>::value ||
+                    internal::is_place<Triangulation, TriangleMesh, Place>,
+                "the curve must be a range of points on the mesh: vertices, Face_location, Surface_location, "
+                "Curve_point or Given_place");
   const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const std::vector<Place> places(std::begin(curve), std::end(curve));
   internal::Given_curve<Triangulation> given(triangulation, mesh);

@@ -202,8 +202,8 @@ private:
   Place_on_leg place(double length) const
   {
     if(!(length >= 0 && length <= m_lengths.back() * (1 + internal::length_sum_rounding)))
-      throw Invalid_parameter_error("a length along a curve is " + internal::written(length) + ", not between 0 and " +
-                                    internal::written(m_lengths.back()));
+      throw Invalid_parameter_error("a length along a curve is " + internal::written(length) +
+                                    ", but must be between 0 and " + internal::written(m_lengths.back()));
     const auto next = std::upper_bound(m_lengths.begin() + 1, m_lengths.end() - 1, length);
     const auto leg = static_cast<std::size_t>(next - m_lengths.begin()) - 1;
     const double whole = m_lengths[leg + 1] - m_lengths[leg];

@@ -104,7 +104,7 @@ template <class Triangulation, class EdgeRange, class... NamedParameters,
 Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, const NamedParameters&... np)
 {
   static_assert(internal::is_range_of<EdgeRange, Edge_index>,
-                "the argument after the triangulation is neither a range of its edges nor a named parameter");
+                "the argument after the triangulation must be a range of its edges or a named parameter");
   const auto& options = internal::options_of<internal_np::number_of_iterations_t, internal_np::visitor_t>(np...);
   auto visitor = internal::make_visitor(options);
   const std::size_t standard = internal::default_maximum_of_flips(triangulation.number_of_edges());

@@ -119,19 +119,20 @@ public:
     , m_weights(std::move(weights))
   {
     if(m_points.empty())
-      throw Invalid_parameter_error("the mean of an empty range is undefined");
+      throw Invalid_parameter_error("the mean of an empty range is undefined; pass at least one point");
     if(m_points.size() != m_weights.size())
-      throw Invalid_parameter_error("there are " + std::to_string(m_points.size()) + " points of a mean, and " +
-                                    std::to_string(m_weights.size()) + " weights");
+      throw Invalid_parameter_error(std::to_string(m_points.size()) + " points but " +
+                                    std::to_string(m_weights.size()) +
+                                    " weights were given; pass one weight per point");
     double largest = 0;
     for(std::size_t i = 0; i < m_weights.size(); ++i) {
       if(!(m_weights[i] >= 0 && std::isfinite(m_weights[i])))
         throw Invalid_parameter_error(
-            "the weight of point " + std::to_string(i) + " of a mean is negative or not finite", {i});
+            "the weight of point " + std::to_string(i) + " of a mean must be finite and not negative", {i});
       largest = (std::max)(largest, m_weights[i]);
     }
     if(!(largest > 0))
-      throw Invalid_parameter_error("the weights of the points of a mean are all zero");
+      throw Invalid_parameter_error("the weights of the points of a mean are all zero; one of them must be positive");
     double sum = 0;
     for(double& weight : m_weights)
       sum += weight /= largest;
@@ -177,7 +178,7 @@ public:
   {
     const auto limits = internal::search_limit_of<Mean_limits>(internal::options_of<internal::Limit_parameter>(np...));
     if(!(limits.tolerance >= 0))
-      throw Invalid_parameter_error("the tolerance of a mean is negative or NaN");
+      throw Invalid_parameter_error("the tolerance of a mean must not be negative or NaN");
     Mean_report report;
     State here = look(start);
     double part = 1;
@@ -229,7 +230,7 @@ private:
         continue;
       const Polar_coordinates p = logarithm(m_points[i]);
       if(!(p.radius < std::numeric_limits<double>::infinity()))
-        throw Disconnected_endpoints_error("no path connects point " + std::to_string(i) + " of a mean and the others",
+        throw Disconnected_endpoints_error("no path connects point " + std::to_string(i) + " of a mean with the others",
                                            {i});
       const auto [x, y] = logarithm.in_plane(p);
       sum[0] += m_weights[i] * x;

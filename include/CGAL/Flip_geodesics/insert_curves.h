@@ -134,7 +134,8 @@ double snapping_tolerance_of(const NamedParameters& np)
   const double result = CGAL::to_double(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), default_snap));
   if(!(result >= 0 && result < largest))
-    throw Invalid_parameter_error("the snapping tolerance is " + internal::written(result) + ", not between 0 and 1/3");
+    throw Invalid_parameter_error("the snapping tolerance is " + internal::written(result) +
+                                  ", but must be between 0 and 1/3");
   return result;
 }
 
@@ -273,11 +274,12 @@ template <class TriangleMesh, class CurveRange, class... NamedParameters>
 std::enable_if_t<!internal::has_triangulation<TriangleMesh>, Curve_insertion_report> insert_curves(
     TriangleMesh& mesh, const CurveRange& curves, const NamedParameters&... np)
 {
-  static_assert(internal::is_mutable_mesh<TriangleMesh>,
-                "the first argument of insert_curves() is not a mesh that can be changed, a model of MutableFaceGraph");
+  static_assert(
+      internal::is_mutable_mesh<TriangleMesh>,
+      "the first argument of insert_curves() must be a mesh that can be changed, a model of MutableFaceGraph");
   constexpr bool are_curves = internal::is_insertable_curve<CurveRange, TriangleMesh> ||
                               internal::is_range_of_insertable_curves<CurveRange, TriangleMesh>;
-  static_assert(are_curves, "the curves are not ranges of Face_locations of the mesh, Curve_points or points in space");
+  static_assert(are_curves, "the curves must be ranges of Face_locations of the mesh, Curve_points or points in space");
   const auto& options =
       internal::options_of<internal_np::vertex_point_t, internal_np::edge_is_constrained_t, internal_np::face_patch_t,
                            internal_np::visitor_t, internal_np::snapping_tolerance_t>(np...);

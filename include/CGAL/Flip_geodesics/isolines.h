@@ -85,8 +85,8 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
 {
   for(std::size_t i = 0; i < levels.size(); ++i)
     if(!std::isfinite(levels[i]))
-      throw Invalid_parameter_error(
-          "level " + std::to_string(i) + " is " + written(levels[i]) + ", which is not a finite number", {i});
+      throw Invalid_parameter_error("level " + std::to_string(i) + " is " + written(levels[i]) + ", but must be finite",
+                                    {i});
   std::vector<double> result = levels;
   std::sort(result.begin(), result.end());
   return result;
@@ -159,7 +159,7 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
 {
   const auto& options = internal::options_of<internal_np::vertex_point_t, internal_np::visitor_t>(np...);
   static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
-  static_assert(internal::is_range_of<LevelRange, double>, "the levels are not a range of numbers");
+  static_assert(internal::is_range_of<LevelRange, double>, "the levels must be a range of numbers");
   const std::vector<double> wanted(std::begin(levels), std::end(levels));
   const std::vector<double> sorted = internal::sorted_levels(wanted);
   internal::check_tolerance(tolerance);

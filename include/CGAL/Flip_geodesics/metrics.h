@@ -804,7 +804,7 @@ private:
             checked(CGAL::to_double(get(weights, numbered.vertex(v))), v.idx(), "vertex");
     } else {
       static_assert(std::is_same<Key, typename boost::graph_traits<TriangleMesh>::face_descriptor>::value,
-                    "the weights are those of the mesh's vertices, of its faces or of its edges");
+                    "the weights must be those of the mesh's vertices, of its faces or of its edges");
       add_face_weights(mesh, numbered, weights, result);
     }
     return result;

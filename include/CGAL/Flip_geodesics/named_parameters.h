@@ -143,7 +143,7 @@ std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard
   static_assert(std::is_integral<Number>::value, "number_of_iterations() must be an integer");
   if constexpr(std::is_signed<Number>::value)
     if(number < 0)
-      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", which is not at least 0");
+      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", but must not be negative");
   return static_cast<std::size_t>(number);
 }
 
@@ -172,7 +172,7 @@ double greatest_point_distance_of(const NamedParameters& np)
     const double distance = parameters::get_parameter(np, point_distance_parameter);
     if(!(distance >= 0))
       throw Invalid_parameter_error("greatest_point_distance is " + Flip_geodesics::internal::written(distance) +
-                                    ", which is not at least 0");
+                                    ", but must not be negative");
     return distance;
   } else {
     return static_cast<void>(np), std::numeric_limits<double>::infinity();

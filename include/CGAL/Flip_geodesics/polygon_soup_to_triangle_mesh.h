@@ -274,7 +274,7 @@ Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const Poly
   CGAL_precondition_msg(num_vertices(mesh) == 0, "the mesh is not empty");
   const double tolerance = CGAL::to_double(
       parameters::choose_parameter(parameters::get_parameter(options, internal_np::snapping_tolerance), 0.0));
-  CGAL_precondition_msg(0 <= tolerance && tolerance < 1, "the weld tolerance is not in [0, 1)");
+  CGAL_precondition_msg(0 <= tolerance && tolerance < 1, "the weld tolerance must be at least 0 and less than 1");
   using Point_3 = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
   using Kernel = internal::Repair_kernel<Point_3>;
   internal::Repair_record record;

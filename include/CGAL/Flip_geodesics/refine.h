@@ -103,7 +103,7 @@ inline void check_options(const Refinement_options& options)
 {
   if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
     throw Invalid_parameter_error("the smallest angle of a refinement is " + written(options.smallest_angle) +
-                                  " degrees, which is not between 0 and 30");
+                                  " degrees, but must be between 0 and 30");
   if(!(options.longest_edge >= least_length))
     throw Invalid_parameter_error("the longest edge allowed in a refinement is " + written(options.longest_edge) +
                                   ", but must be at least 1e-70");

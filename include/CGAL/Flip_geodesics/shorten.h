@@ -39,10 +39,10 @@ namespace Flip_geodesics {
 template <class Network_>
 class Shortener
 {
-  static_assert(
-      internal::has_edge_sequences<typename Network_::Triangulation> ||
-          !Network_::Triangulation::Traits::Has_drift::value,
-      "results of inexact predicates are measured from the input, to which the triangulation has no correspondence");
+  static_assert(internal::has_edge_sequences<typename Network_::Triangulation> ||
+                    !Network_::Triangulation::Traits::Has_drift::value,
+                "traits with Has_drift == Tag_true require a model of IntrinsicTriangulationOfMesh, since results are "
+                "measured on the input mesh");
 
   using Traits = typename Network_::Triangulation::Traits;
   using Verdicts = internal::Indexed_by<Curve_index, std::vector<Verdict>>;

@@ -425,7 +425,7 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(cons
   const auto& options =
       internal::surface_options<internal_np::visitor_t, internal::Limit_parameter, internal::Point_distance_parameter>(
           np...);
-  CGAL_precondition_msg(number > 0, "the number of classes is zero");
+  CGAL_precondition_msg(number > 0, "the number of homotopy classes must be positive");
   using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Triangulation = typename Types::Triangulation;
   using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;

@@ -44,7 +44,7 @@ std::array<double, 3> snapped_weights(std::array<double, 3> weights, double snap
   double sum = 0;
   for(double& weight : weights) {
     if(!(weight >= -snap && weight <= 1 + weight_sum_tolerance))
-      refuse("a barycentric coordinate of ", " is " + internal::written(weight) + ", not between 0 and 1");
+      refuse("a barycentric coordinate of ", " is " + internal::written(weight) + ", but must be between 0 and 1");
     sum += weight;
     weight = weight <= snap ? 0 : weight;
   }

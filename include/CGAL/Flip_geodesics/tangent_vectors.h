@@ -195,7 +195,7 @@ public:
   Surface_location between(const Surface_location& location, double part) const
   {
     if(!(part >= 0 && part <= 1))
-      throw Invalid_parameter_error("the fraction of a path is not between 0 and 1");
+      throw Invalid_parameter_error("the fraction of a path must be between 0 and 1");
     const std::optional<Transport_sleeve> path = path_to(location);
     if(!path)
       throw_no_path(location);
@@ -267,8 +267,8 @@ private:
   {
     const Vertex_index v = m_triangulation.input().tail(m_place.halfedge),
                        w = m_triangulation.input().tail(location.halfedge);
-    throw Disconnected_endpoints_error("no path connects a point in a face at vertex " + std::to_string(v.idx()) +
-                                           " and one in a face at vertex " + std::to_string(w.idx()),
+    throw Disconnected_endpoints_error("no path connects a point near vertex " + std::to_string(v.idx()) +
+                                           " with a point near vertex " + std::to_string(w.idx()),
                                        {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
   }
 
@@ -509,7 +509,8 @@ auto parallel_transport(const TriangleMesh& mesh, const LocationRange& curve, co
   static_assert(internal::Has_points<typename Surface::Metric>::value,
                 "the metric has no points in space: pass the direction as a halfedge and an angle");
   static_assert(!internal::is_mesh_vertex<TriangleMesh, internal::Range_value<LocationRange>>,
-                "a vector in space requires a face: pass a Face_location at a vertex, or a halfedge and an angle");
+                "a vector in space requires a face: pass the curve as Face_locations, or give the direction as a "
+                "halfedge and an angle");
   const Surface surface = internal::make_surface(mesh, options);
   const internal::Place_in_space v = internal::transported_vector(
       surface, internal::locations_of_curve(surface, mesh, curve),

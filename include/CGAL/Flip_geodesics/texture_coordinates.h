@@ -207,7 +207,7 @@ Texture_report texture_coordinates(
   using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Value = typename boost::property_traits<CornerMap>::value_type;
   if(!(size > 0 && std::isfinite(size)))
-    throw Invalid_parameter_error("the size of an image on a surface is not positive and finite");
+    throw Invalid_parameter_error("the size of an image on a surface must be positive and finite");
   const Surface surface = internal::make_surface(mesh, options);
   const auto& input = surface.input();
   const Surface_location middle = internal::trace_start(surface, mesh, source);

@@ -320,7 +320,7 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
                              OutputIterator out, const NamedParameters& np)
 {
   if(!(length >= 0 && std::isfinite(length)))
-    throw Invalid_parameter_error("the length of a geodesic to be traced is negative or not finite");
+    throw Invalid_parameter_error("the length of a geodesic to be traced must be finite and not negative");
   const Direction_finder<Triangulation> finder(triangulation);
   const auto walk = [&](const auto& is_constrained) {
     const Trace_limits<std::decay_t<decltype(is_constrained)>> limits = {
@@ -594,7 +594,8 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   static_assert(is_vector || std::is_convertible<Direction, std::pair<Halfedge, double>>::value,
                 "a direction is a pair of a halfedge and an angle, or a vector in space");
   static_assert(!is_vector || !internal::is_mesh_vertex<TriangleMesh, Source>,
-                "a vector in space requires a face: pass a Face_location at the vertex, or a halfedge and an angle");
+                "a vector in space requires a face: pass the source as a Face_location, or give the direction as a "
+                "halfedge and an angle");
   const Surface surface = internal::make_surface(mesh, options);
   const Surface_location place = internal::trace_start(surface, mesh, source);
   std::vector<Surface_point> points;

@@ -29,13 +29,15 @@ public:
   {
     constexpr std::size_t most = (std::numeric_limits<std::int32_t>::max)();
     if(figure.number_of_points() > most || figure.shapes().size() > most)
-      throw File_write_error("a PLY file has indices for " + std::to_string(most) + " points, and there are " +
-                             std::to_string(figure.number_of_points()));
+      throw File_write_error("a PLY file has indices for " + std::to_string(most) + " points, but " +
+                             std::to_string(figure.number_of_points()) + " were given");
     check_writable(figure);
     check_values(figure, m_is_binary);
     for(const Value_kind& kind : figure.value_kinds())
       if(is_taken(kind.name))
-        throw Invalid_parameter_error("values have the name \"" + kind.name + "\" of a coordinate or a color");
+        throw Invalid_parameter_error(
+            "the name \"" + kind.name +
+            "\" of vertex values is reserved for a coordinate or a color; choose another name");
   }
 
   void write(std::ostream& out) const

@@ -51,9 +51,9 @@ template <class TriangleMesh, class Field, class Tolerance>
 constexpr bool are_in_order()
 {
   static_assert(has_faces<TriangleMesh>,
-                "the first argument is not a mesh; the order is mesh, field, levels if any, output, tolerance");
+                "the first argument must be a mesh; the order is mesh, field, levels if any, output, tolerance");
   static_assert(is_distance_field<Field, TriangleMesh>,
-                "the second argument is not a model of GeodesicDistanceField for the mesh");
+                "the second argument must be a model of GeodesicDistanceField for the mesh");
   static_assert(std::is_convertible<Tolerance, double>::value,
                 "a tolerance is expected here; the order is mesh, field, levels if any, output, tolerance");
   return true;
@@ -63,7 +63,7 @@ inline void check_tolerance(double tolerance)
 {
   if(tolerance > 0 && std::isfinite(tolerance))
     return;
-  throw Invalid_parameter_error("the tolerance is " + written(tolerance) + ", which is not a positive finite number");
+  throw Invalid_parameter_error("the tolerance is " + written(tolerance) + ", but must be positive and finite");
 }
 
 /* Returns the given points, or else the mesh's own. */
@@ -92,7 +92,7 @@ auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const Na
   if(tolerance < least_curve_tolerance * surface.longest_side())
     throw Invalid_parameter_error("the tolerance is " + written(tolerance) +
                                   ", too small for a mesh with a side of length " + written(surface.longest_side()) +
-                                  ": rounding errors exceed it");
+                                  "; rounding errors would exceed it");
   return surface;
 }
 

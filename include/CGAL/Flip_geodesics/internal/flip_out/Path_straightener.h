@@ -396,8 +396,8 @@ private:
 /* Two points that no path connects are named by vertices of their faces, as they need not be vertices. */
 [[noreturn]] inline void throw_disconnected_points(Vertex_index v, Vertex_index w)
 {
-  throw Disconnected_endpoints_error("no path connects a point in a face at vertex " + std::to_string(v.idx()) +
-                                         " and one in a face at vertex " + std::to_string(w.idx()),
+  throw Disconnected_endpoints_error("no path connects a point near vertex " + std::to_string(v.idx()) +
+                                         " with a point near vertex " + std::to_string(w.idx()),
                                      {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
 }
 

@@ -89,7 +89,7 @@ template <class TriangleMesh, class VertexRange>
 Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRange& vertices)
 {
   static_assert(is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
-                "the curve is not a range of vertices of the mesh");
+                "the curve must be a range of vertices of the mesh");
   Vertices_of<TriangleMesh> result;
   for(const auto& v : vertices)
     result.push_back(v);

@@ -874,7 +874,7 @@ template <class Triangulation, class HalfedgeRange>
 void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfedges, bool is_closed)
 {
   static_assert(is_range_of<HalfedgeRange, Halfedge_index>,
-                "the curve is not a range of halfedges of the triangulation, Halfedge_index");
+                "the curve must be a range of Halfedge_index, the halfedges of the triangulation");
   std::size_t position = 0;
   Halfedge_index first = null_index, last = null_index;
   for(Halfedge_index h : halfedges) {

@@ -131,7 +131,7 @@ struct Visitor_holder
 template <class T>
 struct Visitor_holder<std::reference_wrapper<T>>
 {
-  static_assert(!std::is_const<T>::value, "pass a visitor that cannot be copied as std::ref(visitor)");
+  static_assert(!std::is_const<T>::value, "a visitor that cannot be copied must be passed as std::ref(visitor)");
   std::reference_wrapper<T> visitor;
   T& get() { return visitor.get(); }
 };

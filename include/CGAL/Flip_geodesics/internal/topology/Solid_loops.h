@@ -459,7 +459,7 @@ private:
     for_each_face(component, [&](const Places& corners) { exact += m_places.exact_volume(corners); });
     if(exact.sign() == 0)
       throw Invalid_mesh_error("the component of vertex " + std::to_string(m_forest.roots()[component].idx()) +
-                                   " encloses no volume",
+                                   " does not enclose a volume",
                                {static_cast<std::size_t>(m_forest.roots()[component].idx())});
     return exact.sign() > 0;
   }

@@ -187,7 +187,7 @@ public:
   /* \pre the edge is held */
   void release(Slot s)
   {
-    CGAL_precondition_msg(holds(s) > 0, "an edge is released that is not held");
+    CGAL_precondition_msg(holds(s) > 0, "an edge that is not held is released");
     --second_side(s).of_edge[0];
     --m_number_of_holds;
   }

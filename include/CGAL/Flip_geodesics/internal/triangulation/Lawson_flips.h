@@ -45,7 +45,8 @@ template <class Triangulation>
 class Lawson_flips
 {
   static_assert(has_edge_sequences<Triangulation> || !Triangulation::Traits::Has_drift::value,
-                "inaccurate faces are recomputed from the input, to which the triangulation has no correspondence");
+                "traits with Has_drift == Tag_true require a model of IntrinsicTriangulationOfMesh, since inaccurate "
+                "faces are recomputed from the input mesh");
 
 public:
   /* Works on the edges admitted later or, if `allows_all`, on all edges; edges are queued when they are examined. */
