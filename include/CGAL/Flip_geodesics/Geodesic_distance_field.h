@@ -209,7 +209,7 @@ public:
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
-   * \throws Vertex_out_of_range_error if `point` is an index of no vertex of the input
+   * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times as long as the
    *         sides of a face of the point, so that the rounding errors of the distances exceed the size of the face
@@ -371,7 +371,7 @@ public:
    * or in the number of bends of the path of a vertex.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
-   * \throws Vertex_out_of_range_error if `point` is an index of no vertex of the input
+   * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex
    */

@@ -134,7 +134,7 @@ public:
    * \cgalNamedParamsEnd
    *
    * \return a report on the growth
-   * \throws Vertex_out_of_range_error if `source` is an index of no vertex of the triangulation
+   * \throws Vertex_out_of_range_error if `source` is not the index of a vertex of the triangulation
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Invalid_parameter_error if `max_distance` is negative or not a number
@@ -194,8 +194,8 @@ public:
     return result;
   }
 
-  /// Detaches vertices from the tree and attaches them elsewhere; `replace_paths()` passes such an object to a
-  /// function.
+  /// Detaches vertices from the tree and attaches them elsewhere; `replace_paths()` passes an object of this type to
+  /// its argument.
   class Grafts
   {
   public:

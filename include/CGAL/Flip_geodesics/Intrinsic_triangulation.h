@@ -588,7 +588,7 @@ public:
   Log_position log_position() const { return m_log.size(); }
 
   /*!
-   * Returns the number of bytes used by the records of changes in constant time.
+   * Returns the number of bytes used by the records of changes. Constant time.
    *
    * The records consist of the flip log, the inserted points, and the data derived from the log about crossings and,
    * for exact predicates, about vectors. With `Certified_intrinsic_triangulation_traits` a flip takes about 165 bytes,
@@ -602,8 +602,8 @@ public:
   }
 
   /// Undoes flips and insertions in reverse order until the log has `position` entries. The former state is restored
-  /// bitwise. Linear in the number of undone entries. \pre no curve of any network lies on an edge that vanishes,
-  /// unless all such curves are removed before they are used
+  /// bitwise. Linear in the number of undone entries. \pre no network has a curve on an edge that is undone, unless the
+  /// curve is removed before it is used again
   void rollback(Log_position position = 0)
   {
     if(m_log.size() > position)
@@ -689,8 +689,8 @@ public:
    * from then on.
    *
    * \param h a side of the edge
-   * \param gap the position of the input face of the point along the edge, that is, the number of crossed edges of
-   *        `edge_sequence(h)` before it
+   * \param gap the position along the edge of the input face that contains the point: the number of edges in
+   *        `edge_sequence(h)` that are crossed before this face
    * \param location a point of that face, not on its boundary unless the edge lies on the boundary
    * \param on_split as for `insert()`
    * \return the new vertex

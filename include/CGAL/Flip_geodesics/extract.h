@@ -115,7 +115,8 @@ public:
     return result;
   }
 
-  /// Writes the points of a curve in space, one per surface point. Only available with `Embedded_metric`.
+  /// Writes the points of a curve in space, one per surface point. Only available if the metric has points in space, as
+  /// `Embedded_metric` does.
   template <class OutputIterator>
   OutputIterator points(Curve_index curve, OutputIterator out)
   {

@@ -54,7 +54,7 @@ struct Geodesics_result
   Shortening_report report; ///< the report, with one entry per curve
 
   double length() const { return report.length(); }            ///< returns the total length of the curves
-  Shortening_status status() const { return report.status(); } ///< returns how the shortening ended, for all curves
+  Shortening_status status() const { return report.status(); } ///< returns the combined status of all curves
   Verdict verdict() const { return report.verdict(); }         ///< returns what is certified
 
   std::size_t number_of_curves() const { return report.curves.size(); } ///< returns the number of curves

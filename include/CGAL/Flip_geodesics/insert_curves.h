@@ -193,13 +193,12 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * combinations of its corners. With a kernel with exact constructions, the vertices lie exactly at these points,
  * crossings lie exactly on both curves, barycentric coordinates in an exact number type are not rounded inside faces,
  * and a part of a face is degenerate only if the face is.
- *
- * Rounded coordinates do not separate vertices that are too close to each other. Therefore a point is moved to an edge
- * or to a vertex if its barycentric coordinates are at most the snapping tolerance. Two points are
- * merged if they are close to each other, and a segment is moved to a vertex that it passes closely. Close means a
- * distance of at most the tolerance times the length of the edge, or of the longest side of the face, plus
- * \f$2^{-48}\f$ of the largest coordinate. If the tolerance is zero, nothing is merged, and with rounded coordinates,
- * faces of the result can be degenerate.
+ * Rounded coordinates cannot distinguish vertices that are too close to each other. Therefore a point is moved to an
+ * edge if one of its barycentric coordinates is at most the snapping tolerance, and to a vertex if two of them are.
+ * Points are *close* to each other if their distance is at most the tolerance times the length of the edge, or of the
+ * longest side of the face, plus \f$2^{-48}\f$ of the largest coordinate. Close points are merged, and a segment that
+ * passes close to a vertex is moved to the vertex. If the tolerance is zero, nothing is merged, and with rounded
+ * coordinates, faces of the result can be degenerate.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
  *
@@ -209,9 +208,10 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a
  *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Curve_point` or `Curve_place`, or a point in
  *        space that lies on the surface up to \f$10^{-6}\f$ of the diagonal of the bounding box. A point in space is
- *        searched for in the faces around the previous point, and then in all faces. Two consecutive points lie in a
- *        common face; `complete_polyline()` computes the missing points of other polylines as `Surface_location`s, which
- *        `face_location()` converts. A curve that consists of a single point adds a vertex and no edge
+ *        searched for in the faces around the previous point, and then in all faces. Any two consecutive points must
+ *        lie in a common face. For other polylines, `complete_polyline()` computes the missing points as
+ *        `Surface_location`s, which `face_location()` converts to face locations. A curve that consists of a single
+ *        point adds a vertex and no edge
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin

@@ -71,7 +71,8 @@ struct Path_class
   /// poorly. For ends that are not vertices, the parts of the path in their faces or edges are not included.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of `edge_path`
-  /// The length of the shortest path that was found; infinite if the lower bound was sufficient.
+  /// The length of the shortest path found in the class; infinite if the lower bound sufficed to leave the class out
+  /// and no path was computed.
   double length = std::numeric_limits<double>::infinity();
   double lower_bound = 0; ///< a lower bound of the length of paths of the class, including rounding errors
 };
@@ -139,9 +140,9 @@ struct Paths_by_class_result
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of vertices of a universal covering that may be visited; each takes some 1200 bytes. The search is
-/// aborted when the limit is exceeded, or when its searches for shortest paths have created a million windows plus 200
-/// for each vertex of the limit.
+/// Limits the number of vertices of a universal covering that may be visited; each takes about 1200 bytes. The search
+/// is aborted when the limit is exceeded, or when its shortest-path searches have created more than \f$10^6 + 200 v\f$
+/// windows, where \f$v\f$ is the limit.
 class Covering_limit
 {
 public:
@@ -383,8 +384,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *     \cgalParamDefault{`Covering_limit()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor of which only `go_further()` is called, at regular intervals, since the paths are
- *       computed in a covering of the mesh}
+ *     \cgalParamDescription{a visitor. Only its member `go_further()` is called, at regular intervals, because the
+ *       paths are computed in a covering of the mesh}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If `go_further()` returns `false`, no path is written, and the report is unconfirmed and has the

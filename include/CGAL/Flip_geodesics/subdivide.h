@@ -760,9 +760,9 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the rounded input location of the point that divides intrinsic edge `edge(h)` at the fraction `t` of its
- * length from the tail of `h`. The point lies on an input edge if and only if the whole edge does. Linear in the number
- * of crossed input edges.
+ * Returns the rounded input location of the point that divides the intrinsic edge `edge(h)` at the fraction `t` of its
+ * length from the tail of `h`. The returned location is on an input edge if and only if the whole intrinsic edge lies
+ * along one; otherwise it is moved into a face. Linear in the number of crossed input edges.
  * \pre 0 < `t` < 1
  */
 template <class Triangulation>

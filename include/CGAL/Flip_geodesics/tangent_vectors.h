@@ -138,7 +138,7 @@ public:
    * vertex have the same angle.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
-   * \throws Vertex_out_of_range_error if `point` is an index of no vertex of the input
+   * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
    *
    * Complexity: linear in the number of edges that the path crosses and of the windows on these edges.
