@@ -7,13 +7,14 @@
  * The concept `EdgePathGraph` refines `CurveNetwork` by the additional requirements of `shorten()`: the state of the
  * wedges of joints, and the operations that move a joint.
  *
- * A model never reuses the index of a segment, since indices remain in a queue while segments are created and removed.
- * A model holds an edge of the triangulation once if at least one segment lies on the edge, and otherwise not at all.
+ * A model must never reuse the index of a segment, since indices remain in a queue while segments are created and
+ * removed. A model must hold an edge of the triangulation once if at least one segment lies on the edge, and otherwise
+ * not at all.
  *
  * The angle of a wedge is constant as long as its joint exists, since `shorten()` does not flip occupied edges. The set
  * of segment ends in the wedge can change, however. Therefore `shorten()` queues each free wedge once, ordered by its
- * angle, and verifies that the two ends are still adjacent when the wedge is processed. It relies on `replace_joint()`
- * to report every wedge that may have become free.
+ * angle, and verifies that the two ends are still adjacent when the wedge is processed. The function relies on
+ * `replace_joint()` to report every wedge that may have become free.
  *
  * \cgalRefines{CurveNetwork}
  *
@@ -75,9 +76,9 @@ public:
   /// The function appends to `affected` both sides of each joint that contains a new segment, or that is new because an
   /// empty arc has joined its two segments. It also appends each joint whose two ends have become adjacent around a
   /// vertex because ends between them were removed. Additional joints are allowed, since wedges that are not free are
-  /// discarded. A side may be omitted if its angle is known to be at least \f$\pi\f$: the wedge's side between two new
-  /// segments, and the other side at either end of the arc if its angle was that large before, since this angle has
-  /// grown.
+  /// discarded. A side may be omitted if its angle is known to be at least \f$\pi\f$. This holds for the side of the
+  /// wedge between two new segments. It also holds for the other side at either end of the arc if its angle was at
+  /// least \f$\pi\f$ before, since this angle has grown.
   ///
   /// \return the first new segment in the direction of the curve, `null_index` if the arc is empty
   /// \pre The two segments differ, no edge inside the wedge is held, the arc bounds the faces of the wedge, and no

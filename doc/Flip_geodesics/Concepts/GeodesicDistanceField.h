@@ -9,10 +9,10 @@
  * `voronoi_boundaries()` require it. Any function object with this signature is a model, such as a lambda expression
  * that evaluates a closed form.
  *
- * As far as the field is finite, it is continuous across edges and vertices and 1-Lipschitz: the values at two points
- * differ by at most the length of any path on the surface between them. Sources may have offsets; negative ones are
- * allowed, although `Geodesic_distance_field` does not accept them. Rounding errors are harmless. If a field has larger
- * slopes, both functions still work, but bounds that are derived from this property need not hold.
+ * In the region in which the field is finite, it must be continuous across edges and vertices, and should be
+ * 1-Lipschitz: the values at two points should differ by at most the length of any path on the surface between them, up
+ * to rounding errors. If a field has larger slopes, both functions still work, but the bounds that they state need not
+ * hold. Sources may have offsets; negative ones are allowed, although `Geodesic_distance_field` does not accept them.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Interpolated_distances<TriangleMesh\,VertexDistanceMap>}
@@ -29,8 +29,8 @@ public:
   typedef unspecified_type Answer;
 
   /// Returns the value at a point in a face. The barycentric weights refer to the source, the target and the third
-  /// vertex of `halfedge(face, mesh)`. They are nonnegative and sum to one up to rounding errors. For a point on an
-  /// edge, the weight of the opposite vertex is exactly zero.
+  /// vertex of `halfedge(face, mesh)`. The weights are nonnegative and sum to one up to rounding errors. For a point on
+  /// an edge, the weight of the opposite vertex is exactly zero.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const;
 
   /// Optional. Returns `true` only if all points of a face with a finite distance have the same nearest source.

@@ -5,7 +5,7 @@
  * \cgalConcept
  *
  * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces, regardless of
- * their source. A model is cheap to copy, and a triangulation keeps a copy.
+ * their source. A model must be cheap to copy, since a triangulation keeps a copy.
  *
  * The argument `mesh` of the members is the mesh returned by `Intrinsic_triangulation::input()`, which is numbered by
  * consecutive integers.
@@ -33,8 +33,8 @@ public:
   /// A \cgal kernel. Finished curves are measured with `Intrinsic_triangulation_traits<Kernel, double>`.
   typedef unspecified_type Kernel;
 
-  /// Returns the length of the edge of a halfedge, rounded. The length is positive and equal for both halfedges of the
-  /// edge.
+  /// Returns the length of the edge of a halfedge, rounded. The length must be positive and equal for both halfedges of
+  /// the edge.
   /// \throws Degenerate_face_error if the edge has length zero
   /// \throws Invalid_coordinate_error if the length is not finite or outside [1e-70, 1e70]
   double length(const Mesh& mesh, Input_halfedge_index h) const;
@@ -56,24 +56,24 @@ public:
   Place place(const Mesh& mesh, Vertex_index v) const;
 
   /// Returns a lower bound of the length of all paths on the surface between two vertices, across faces as well as
-  /// along edges. Bounds and verdicts of shortest paths depend on it. The bound is 0 from a vertex to itself, and the
-  /// bounds from the two ends of an edge to the same vertex differ by at most the weight of the edge.
+  /// along edges. Bounds and verdicts of shortest paths depend on it. The bound from a vertex to itself must be 0, and
+  /// the bounds from the two ends of an edge to the same vertex must differ by at most the weight of the edge.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
-  /// Optional. The type of points, if vertices have points in space; see `point_in_space()`. It has the members `x()`,
-  /// `y()` and `z()` and is constructible from three coordinates. If the type is missing or `void`, the metric does not
-  /// have points, and functions that write points cannot be used.
+  /// Optional. The type of points, if vertices have points in space; see `point_in_space()`. The type must have the
+  /// members `x()`, `y()` and `z()` and must be constructible from three coordinates. If the type is missing or `void`,
+  /// the metric does not have points, and functions that write points cannot be used.
   typedef unspecified_type Point_3;
 
   /// Optional. Returns the point of vertex `v`; required if `Point_3` is present and not `void`.
   Point_3 point(const Mesh& mesh, Vertex_index v) const;
 
-  /// Optional. Returns the exact squared length of the edge of a halfedge, which is equal for both halfedges of the
-  /// edge. Its type is an exact number type with rational values: `Gmpq`, `mpq_class`, `Exact_rational`,
+  /// Optional. Returns the exact squared length of the edge of a halfedge, which must be equal for both halfedges of
+  /// the edge. The type must be an exact number type with rational values: `Gmpq`, `mpq_class`, `Exact_rational`,
   /// `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer of any size; `length()` is the rounded root. With
-  /// this member, faces are constructed and all predicates evaluated from exact squared lengths,
-  /// `Certified_intrinsic_triangulation_traits` are the default, and certificates refer to the exact metric. The three
-  /// lengths of a face must satisfy the triangle inequality; equality is allowed.
+  /// this member, faces are constructed and all predicates are evaluated from exact squared lengths,
+  /// `Certified_intrinsic_triangulation_traits` are the default traits, and certificates refer to the exact metric. The
+  /// three lengths of a face must satisfy the triangle inequality; equality is allowed.
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed by one of the functors of

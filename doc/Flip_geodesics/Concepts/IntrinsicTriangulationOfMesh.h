@@ -41,9 +41,9 @@ public:
   /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`,
   /// `bool is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped
   /// halfedge. For an insertion, `number` is the number of the inserted vertex, counted from 0. If `is_on_edge()`, the
-  /// vertex was inserted on the edge of `h`, otherwise into its face; the input face of the vertex is the one at gap
-  /// `gap()` of the edge sequence that `h` had at that time. Any other entry states that the face of `h` was recomputed
-  /// from the input.
+  /// vertex was inserted on the edge of `h`, otherwise into its face; `gap()` is the number of edges in the edge
+  /// sequence of `h` at that time that were crossed before the input face of the vertex. Any other entry states that
+  /// the face of `h` was recomputed from the input.
   typedef unspecified_type Flip_record;
 
   /// @}
@@ -101,15 +101,15 @@ public:
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split);
 
-  /// Splits the edge of `h` at a point that lies on it by definition, in the input face at a given gap of the edge
-  /// sequence of `h`.
+  /// Splits the edge of `h` at a point, which by definition lies on the edge. `gap` is the number of edges in the edge
+  /// sequence of `h` that are crossed before the input face that contains the point.
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   template <class OnSplit>
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split);
 
-  /// Splits the face on the left of `h` at a point inside it, in the input face at a given gap of the edge sequence of
-  /// `h`.
+  /// Splits the face on the left of `h` at a point inside it. `gap` is the number of edges in the edge sequence of `h`
+  /// that are crossed before the input face that contains the point.
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap);

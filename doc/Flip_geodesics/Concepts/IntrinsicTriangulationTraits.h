@@ -8,12 +8,12 @@
  * stored per halfedge, its change by a flip, and the comparison of angles. The rest of the package does not compute
  * with geometry in any other way, so the number type can be exchanged through this one template argument.
  *
- * A model is default constructible and copyable, and a triangulation keeps a copy. Functors may refer to the traits
+ * A model must be default constructible and copyable; a triangulation keeps a copy. Functors may refer to the traits
  * object that returned them, but must not rely on a state of their own, since a functor is requested for each call.
  *
  * On this page, `h`, `hn` and `hp` are the halfedges of a face in counterclockwise order: a halfedge, the next and the
- * previous one. The geometry of a halfedge is given in a frame of its own face. Only quantities of the same face are
- * combined, except in `Flip`, which has access to both faces of an edge.
+ * previous one. The geometry of a halfedge is given in a frame of its own face. Functors combine only quantities of one
+ * face, except for `Flip`, which receives both faces of an edge.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Intrinsic_triangulation_traits<K>}
@@ -187,7 +187,7 @@ public:
   Construct_subface construct_subface_object() const;
 
   /// @}
-  /// \name Limit of work
+  /// \name Work limit
   /// @{
 
   /// Returns the work limit for one sign that is uncertain for the traits and that the triangulation determines by

@@ -34,7 +34,7 @@ namespace Flip_geodesics {
  * flipping terminates.
  *
  * Arithmetic with many independent roots can take too long and is subject to a work limit; see `sign_work_limit()`. A
- * sign that is still undetermined at the limit is assumed to be zero and counted in
+ * sign that has not been determined when the limit is reached is assumed to be zero and counted in
  * `Decision_statistics::unproven_zeros`. The verdict of `certify()` is then `PROBABLE`.
  *
  * \tparam K a kernel with `Point_3` and `FT`, convertible to double

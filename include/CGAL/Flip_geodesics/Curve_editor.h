@@ -195,8 +195,8 @@ public:
   /*!
    * Moves a point along a given path, which determines the homotopy classes of its segments.
    * \param i the number of the point
-   * \param way the path: it starts at `point(i)` and ends at the new position, and two consecutive locations lie in one
-   *        face
+   * \param way the path: it must start at `point(i)` and end at the new position, and any two consecutive locations
+   *        must lie in one face
    * \return a report on the recomputed segments
    * \pre `i < number_of_points()`
    * \throws Invalid_curve_error if the path starts elsewhere or two consecutive locations have no common face, in which

@@ -127,7 +127,7 @@ public:
     static_assert(has_radicand, "the number type has square roots and does not need a radicand");
   }
 
-  /// Returns the work limit for undetermined signs, which these traits do not produce; see
+  /// Returns the work limit for signs that the traits do not determine, which does not occur with these traits; see
   /// `IntrinsicTriangulationTraits::sign_work_limit()`.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 

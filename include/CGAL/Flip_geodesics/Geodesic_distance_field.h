@@ -237,7 +237,7 @@ public:
    * so a curve of edges is given by its vertices; a single location is a point. `Curve_extractor::surface_locations()`
    * returns the locations of a curve of a network.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, of which any two
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
    *        consecutive ones lie in one face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \pre nothing has been computed
@@ -294,8 +294,8 @@ public:
    *     \cgalParamDefault{no limits}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals and from the calling thread.
-   *       If it returns `false`, the status is `Distance_field_status::STOPPED_BY_VISITOR`}
+   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals and from the calling
+   *       thread. If it returns `false`, the status is `Distance_field_status::STOPPED_BY_VISITOR`}
    *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
    *     \cgalParamDefault{no visitor}
    *   \cgalParamNEnd

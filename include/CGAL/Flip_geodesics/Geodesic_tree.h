@@ -64,7 +64,8 @@ struct Geodesic_tree_report
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
   std::size_t reopened = 0;  ///< the number of times a vertex was reached again by a shorter path
-  /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite if no path passes a vertex, and also for traits without drift, for which the measurement is unnecessary.
+  /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite
+  /// if no path passes a vertex, and also for traits without drift, for which the measurement is unnecessary.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 
@@ -75,11 +76,11 @@ struct Geodesic_tree_report
  * path consists of edges of one intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
- * has an angle of at least \f$\pi\f$ on either side where it leaves the tree. Otherwise the wedge with the smaller
- * angle is flipped out, which makes room for a shorter path, and the search continues. Such a wedge never contains an
- * edge of the tree, since the paths through its apex are straight. In contrast to \cgalCite{SC20}, an accepted vertex
- * is reopened if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of the edge
- * graph of the final triangulation.
+ * has an angle of at least \f$\pi\f$ on either side where it leaves the tree. Otherwise the edges inside the wedge with
+ * the smaller angle are flipped, which makes a shorter path possible, and the search continues. Such a wedge never
+ * contains an edge of the tree, since the paths through its apex are straight. In contrast to \cgalCite{SC20}, an
+ * accepted vertex is reopened if a new edge gives a shorter path to it. The finished tree is therefore a shortest path
+ * tree of the edge graph of the final triangulation.
  *
  * The paths are locally shortest and do not cross. Most of them are globally shortest; `make_shortest()` replaces the
  * others.
@@ -645,9 +646,9 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
  *
  * The directions are angles on the surface, counterclockwise from an input edge, in \f$[0, \mathtt{total\_angle})\f$.
  * They are measured with the input coordinates, so that errors do not accumulate over flips. If a path passes a vertex
- * whose angles sum to more than \f$2\pi\f$, all vertices in the shadow of that vertex have the angle of the path. The
- * map is discontinuous across the cut locus, the points that shortest paths reach from two sides, and at paths of the
- * tree that are not shortest, which `make_shortest()` replaces.
+ * whose angles sum to more than \f$2\pi\f$, all vertices whose paths pass that vertex have the same angle. The map is
+ * discontinuous across the cut locus, the points that shortest paths reach from two sides, and at paths of the tree
+ * that are not shortest, which `make_shortest()` replaces.
  *
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it must start at the source. By default it is the first input

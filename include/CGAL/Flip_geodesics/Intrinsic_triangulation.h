@@ -402,7 +402,7 @@ enum class Zero_length_edges {
  * \attention The mesh and its points must outlive the triangulation and must not be changed.
  *
  * The triangulation satisfies an invariant that `is_valid()` checks: the vectors of a face sum to zero, the two sides
- * of an edge have the same length, and the crossing numbers of the edges are those of the input edges.
+ * of an edge have the same length, and the normal coordinates of the edges are consistent with the input edges.
  *
  * Several threads may call `const` members concurrently if the mesh and its points can be read concurrently, although
  * these members copy faces of the input and cache derived data. Only the choice of the halfedge that `outgoing()`
@@ -592,9 +592,9 @@ public:
    *
    * The records consist of the flip log, the inserted points, and the data derived from the log about crossings and,
    * for exact predicates, about vectors. With `Certified_intrinsic_triangulation_traits` a flip takes about 165 bytes,
-   * and at most 200, on top of a fixed cost of some megabytes; with doubles a flip takes about 100 bytes. Heap memory
-   * owned by numbers, such as the digits of rationals, is not included. `rollback()` frees the memory of all entries
-   * that it undoes, except for some megabytes kept for reuse.
+   * and at most 200, in addition to a fixed cost of a few megabytes; with doubles, a flip takes about 100 bytes. Heap
+   * memory owned by numbers, such as the digits of rationals, is not included. `rollback()` frees the memory of all
+   * entries that it undoes, except for a few megabytes that are kept for reuse.
    */
   std::size_t memory_of_records() const
   {

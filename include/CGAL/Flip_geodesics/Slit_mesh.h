@@ -134,7 +134,8 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * sector of faces. The end of a slit inside the surface is a single vertex. An edge of a slit becomes two edges. Faces
  * are those of the mesh.
  *
- * Descriptors store those of the mesh and convert to them. A vertex of the mesh converts to its first copy.
+ * A descriptor stores the corresponding descriptor of the mesh and converts to it. A vertex of the mesh converts to its
+ * first copy.
  *
  * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh, and can be passed to
  * all functions of this package.

@@ -330,8 +330,8 @@ private:
  *        halfedge of the edge. A segment that crosses nothing lies on the edge, or in the face, that contains both its
  *        ends
  * \param np the named parameter `is_closed`, a `bool`: whether the curve continues from the last point to the first,
- *        which is then a vertex and not repeated; `false` by default. Also `vertex_point_map` or `metric`, as for
- *        `geodesic_path()`
+ *        which must then be a vertex and must not be repeated; `false` by default. Also `vertex_point_map` or `metric`,
+ *        and `geom_traits`, as for `geodesic_path()`
  * \return the certificate of the curve
  * \throws Invalid_curve_error if the points do not form such a curve: there are too few, two consecutive ones are
  *         equal, one between the ends lies inside a face, or an edge is on the border or not adjacent to the point

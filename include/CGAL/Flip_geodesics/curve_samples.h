@@ -53,10 +53,10 @@ public:
   /*!
    * Transports a direction along a curve that is straight between consecutive locations.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, of which any two
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
-   * \param direction the direction at the first location; its halfedge is a side of a face that contains the location,
-   *        or starts there
+   * \param direction the direction at the first location; its halfedge must be a side of a face that contains the
+   *        location, or starts there
    * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
    *        location; by default the one described at `Surface_direction`
    * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, or, at a vertex, from 0 to the sum of
@@ -105,7 +105,7 @@ public:
    * Constructs the curve through the locations.
    *
    * \param triangulation the triangulation, which must outlive the curve
-   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, of which any two
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
@@ -343,11 +343,12 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * Samples a curve at equal arc lengths, with tangents and normals. The samples include the start and the end.
  *
  * \param mesh a triangle mesh
- * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s, of which two consecutive ones
- *        lie in one face, like those that `geodesic_path()`, `trace_geodesic()` and `isolines()` write
+ * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s such that any two consecutive
+ *        ones lie in one face. `geodesic_path()`, `trace_geodesic()` and `isolines()` write such ranges
  * \param number the number of samples, at least 2; the first and the last sample of a closed curve are the same
  * \param out an output iterator that receives `Curve_sample`s
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`; the metric must have points
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
+ *        which only the work limit is used; the metric must have points
  * \return the past-the-end output iterator
  * \throws Invalid_parameter_error if `number` is less than 2
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
@@ -393,7 +394,8 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * \param mesh a triangle mesh
  * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts that start at
  *        their common point
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
+ *        which only the work limit is used
  * \return the angle in radians
  * \throws Invalid_curve_error if the curves do not start at the same point, up to 1e-9 in the weights, or one of them
  *         is a point, and as `sample_curve()` does

@@ -389,8 +389,8 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * one in its homotopy class.
  *
  * \param network the network
- * \param legs the segments, each starting at the end of the previous one; two consecutive points lie in a common face
- *        of the input
+ * \param legs the segments, each starting at the end of the previous one; any two consecutive points of a segment must
+ *        lie in a common face of the input
  * \param np the named parameter `is_closed`, a `bool`: whether the last segment ends where the first starts, and the
  *        curve is closed; `false` by default
  * \return the index of the curve

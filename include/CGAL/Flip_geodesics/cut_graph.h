@@ -36,9 +36,9 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Adds a network along which each component of a surface can be cut open to a topological disk. The curves have fixed
- * ends where they meet, so the network can be shortened by `shorten_cut_graph()` and then be passed to
- * `cut_along_curves()` or `Conformal_flattening`.
+ * Adds to an empty network curves along which each component of a surface can be cut open to a topological disk. The
+ * curves have fixed ends where they meet, so the network can be shortened by `shorten_cut_graph()` and then be passed
+ * to `cut_along_curves()` or `Conformal_flattening`.
  *
  * In each component, the network consists of the shortest homotopy generators \cgalCite{EW05}, as for `Loop_basis`,
  * without the paths that all of them traverse back and forth. The network is therefore short, but not the shortest cut
@@ -79,8 +79,8 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, const Name
 }
 
 /// \ingroup PkgFlipGeodesicsLoops
-/// Adds a network along which each component of a surface can be cut open to a topological disk, with a base point
-/// chosen by the function in each component.
+/// Adds to an empty network curves along which each component of a surface can be cut open to a topological disk, with
+/// a base point chosen by the function in each component.
 template <class Network, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Index add_cut_graph(Network& network, const NamedParameters&... np)

@@ -163,7 +163,7 @@ public:
     return std::move(points.begin(), points.end(), out);
   }
 
-  /// Returns the point in space. Only available with `Embedded_metric`.
+  /// Returns the position of a surface point in space. Only available if the metric has points in space.
   auto point(const Surface_point& p) const { return point_in_space(m_triangulation, p); }
 
   /// Returns the edge sequence of a segment of the network.

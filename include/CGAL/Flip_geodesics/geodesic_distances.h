@@ -796,7 +796,7 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *        - a vertex of the mesh;
  *        - a point: a `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, or a point in space, for
  *          which `surface_location()` finds the nearest point of the mesh;
- *        - a curve: a range of vertices or of points, of which any two consecutive ones lie in one face or on its
+ *        - a curve: a range of vertices or of points such that any two consecutive ones lie in one face or on its
  *          boundary
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
  *        Unreachable vertices receive infinity. If degenerate edges had to be contracted, this includes vertices that

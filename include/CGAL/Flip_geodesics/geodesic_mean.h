@@ -274,7 +274,8 @@ private:
  *
  * \param mesh a triangle mesh
  * \param source, target each a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
+ *        only the work limit is used
  * \return a `Face_location`: a pair of a face and an array of barycentric coordinates
  * \throws Disconnected_endpoints_error if no path exists
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
@@ -321,8 +322,8 @@ struct Geodesic_mean_result
  * \param mesh a triangle mesh
  * \param points a range of vertices, `CGAL::Polygon_mesh_processing::Face_location`s or points in space
  * \param weights a range of numbers, one for each point
- * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map` or `metric` as
- *        for `geodesic_path()`
+ * \param np an optional sequence of named parameters among those listed below, `vertex_point_map` or `metric` as for
+ *        `geodesic_path()`, and `geom_traits`, of which only the work limit is used
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}

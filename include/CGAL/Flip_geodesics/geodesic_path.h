@@ -160,8 +160,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_ver
  * Computes a closed geodesic by shortening a closed loop of edges.
  *
  * \param mesh a triangle mesh
- * \param vertices a range of vertices. Consecutive vertices share an edge, and so do the last and the first; the first
- *        vertex may be repeated at the end
+ * \param vertices a range of vertices. Consecutive vertices must share an edge, and so must the last and the first; the
+ *        first vertex may be repeated at the end
  * \param out an output iterator that receives the points of the closed geodesic in the form described at
  *        `geodesic_path()`, with the first point repeated at the end. It receives nothing if the loop contracts
  * \param np named parameters, as for `geodesic_path()`
@@ -196,8 +196,8 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * Computes geodesics by shortening several curves together, so that they may touch but never cross one another.
  *
  * \param mesh a triangle mesh
- * \param curves a range of ranges of vertices. Consecutive vertices of a curve share an edge; a curve whose last vertex
- *        equals its first is a closed loop
+ * \param curves a range of ranges of vertices. Consecutive vertices of a curve must share an edge; a curve whose last
+ *        vertex equals its first is a closed loop
  * \param out an output iterator that receives one `std::vector` per curve, in order, of the points that
  *        `geodesic_path()` writes
  * \param np named parameters, as for `geodesic_path()`

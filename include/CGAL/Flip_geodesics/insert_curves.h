@@ -182,28 +182,27 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * kept, and nothing is shortened. The edges of the curves are marked, and faces can be labeled by the regions that the
  * marked edges bound.
  *
- * A curve is the output of functions of this package, or a polyline drawn by a user. It may be open, or closed, in
- * which case its last point repeats the first. It may cross itself and others, lie on edges, pass vertices, and overlap
- * with others. The crossing of two curves inside a face becomes one new vertex, which is decided exactly by a
- * constrained Delaunay triangulation in the plane of each face.
+ * A curve is the output of a function of this package, or a polyline drawn by a user. It may be open, or closed, in
+ * which case its last point must repeat the first. A curve may cross itself and other curves, lie on edges, pass
+ * vertices, and overlap with others. The crossing of two curves inside a face becomes one new vertex, which is decided
+ * exactly by a constrained Delaunay triangulation in the plane of each face.
  *
- * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. A
- * divided face or split edge remains as one of its parts; the other parts are new. New vertices on an edge lie on the
- * segment between its ends, at a parameter that is rounded to `double`, and new vertices in a face are affine
+ * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. Of the
+ * parts of a divided face or split edge, one keeps its descriptor; the other parts are new. New vertices on an edge lie
+ * on the segment between its ends, at a parameter that is rounded to `double`, and new vertices in a face are affine
  * combinations of its corners. With a kernel with exact constructions, the vertices lie exactly at these points,
  * crossings lie exactly on both curves, barycentric coordinates in an exact number type are not rounded inside faces,
- * and a part of a face is degenerate only if the face is.
- * Rounded coordinates cannot distinguish vertices that are too close to each other. Therefore a point is moved to an
- * edge if one of its barycentric coordinates is at most the snapping tolerance, and to a vertex if two of them are.
- * Points are *close* to each other if their distance is at most the tolerance times the length of the edge, or of the
- * longest side of the face, plus \f$2^{-48}\f$ of the largest coordinate. Close points are merged, and a segment that
- * passes close to a vertex is moved to the vertex. If the tolerance is zero, nothing is merged, and with rounded
- * coordinates, faces of the result can be degenerate.
+ * and a part of a face is degenerate only if the face is. Rounded coordinates cannot distinguish vertices that are too
+ * close to each other. Therefore a point is moved to an edge if one of its barycentric coordinates is at most the
+ * snapping tolerance, and to a vertex if two of them are. Points are *close* to each other if their distance is at most
+ * the tolerance times the length of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ of the largest
+ * coordinate. Close points are merged, and a segment that passes close to a vertex is moved to the vertex. If the
+ * tolerance is zero, nothing is merged, and with rounded coordinates, faces of the result can be degenerate.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
  *
  * \param mesh a triangle mesh, a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, no two faces of
- *        which have the same three vertices; only faces that are divided must be triangles
+ *        which may have the same three vertices; only faces that are divided must be triangles
  * \param curves a range of curves, or a single one. A curve is a range of points, or has such a range as its member
  *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a
  *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Curve_point` or `Curve_place`, or a point in

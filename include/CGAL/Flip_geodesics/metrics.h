@@ -600,7 +600,7 @@ public:
     return m_least_stretch * Base::distance_lower_bound(p, q);
   }
 
-  /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
+  /// Returns the point of vertex `v`. Only available if the other metric has points.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
   /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
@@ -662,10 +662,10 @@ private:
  * Represents a given metric with each edge scaled by a weight, so that paths avoid regions in which the weight is
  * large.
  *
- * Weights given at vertices are linear along edges. The length of an edge is that of the other metric, times the mean of
- * the weights of its two ends. Faces with these lengths are flat again. If the weight changes little over a face, this
- * is the conformal change of the metric by the weight, up to terms of second order. Weights given for edges are the
- * factors of their lengths.
+ * Weights given at vertices are linear along edges. The length of an edge is that of the other metric, times the mean
+ * of the weights of its two ends. Faces with these lengths are flat again. If the weight changes little over a face,
+ * this is the conformal change of the metric by the weight, up to terms of second order. Weights given for edges are
+ * the factors of their lengths.
  *
  * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
  * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each
@@ -745,7 +745,7 @@ public:
       return (1 - internal::distance_bound_rounding) * m_least_stretch * Base::distance_lower_bound(p.place, q.place);
   }
 
-  /// Returns the point of vertex `v`. Only available over `Embedded_metric`.
+  /// Returns the point of vertex `v`. Only available if the other metric has points.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.

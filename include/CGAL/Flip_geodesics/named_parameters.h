@@ -215,8 +215,9 @@ auto stop_predicate(const StopPredicate& predicate)
 /*!
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the amount of work after which a search is aborted.
- * \param limit a `Window_limit`; for `shortest_paths_by_class()` a `Covering_limit`, for `Geodesic_distance_field` and
- *        `Logarithmic_map` `Distance_field_limits`, and for `Geodesic_mean` `Mean_limits`
+ * \param limit a `Window_limit`, except for the following: a `Covering_limit` for `shortest_paths_by_class()`,
+ *        `Distance_field_limits` for `Geodesic_distance_field` and `Logarithmic_map`, and `Mean_limits` for
+ *        `Geodesic_mean`
  */
 template <class Limit>
 auto search_limit(const Limit& limit)
@@ -235,9 +236,9 @@ inline auto is_closed(bool is_closed)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets landmarks that guide searches; they pay off for many searches.
- * \param landmarks `Landmark_distances` for `geodesic_paths()` and `Shortest_edge_path`, `Geodesic_landmarks` for `shortest_path()`, computed
- *        for the mesh and its metric; they are not copied and must outlive the call
+ * Sets landmarks that guide searches, which is worthwhile for many searches on one mesh.
+ * \param landmarks `Landmark_distances` for `geodesic_paths()` and `Shortest_edge_path`, `Geodesic_landmarks` for
+ *        `shortest_path()`, computed for the mesh and its metric; they are not copied and must outlive the call
  */
 template <class Landmarks>
 auto landmarks(const Landmarks& landmarks)

@@ -295,9 +295,9 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * places. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
  * \param network the network
- * \param polyline the points, of any type that `surface_location()` accepts; two consecutive ones lie in a common face
- *     or on a common edge of the input. A closed polyline does not repeat the first point. Points that equal the
- *     previous one are skipped
+ * \param polyline the points, of any type that `surface_location()` accepts; any two consecutive ones must lie in a
+ *        common face or on a common edge of the input. A closed polyline must not repeat the first point. Points that
+ *        equal the previous one are skipped
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the index of the curve
  * \pre no edge of the triangulation in these faces crosses an input edge

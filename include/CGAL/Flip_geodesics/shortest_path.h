@@ -60,7 +60,7 @@ namespace Flip_geodesics {
  * The bounds hold for the mesh with its coordinates taken as given, including rounding errors, like
  * `Shortest_path_report::lower_bound`. Each component has its own landmarks, at most `number_of_landmarks()`. The
  * bounds take two bytes per landmark and vertex, and may be read by several threads concurrently. A propagation takes
- * some 400 bytes per triangle while it runs.
+ * about 400 bytes per triangle while it runs.
  */
 class Geodesic_landmarks
 {
@@ -516,7 +516,8 @@ const Geodesic_landmarks* checked_landmarks(const Triangulation& triangulation, 
 }
 
 /*
- * Replaces the path of a network by the shortest one that windows have found, or restores it if that cannot be inserted.
+ * Replaces the path of a network by the shortest one that windows have found, or restores it if that cannot be
+ * inserted.
  * \param edge_path from which the path of the network was shortened
  */
 template <class Network, class Windows, class Visitor>

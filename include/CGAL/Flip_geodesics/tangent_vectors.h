@@ -134,8 +134,8 @@ public:
    * Returns the length of a shortest path to a point, and the angle of its direction at the source, counterclockwise
    * from `halfedge()`. The radius is infinite if no path exists within the limits.
    *
-   * If the path bends at vertices, the angle is that of the path to the first of them, so all points in the shadow of a
-   * vertex have the same angle.
+   * If the path bends at vertices, the angle is that of the path to the first of them, so all points whose paths first
+   * bend at the same vertex have the same angle.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
@@ -380,7 +380,8 @@ private:
  *        `trace_geodesic()`
  * \param targets a range of points of these types; `vertices(mesh)` for all vertices
  * \param out an output iterator that receives `Polar_coordinates`, one for each target
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
+ *        which only the work limit is used
  * \return a `Logarithmic_map_result`. The angles are measured from a halfedge by the rule of `Surface_direction`
  * \throws Vertex_out_of_range_error if the source or a target is not a vertex of the mesh
  * \throws Invalid_location_error if the source or a target does not lie on the mesh
@@ -437,12 +438,13 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * Transports a tangent vector along a curve, parallel in the sense of the Levi-Civita connection.
  *
  * \param mesh a triangle mesh
- * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s, of which two consecutive ones
- *        lie in one face. `geodesic_path()` and `trace_geodesic()` write such ranges, and a `Located_polyline` contains
- *        one
+ * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s such that any two consecutive
+ *        ones lie in one face. `geodesic_path()` and `trace_geodesic()` write such ranges, and a `Located_polyline`
+ *        contains one
  * \param direction the direction at the start of the curve: a halfedge and the angle from this halfedge, as for
  *        `trace_geodesic()`
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
+ *        which only the work limit is used
  * \return the direction at the end of the curve in the same form, from a halfedge by the rule of `Surface_direction`
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
@@ -487,7 +489,8 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * \param curve a range as for the overload with an angle, of locations in faces, since vectors lie in the planes of
  *        faces: a vertex is given as a `Face_location`
  * \param vector a vector in space, of any kernel
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`; the metric must have points
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
+ *        which only the work limit is used; the metric must have points
  * \return the vector at the end of the curve, of the kernel of the points of the mesh
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Invalid_location_error if a point does not lie on the mesh

@@ -182,7 +182,8 @@ Value picture_place(double x, double y)
  * \param corners a model of `WritablePropertyMap` with the halfedges of the mesh as keys, which represent the corners
  *        at their targets, and `std::array<double, 2>` or `Point_2` as values. Corners of faces that lie outside the
  *        image or are unreachable receive NaN. Border halfedges receive no value
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
+ *        only the work limit is used
  * \return a report on the faces
  * \throws Invalid_parameter_error if the size is not positive and finite, the angle is not finite, or the halfedge is
  *         not a side of a face of the source
@@ -193,8 +194,8 @@ Value picture_place(double x, double y)
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
  * Complexity: that of a `Geodesic_distance_field` up to the distance of the corners of the image plus the longest edge
- * of the mesh, and at most as many windows again. If rounding errors determine which path is the shortest, the path is
- * followed.
+ * of the mesh, and at most as many windows again. For points whose shortest path the windows do not determine because
+ * of rounding errors, the logarithmic map is evaluated separately.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(

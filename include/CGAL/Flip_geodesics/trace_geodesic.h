@@ -371,14 +371,14 @@ public:
    *
    * \param source the start, a point of any type that `surface_location()` accepts. A `Face_location` is not moved to a
    *        nearby edge or vertex, so that tracing can continue from the end of any geodesic
-   * \param direction a `Surface_direction`, whose angle at a vertex extends over all incident faces, so that a full turn
-   *        is the sum of their angles; or a `std::array<double, 2>` of coordinates in the face of the halfedge of the
-   *        start, a `Surface_location`: the coefficients of the vectors from the tail of that halfedge to its head and
-   *        to the third corner. Coordinates are not rounded, unless the start is a vertex and the direction points out
-   *        of the face, or one coefficient is 1e100 times the other
+   * \param direction a `Surface_direction`, whose angle at a vertex extends over all incident faces, so that a full
+   *        turn is the sum of their angles; or a `std::array<double, 2>` of coordinates in the face of the halfedge of
+   *        the start, a `Surface_location`: the coefficients of the vectors from the tail of that halfedge to its head
+   *        and to the third corner. Coordinates are not rounded, unless the start is a vertex and the direction points
+   *        out of the face, or one coefficient is 1e100 times the other
    * \param length the maximal length, in the unit of the coordinates
-   * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and the
-   *        end; `CGAL::Emptyset_iterator()` if they are not needed
+   * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and
+   *        the end; `CGAL::Emptyset_iterator()` if they are not needed
    * \param np an optional sequence of the named parameters `edge_is_constrained_map`, `number_of_iterations` and
    *        `at_vertices` of `trace_geodesic()`
    * \return a report with the end of the geodesic
@@ -536,14 +536,14 @@ private:
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
  *        `geodesic_path_through()`
  * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
- *        halfedge, in radians and counterclockwise on the surface. The halfedge is a side of a face that contains the
- *        source; at a vertex the angle extends over all incident faces. A vector is projected to the plane of the face
- *        of a `Face_location`; it may point out of that face
+ *        halfedge, in radians and counterclockwise on the surface. The halfedge must be a side of a face that contains
+ *        the source; at a vertex the angle extends over all incident faces. A vector is projected to the plane of the
+ *        face of a `Face_location`; it may point out of that face
  * \param length the maximal length, in the unit of the coordinates
  * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
  *        vertices, and its end, in the form described at `geodesic_path()`
- * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map` or `metric` as
- *        for `geodesic_path()`
+ * \param np an optional sequence of named parameters among those listed below, `vertex_point_map` or `metric` as for
+ *        `geodesic_path()`, and `geom_traits`, of which only the work limit is used
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{edge_is_constrained_map}

@@ -61,7 +61,7 @@ inline constexpr double largest_derived_error = 0x1p-64;
  * multiplied repeatedly. A larger one costs nothing but a repetition with more digits. */
 inline constexpr double radius_rounding = 1e-14, product_radius_rounding = 1e-12;
 
-/* The default limit of work for one sign by exact arithmetic, in products of two 64-bit words, each of which takes
+/* The default work limit for one sign by exact arithmetic, in products of two 64-bit words, each of which takes
  * about a nanosecond: a tenth of a second. */
 inline constexpr std::uint64_t default_sign_work = std::uint64_t(1) << 27;
 
