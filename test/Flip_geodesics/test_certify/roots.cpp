@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(zeros_of_several_roots_are_proven)
   }
 }
 
-// The limit of work is a part of the traits.
+// The work limit is a part of the traits.
 BOOST_AUTO_TEST_CASE(zeros_beyond_a_given_limit_of_work_are_probable)
 {
   for(std::uint64_t limit : {0u, 100u, 10000u}) {
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(bends_are_found_within_any_limit_of_work)
   }
 }
 
-// Arithmetic with twenty roots takes more than the limit of work.
+// Arithmetic with twenty roots exceeds the work limit.
 BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
 {
   for(bool is_reversed : {true, false}) {

@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(the_largest_number_of_roots_is_kept)
   BOOST_TEST(statistics.zeros_by_roots == 3u);
 }
 
-// A zero is one only as far as the limit of work allows to prove it; what digits tell needs no proof.
+// A zero is one only as far as the work limit allows to prove it; what digits tell needs no proof.
 BOOST_AUTO_TEST_CASE(signs_beyond_the_limit_of_work_are_counted)
 {
   Random_numbers random(9);
