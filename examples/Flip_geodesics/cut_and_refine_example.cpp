@@ -53,7 +53,7 @@ try {
   options.smallest_angle = 25;
   const FG::Refinement_report report = FG::refine(network, options);
   //! [Refine]
-  std::cout << "Refined: " << report.insertions + report.splits << " vertices more, smallest angle "
+  std::cout << "Refined: " << report.insertions + report.splits << " new vertices, smallest angle "
             << report.smallest_angle << " degrees.\n";
 
   //! [Subdivision]

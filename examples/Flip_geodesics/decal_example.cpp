@@ -58,7 +58,7 @@ try {
   const FG::Texture_report report = FG::texture_coordinates(mesh, middle, right, number<double>(argv[3]), corners);
   //! [Decal]
   std::cout << report.faces << " faces have texture coordinates, of which " << report.torn
-            << " are laid out by themselves\n";
+            << " are laid out separately\n";
 
   FG::IO::write_OBJ("decal.obj", mesh, FG::IO::Texture<Texture_map>(corners));
   FG::IO::write_GLB("decal.glb", mesh, FG::IO::Texture<Texture_map>(corners, argc > 4 ? argv[4] : ""));

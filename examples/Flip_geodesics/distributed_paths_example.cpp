@@ -56,7 +56,7 @@ public:
     : m_file(file)
   {
     if(!CGAL::IO::read_polygon_mesh(file, m_mesh) || !CGAL::is_triangle_mesh(m_mesh) || m_mesh.is_empty())
-      throw std::invalid_argument("the file holds no triangle mesh");
+      throw std::invalid_argument("the file does not contain a triangle mesh");
   }
 
   const std::string& file() const { return m_file; }
@@ -136,7 +136,7 @@ std::size_t count_results(const std::string& file, const Lines& paths)
     if(size + line.size() == std::filesystem::file_size(file))
       break;
     if(count == paths.size() || line.rfind(paths[count] + ": ", 0) != 0)
-      throw std::invalid_argument(file + " holds results of other paths");
+      throw std::invalid_argument(file + " contains results of other paths; remove it or choose another file");
     size += line.size() + 1;
     ++count;
   }
@@ -277,7 +277,7 @@ int main(int argc, char** argv)
       throw std::invalid_argument("give two files: of paths, lines MESH SOURCE TARGET, and for the results");
     const std::size_t errors = Leader(world, argv[1], argv[2])();
     if(errors > 0)
-      std::cerr << errors << " of the paths failed, see " << argv[2] << '\n';
+      std::cerr << errors << " of the paths failed; see " << argv[2] << '\n';
     return errors > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
   } catch(const std::exception& error) {
     std::cerr << error.what() << '\n';

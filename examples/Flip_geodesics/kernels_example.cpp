@@ -66,7 +66,7 @@ void print_path(const std::string& kernel, const std::string& predicates, const 
     std::cout << std::setw(11) << to_string(path.verdict()) << path.length();
   } catch(const CGAL::Uncertain_conversion_exception&) {
     std::cout << std::setw(11) << "-"
-              << "intervals leave a sign open";
+              << "intervals do not determine a sign";
   }
   std::cout << "   " << static_cast<int>(timer.time() * 1e6) << " microseconds\n";
 }

@@ -65,7 +65,7 @@ try {
     std::vector<FG::Curve_sample<Mesh, Point_3>> samples;
     FG::sample_curve(mesh, path, 11, std::back_inserter(samples));
     //! [Path to a location]
-    std::cout << "From " << v << " it is " << samples.back().length << ", and half the shortest way in face "
+    std::cout << "From " << v << ", the distance is " << samples.back().length << "; the midpoint is in face "
               << FG::geodesic_midpoint(mesh, v, mean.location).first << '\n';
     paths.emplace_back();
     for(const auto& sample : samples)

@@ -65,7 +65,7 @@ try {
   for(const FG::Shortest_path_report& path : found.report.paths)
     std::cout << "length " << path.length << ", " << FG::to_string(path.verdict) << '\n';
   std::cout << FG::to_string(found.status()) << (found.report.is_confirmed() ? ", confirmed: " : ": ")
-            << "any other way is at least " << found.report.lower_bound_of_others() << " long\n";
+            << "all paths of other classes are at least " << found.report.lower_bound_of_others() << " long\n";
   FG::IO::write_VTP("other_ways.vtp", paths);
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {

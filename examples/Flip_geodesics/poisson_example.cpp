@@ -72,7 +72,7 @@ try {
   const Eigen::VectorXd heat = Eigen::VectorXd::Ones(triangulation.number_of_vertices());
   const Eigen::VectorXd u = problem.solve(heat, Eigen::VectorXd::Zero(triangulation.number_of_vertices()));
   //! [Solve]
-  std::cout << "Kept at 0 at " << cold.size() << " vertices on the curve; largest value " << u.maxCoeff() << ".\n";
+  std::cout << "Zero at " << cold.size() << " vertices on the curve; the largest value is " << u.maxCoeff() << ".\n";
 
   auto temperature = mesh.add_property_map<Mesh::Vertex_index, double>("v:u", 0).first;
   for(Mesh::Vertex_index v : mesh.vertices())
