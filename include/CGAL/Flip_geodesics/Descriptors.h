@@ -368,42 +368,6 @@ enum class Wedge_state {
   FIXED     ///< the node is fixed, and the wedge is not inspected
 };
 
-namespace internal {
-
-/*
- * What the log of an `Intrinsic_triangulation` stores of a flip: enough to undo it, and to derive the crossings of the
- * new edge. If `hp` is `null_index`, no edge was flipped. Then either the face of `h` was recomputed from the input,
- * `tn` is `null_index` as well, and the first three vectors are the old ones; or a point was inserted, `number` is the
- * number of the insertion, `version_hp` the `gap()`, and `tn` is `h` if its face was split and its twin if its edge
- * was.
- */
-template <class Halfedge_geometry>
-struct Flip_record
-{
-  Halfedge_index h;         // the flipped halfedge, i->j before and l->k after
-  Halfedge_index hp;        // k->i
-  Halfedge_index tn;        // i->l
-  Index version_hp;         // the version of `hp` at the time
-  Index version_tn;         // the version of `tn` at the time
-  Index number;             // number of input edges that the new edge crosses; -1 if it lies along one
-  Index old_version;        // of the edge, before
-  Index old_crossings;      // one more than the number of input edges that the edge crossed before
-  Halfedge_geometry old_h;  // what `h` stored before
-  Halfedge_geometry old_t;  // what the other side of the edge stored before
-  Halfedge_geometry old_tn; // what `tn` stored before
-  Halfedge_geometry old_tp; // what the halfedge l->j stored before
-
-  /* Returns whether an edge was flipped. */
-  bool is_flip() const { return hp != null_index; }
-  /* Returns whether a point was inserted. */
-  bool is_insertion() const { return hp == null_index && tn != null_index; }
-  /* Returns whether the point was inserted on the edge of `h` rather than into its face. \pre `is_insertion()` */
-  bool is_on_edge() const { return tn != h; }
-  /* Returns the gap of the edge sequence of `h` whose input face contains the inserted point. \pre `is_insertion()` */
-  Index gap() const { return version_hp; }
-};
-
-} // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
 #include <CGAL/Flip_geodesics/internal/network/Bundle_order.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>

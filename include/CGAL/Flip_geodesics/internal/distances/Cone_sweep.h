@@ -8,8 +8,9 @@
 #include <CGAL/Flip_geodesics/internal/distances/Landmark_rows.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/containers.h>
+#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 
 #include <algorithm>
 #include <array>

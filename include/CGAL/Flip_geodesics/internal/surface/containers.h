@@ -11,11 +11,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <memory>
 #include <new>
 #include <thread>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 // Arrays that take little time and memory for large meshes, and variables shared by several threads.
@@ -76,72 +74,6 @@ public:
   Lazy_array() = default;
   Lazy_array(Lazy_array&&) = default;
   Lazy_array& operator=(Lazy_array&&) = default;
-};
-
-/*
- * A stack of records in blocks of one size. It takes the memory of its contents plus at most some spare blocks, whereas
- * a vector takes up to twice that, and three times while it grows; records do not move. Unlike `std::deque`, it can be
- * moved without exceptions, and allocates seldom. Removed records are not destroyed before their block.
- */
-template <class T>
-class Block_array
-{
-  static constexpr std::size_t block_size = 64;
-  static constexpr std::size_t most_spare_bytes = 1 << 22;
-
-public:
-  Block_array() = default;
-  Block_array(Block_array&& other) noexcept
-    : m_blocks(std::move(other.m_blocks))
-    , m_size(std::exchange(other.m_size, 0))
-  {
-  }
-  Block_array& operator=(Block_array&& other) noexcept
-  {
-    m_blocks = std::move(other.m_blocks);
-    m_size = std::exchange(other.m_size, 0);
-    return *this;
-  }
-
-  std::size_t size() const { return m_size; }
-  bool empty() const { return m_size == 0; }
-
-  T& operator[](std::size_t i) { return m_blocks[i / block_size][i % block_size]; }
-  const T& operator[](std::size_t i) const { return m_blocks[i / block_size][i % block_size]; }
-  T& back() { return (*this)[m_size - 1]; }
-  const T& back() const { return (*this)[m_size - 1]; }
-
-  /* Changes nothing if it throws. */
-  void push_back(T&& record)
-  {
-    if(m_size == m_blocks.size() * block_size)
-      m_blocks.push_back(std::unique_ptr<T[]>(new T[block_size])); // written before it is read
-    (*this)[m_size] = std::move(record);
-    ++m_size;
-  }
-
-  void pop_back()
-  {
-    --m_size;
-    if(m_size % block_size == 0 && m_blocks.size() * block_size * sizeof(T) > m_size * sizeof(T) + most_spare_bytes)
-      m_blocks.pop_back();
-  }
-
-  /* Adds copies of a record, or removes records. */
-  void resize(std::size_t size, const T& record)
-  {
-    while(m_size > size)
-      pop_back();
-    while(m_size < size)
-      push_back(T(record));
-  }
-
-  /* Returns the memory in bytes, up to a block. */
-  std::size_t memory() const { return m_size * sizeof(T); }
-
-private:
-  std::vector<std::unique_ptr<T[]>> m_blocks; // of `block_size` records each
-  std::size_t m_size = 0;
 };
 
 /*
@@ -222,75 +154,6 @@ public:
 
 private:
   std::atomic<bool> m_is_locked{false};
-};
-
-/*
- * Assigns slots to the elements of a sequence, in blocks, in the order of their first use. Data of the elements is then
- * stored in an array by slots, in which all used elements are close together, however the sequence is numbered. Stored
- * by elements, distant data would take one page of memory each, and obtaining a page from the operating system takes
- * longer than most operations on an element.
- *
- * The slots of block 0 are those of elements that were never used.
- *
- * Other threads may look up slots while one thread assigns some.
- */
-template <std::size_t BlockSize>
-class Slot_table
-{
-public:
-  static constexpr std::size_t block_size = BlockSize;
-
-  explicit Slot_table(std::size_t number_of_elements)
-  {
-    const std::size_t blocks = number_of_blocks(number_of_elements);
-    m_starts.reserve(blocks + blocks / 8 + 8); // so that few additional elements do not move all
-    m_starts.resize(blocks);
-    checked_index_bound(largest_number_of_slots());
-  }
-
-  /* Returns the slot of an element; it is less than `block_size` if none is assigned. */
-  Index operator[](Index i) const { return start_of(i) + static_cast<Index>(position(i)); }
-
-  bool has_slot(Index i) const { return start_of(i) != 0; }
-
-  /*
-   * Assigns the slots from `number_of_slots()` on to the block of an element. Other threads may look up slots
-   * simultaneously: data written at these slots before is visible to threads that find them. Returns the first of these
-   * slots. \pre the element has none
-   */
-  Index add(Index i)
-  {
-    const std::size_t start = number_of_slots();
-    store_relaxed(m_number_of_slots, start + block_size);
-    store_release(m_starts[block(i)], static_cast<Index>(start));
-    return static_cast<Index>(start);
-  }
-
-  /* Returns the number of assigned slots, plus those of block 0. */
-  std::size_t number_of_slots() const { return load_relaxed(m_number_of_slots); }
-
-  /* Returns the number of slots when all elements have one. */
-  std::size_t largest_number_of_slots() const { return (m_starts.size() + 1) * block_size; }
-
-  /* Adds elements up to a new number. */
-  void grow(std::size_t number_of_elements)
-  {
-    if(number_of_blocks(number_of_elements) > m_starts.size())
-      m_starts.resize(number_of_blocks(number_of_elements));
-    checked_index_bound(largest_number_of_slots());
-  }
-
-private:
-  static std::size_t number_of_blocks(std::size_t elements) { return (elements + block_size - 1) / block_size; }
-
-  // Of the slots of an element's block.
-  Index start_of(Index i) const { return load_acquire(m_starts[block(i)]); }
-
-  static std::size_t block(Index i) { return static_cast<std::uint32_t>(i) / block_size; }
-  static std::size_t position(Index i) { return static_cast<std::uint32_t>(i) % block_size; }
-
-  Lazy_array<Index> m_starts; // of a block's slots; 0 if it has none
-  std::size_t m_number_of_slots = block_size;
 };
 
 /* A result that is found on first use. Several threads may query at once and may then find the same result. */
