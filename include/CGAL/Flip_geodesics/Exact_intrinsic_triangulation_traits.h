@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_EXACT_INTRINSIC_TRIANGULATION_TRAITS_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Multiquadratic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/exact_geometries.h>

@@ -11,17 +11,184 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* Returns the root of an integer, rounded down, by Newton's method from above; Boost 1.74's own root takes 3 to 20
+ * times as long. \pre n >= 0 */
+inline Integer rounded_root(const Integer& n)
+{
+  if(n == 0)
+    return n;
+  constexpr int digits = std::numeric_limits<double>::digits;
+  const int excess = static_cast<int>(highest_bit(n)) - 2 * digits;
+  const int half_shift = excess > 0 ? excess / 2 : 0;
+  const auto leading = static_cast<double>(Integer(n >> (2 * half_shift)));
+  Integer root(std::ceil(std::sqrt(leading) * (1 + root_rounding)) + 1);
+  root <<= half_shift;
+  for(;;) {
+    Integer next = (root + n / root) >> 1;
+    if(next >= root)
+      return root;
+    root.swap(next);
+  }
+}
+
+/* Returns whether a residue, modulo a multiple of M, is that of a square modulo M. */
+template <std::uint64_t M>
+bool is_square_modulo(std::uint64_t residue)
+{
+  static const std::bitset<M> squares = [] {
+    std::bitset<M> result;
+    for(std::uint64_t i = 0; i < M; ++i)
+      result.set(i * i % M);
+    return result;
+  }();
+  return squares[residue % M];
+}
+
+/* Returns the root of an integer if it is an integer as well; most other integers are quickly found not to be
+ * squares. */
+inline std::optional<Integer> exact_root(const Integer& n)
+{
+  constexpr std::uint64_t product = 64ull * 63 * 65 * 11 * 17 * 19 * 23 * 31;
+  if(n < 0)
+    return std::nullopt;
+  const auto r = static_cast<std::uint64_t>(Integer(n % product));
+  if(!(is_square_modulo<64>(r) && is_square_modulo<63>(r) && is_square_modulo<65>(r) && is_square_modulo<11>(r) &&
+       is_square_modulo<17>(r) && is_square_modulo<19>(r) && is_square_modulo<23>(r) && is_square_modulo<31>(r)))
+    return std::nullopt;
+  Integer root = rounded_root(n);
+  if(root * root != n)
+    return std::nullopt;
+  return root;
+}
+
+/*
+ * The remainder of a work limit for operations with integers, counted in products of two 64-bit words. An operation
+ * with short integers takes as long as about 32 of these, mostly for their memory.
+ */
+class Work_limit
+{
+public:
+  static constexpr std::uint64_t of_operation = 32;
+
+  explicit Work_limit(std::uint64_t limit = default_sign_work)
+    : m_left(limit)
+  {
+  }
+
+  bool is_met() const { return m_left == 0; }
+  void charge(std::uint64_t work) { m_left -= work < m_left ? work : m_left; }
+
+  /* Charges for the product of two integers, or for the root of one. */
+  void charge_product(const Integer& a, const Integer& b) { charge(of_operation + words(a) * words(b)); }
+  void charge_root(const Integer& n) { charge(steps_of_root * (of_operation + words(n) * words(n))); }
+
+private:
+  // Newton's method doubles the digits of a double four times for numbers of a thousand digits.
+  static constexpr std::uint64_t steps_of_root = 6;
+
+  static std::uint64_t words(const Integer& n)
+  {
+    return (std::uint64_t(n.backend().size()) * sizeof(boost::multiprecision::limb_type) + 7) / 8;
+  }
+
+  std::uint64_t m_left;
+};
+
+/*
+ * A sum of integers times square roots of integers, and its sign, for any number of roots. Roots of numbers no two of
+ * which have a square as their product are linearly independent over the rationals [B40]. The sum is therefore
+ * zero only if the terms of each class of roots that are multiples of one another sum up to zero; the sign of a nonzero
+ * sum is found eventually, unless the work limit is exceeded before.
+ */
+class Root_sum
+{
+  struct Term
+  {
+    Integer factor, square;
+  };
+
+public:
+  /* \pre square >= 0 */
+  void add(const Integer& factor, const Integer& square)
+  {
+    if(square != 0)
+      m_factors[square] += factor;
+  }
+
+  Uncertain<Sign> sign(Work_limit& work) const
+  {
+    std::vector<Term> terms;
+    for(const auto& [square, factor] : m_factors)
+      if(factor != 0)
+        terms.push_back({factor, square});
+    for(unsigned bits = 64; !terms.empty() && !work.is_met(); bits *= 2) {
+      const Uncertain<Sign> sign = sign_by_digits(terms, bits, work);
+      if(sign.is_certain())
+        return sign;
+      if(bits == 64)
+        terms = without_zeros(std::move(terms), work);
+    }
+    return work.is_met() ? Uncertain<Sign>::indeterminate() : Uncertain<Sign>(ZERO);
+  }
+
+private:
+  // In units of 2^-bits, with each root rounded down.
+  static Uncertain<Sign> sign_by_digits(const std::vector<Term>& terms, unsigned bits, Work_limit& work)
+  {
+    Integer sum = 0, error = 0;
+    for(const Term& term : terms) {
+      const Integer square = term.square << (2 * bits);
+      work.charge_root(square);
+      if(work.is_met())
+        return Uncertain<Sign>::indeterminate();
+      sum += term.factor * rounded_root(square);
+      error += absolute(term.factor);
+    }
+    if(absolute(sum) > error)
+      return sum > 0 ? POSITIVE : NEGATIVE;
+    return Uncertain<Sign>::indeterminate();
+  }
+
+  // Removes the classes whose sums are zero: with square d of one term, sqrt(d e) of the others is an integer.
+  static std::vector<Term> without_zeros(std::vector<Term> terms, Work_limit& work)
+  {
+    std::vector<Term> result;
+    while(!terms.empty() && !work.is_met()) {
+      const Integer square = terms.front().square;
+      std::vector<Term> of_class, others;
+      Integer sum = 0; // times the root of the square
+      for(Term& term : terms) {
+        work.charge_product(square, term.square);
+        const std::optional<Integer> root = exact_root(square * term.square);
+        if(root)
+          sum += term.factor * *root;
+        (root ? of_class : others).push_back(std::move(term));
+      }
+      if(sum != 0)
+        std::move(of_class.begin(), of_class.end(), std::back_inserter(result));
+      terms = std::move(others);
+    }
+    return result;
+  }
+
+  std::map<Integer, Integer> m_factors; // by squares
+};
 
 /*
  * Exact complex numbers over Z[sqrt d_1, ..., sqrt d_r], for `Chain_arithmetic`: one integer for each set of roots, the

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Multiquadratic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
