@@ -8,6 +8,7 @@
 #include "test_internal_arithmetic/numbers.h"
 
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/orientation.h>
 #include <CGAL/Flip_geodesics/internal/numbers/places.h>
 
 using namespace Flip_geodesics_test;
