@@ -6,7 +6,7 @@
 #include "judged_meshes.h"
 #include "random_curves.h"
 
-#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -16,10 +16,15 @@
 
 #include <CGAL/enum.h>
 
+#include <boost/functional/hash.hpp>
 #include <boost/math/constants/constants.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <mutex>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -340,6 +345,124 @@ private:
   }
 
   const Triangulation& m_triangulation;
+};
+
+/* A side of an edge, as it is between two flips of the edge. */
+struct Side_version
+{
+  Halfedge_index halfedge;
+  Index version; // 0 for an edge of the input
+};
+
+/*
+ * Results of expensive comparisons of wedges with pi. A straight angle prevents flips and is therefore compared again
+ * whenever the flips around it are attempted: a hundred times at an extruded developable region. The angle between two
+ * edges is constant as long as both exist. Versions are reused after flips were rolled back; only wedges between edges
+ * of the input are known from then on.
+ */
+class Compared_wedges
+{
+  using Wedge = std::array<Index, 4>;
+  using Results = std::unordered_map<Wedge, Comparison_result, boost::hash<Wedge>>;
+
+public:
+  /* Returns the result for the wedge clockwise from one edge to another, or null if it is unknown. */
+  const Comparison_result* find(const Side_version& from, const Side_version& to) const
+  {
+    const Results& results = is_of_input(from, to) ? m_of_input : m_of_flips;
+    const auto found = results.find(wedge(from, to));
+    return found == results.end() ? nullptr : &found->second;
+  }
+
+  void insert(const Side_version& from, const Side_version& to, Comparison_result result)
+  {
+    Results& results = is_of_input(from, to) ? m_of_input : m_of_flips;
+    if(results.size() == most_results)
+      results.clear();
+    results.insert_or_assign(wedge(from, to), result);
+  }
+
+  /* Must be called after flips were rolled back. */
+  void forget_flips()
+  {
+    if(!m_of_flips.empty()) // since clearing takes time even then
+      m_of_flips.clear();
+  }
+
+private:
+  static constexpr std::size_t most_results = std::size_t(1) << 13; // some 500 kB
+
+  static bool is_of_input(const Side_version& from, const Side_version& to)
+  {
+    return from.version == 0 && to.version == 0;
+  }
+
+  static Wedge wedge(const Side_version& from, const Side_version& to)
+  {
+    return {from.halfedge.idx(), from.version, to.halfedge.idx(), to.version};
+  }
+
+  Results m_of_input, m_of_flips;
+};
+
+/*
+ * The results that a triangulation keeps of predicates after filter failures. The const members can be called by
+ * several threads simultaneously.
+ */
+class Remembered_decisions
+{
+public:
+  Decision_statistics statistics() const
+  {
+    const std::lock_guard<Short_lock> guard(m_lock);
+    return m_statistics;
+  }
+
+  void add(const Decision_statistics& statistics) const
+  {
+    const std::lock_guard<Short_lock> guard(m_lock);
+    m_statistics += statistics;
+  }
+
+  /*
+   * Returns the comparison of the wedge clockwise from one edge to another with pi, computed by `compare(statistics)`
+   * if unknown. No lock is held during that computation.
+   */
+  template <class Compare>
+  Comparison_result compare(const Side_version& from, const Side_version& to, const Compare& compare) const
+  {
+    {
+      const std::lock_guard<Short_lock> guard(m_lock);
+      if(const Comparison_result* known = m_compared_wedges.find(from, to)) {
+        ++m_statistics.by_memory;
+        return *known;
+      }
+    }
+    Decision_statistics statistics;
+    const Comparison_result result = compare(statistics);
+    const std::lock_guard<Short_lock> guard(m_lock);
+    m_compared_wedges.insert(from, to, result);
+    m_statistics += statistics;
+    return result;
+  }
+
+  /* Returns the results for flat edges of an input. */
+  Flat_edges& flat_edges(std::size_t number_of_input_edges) const
+  {
+    const std::lock_guard<Short_lock> guard(m_lock);
+    if(m_flat_edges.size() == 0)
+      m_flat_edges = Flat_edges(number_of_input_edges);
+    return m_flat_edges;
+  }
+
+  /* Must be called after flips were rolled back. */
+  void forget_flips() { m_compared_wedges.forget_flips(); }
+
+private:
+  mutable Compared_wedges m_compared_wedges;
+  mutable Flat_edges m_flat_edges;
+  mutable Decision_statistics m_statistics;
+  mutable Short_lock m_lock;
 };
 
 } // namespace internal

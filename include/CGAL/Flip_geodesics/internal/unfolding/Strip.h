@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <CGAL/Uncertain.h>
@@ -984,6 +985,124 @@ private:
   Integer m_numerator, m_denominator, m_radicand;
   Double_double m_face_length;
   double m_error;
+};
+
+/* Constructs chains for edge sequences and for fans of input corners. */
+template <class Triangulation>
+class Unfolding_chains
+{
+  using Kind = Unfolding_step::Kind;
+  using Weights = std::array<Integer, 3>;
+
+public:
+  explicit Unfolding_chains(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+    , m_faces(triangulation)
+  {
+  }
+
+  /* Returns the head of an edge sequence relative to its tail. */
+  Unfolding_chain head(const Edge_sequence& sequence, bool is_conjugate) const
+  {
+    Unfolding_chain result;
+    if(sequence.along == null_index && sequence.crossed.empty())
+      result = inside_face(sequence);
+    else if(sequence.along == null_index && m_triangulation.is_inserted(sequence.head))
+      result = point_in_face(sequence, sequence.crossed.size(), weights(sequence.head, sequence.last_face()));
+    else
+      result = portal(sequence, sequence.crossed.size(), false);
+    result.is_conjugate = is_conjugate;
+    return result;
+  }
+
+  /* Returns an end of the crossed edge with the given number; after the last one, the apex of the last face. */
+  Unfolding_chain portal(const Edge_sequence& sequence, std::size_t number, bool is_left) const
+  {
+    Unfolding_chain result;
+    if(sequence.along == null_index)
+      result = start(sequence);
+    for(std::size_t i = 0; i < number && sequence.along == null_index; ++i)
+      result.steps.push_back(step_across(m_triangulation.input(), m_faces, sequence.crossed, i));
+    result.reads_left = is_left;
+    return result;
+  }
+
+  /*
+   * Returns a point of the face between portals gap - 1 and gap, by weights relative to the halfedge across which the
+   * face is left, or entered if it is the last.
+   */
+  Unfolding_chain point(const Edge_sequence& sequence, std::size_t gap, const std::array<double, 3>& w) const
+  {
+    const Weights n = integer_weights(w);
+    if(gap == sequence.crossed.size())
+      return point_in_face(sequence, gap, n);
+    const Input_halfedge_index reference = sequence.crossed[gap];
+    if(gap > 0)
+      return point_in_face(sequence, gap, turned(n, reference, twin_index(sequence.crossed[gap - 1])));
+    const Input_halfedge_index h = tail_anchor(m_triangulation, sequence);
+    const Weights v = turned(n, reference, h), from = weights(sequence.tail, h);
+    Weights sum = {0, 0, 0};
+    for(int i = 0; i < 3; ++i) {
+      const Weights corner = corner_from_point(from, i);
+      for(int k = 0; k < 3; ++k)
+        sum[k] += v[i] * corner[k];
+    }
+    return chain_in_face(face(h), sum);
+  }
+
+  /* Returns the rotation over `count` input corners clockwise from input halfedge h. */
+  Unfolding_chain corners(Input_halfedge_index h, Index count) const
+  {
+    Unfolding_chain result;
+    for_each_corner_clockwise(m_triangulation.input(), h, count, [&](Input_halfedge_index t) {
+      result.steps.push_back({Kind::CORNER, &face(t)}); // from next(t) to -t: -conj(q) up to a positive factor
+    });
+    return result;
+  }
+
+private:
+  const Exact_face& face(Input_halfedge_index h) const { return m_faces(h); }
+
+  Weights weights(Vertex_index v, Input_halfedge_index h) const
+  {
+    return integer_weights(vertex_weights(m_triangulation, v, h));
+  }
+
+  // Converts weights of a face's corners from one reference halfedge to another.
+  Weights turned(const Weights& w, Input_halfedge_index from, Input_halfedge_index to) const
+  {
+    const int shift = side_number(m_triangulation.input(), from, to);
+    return {w[shift], w[(shift + 1) % 3], w[(shift + 2) % 3]};
+  }
+
+  Unfolding_chain start(const Edge_sequence& sequence) const
+  {
+    const Input_halfedge_index h = tail_anchor(m_triangulation, sequence), first = sequence.crossed.front();
+    const Weights w = m_triangulation.is_inserted(sequence.tail) ? weights(sequence.tail, h) : Weights{1, 0, 0};
+    return chain_to_side(face(h), w, side_number(m_triangulation.input(), h, first));
+  }
+
+  // The vector between two points of one face.
+  Unfolding_chain inside_face(const Edge_sequence& sequence) const
+  {
+    const Input_halfedge_index h = tail_anchor(m_triangulation, sequence);
+    const Weights from = weights(sequence.tail, h), to = weights(sequence.head, h);
+    const Integer from_sum = from[0] + from[1] + from[2], to_sum = to[0] + to[1] + to[2];
+    return chain_in_face(face(h), {Integer(to[1] * from_sum - from[1] * to_sum), Integer(0),
+                                   Integer(from[2] * to_sum - to[2] * from_sum)});
+  }
+
+  // By weights relative to the halfedge across which the face is entered.
+  Unfolding_chain point_in_face(const Edge_sequence& sequence, std::size_t gap, const Weights& w) const
+  {
+    Unfolding_chain result = portal(sequence, gap, false);
+    result.steps.back().kind = Kind::POINT;
+    result.weights = w;
+    return result;
+  }
+
+  const Triangulation& m_triangulation;
+  Exact_input_faces<Triangulation> m_faces;
 };
 
 } // namespace internal
