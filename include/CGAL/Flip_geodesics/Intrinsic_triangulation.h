@@ -30,6 +30,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -41,6 +42,21 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* Returns whether the face on the left of h closes and, if the twin's face is known, both sides agree in length and
+ * vertices. */
+template <class Triangulation>
+bool is_valid_halfedge(const Triangulation& triangulation, Halfedge_index h, double tolerance, bool is_twin_known)
+{
+  const Halfedge_index t = Triangulation::twin(h), hn = triangulation.next(h), hp = triangulation.next(hn);
+  if(triangulation.next(hp) != h || (is_twin_known && triangulation.tail(t) != triangulation.tail(hn)))
+    return false;
+  const double a = triangulation.length(h), b = triangulation.length(hn), c = triangulation.length(hp);
+  const double scale = tolerance * (std::max)({a, b, c});
+  if(a > b + c + scale)
+    return false;
+  return !is_twin_known || triangulation.is_border(t) || std::abs(a - triangulation.length(t)) <= scale;
+}
 
 /*
  * A halfedge of a triangulation, represented by its position in the storage of the triangulation. Walks use it to avoid

@@ -374,6 +374,53 @@ std::vector<Input_halfedge_index> faces_of_location(const Input_mesh& input, con
   return result;
 }
 
+/*
+ * Thrown if the edge sequence of an edge does not lead to its end. Refinement and the reader of networks catch this,
+ * since they undo the flips and continue without the point. It is detected in the innermost loops of flips, insertions
+ * and predicates, whose results are edge sequences, positions and signs; their other callers cannot undo anything.
+ */
+[[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
+{
+  throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face.idx()) +
+                            " were wrong because of rounding errors",
+                        {static_cast<std::size_t>(face.idx())});
+}
+
+/* Returns the side of an input face, given by any of its halfedges, on which a point of an edge lies; for an interior
+ * point, its halfedge. */
+template <class Input_mesh>
+Input_halfedge_index location_anchor(const Input_mesh& input, const Surface_location& location,
+                                     Input_halfedge_index face)
+{
+  if(kind(location) == Location_kind::FACE)
+    return location.halfedge;
+  for(Input_halfedge_index h : {face, input.next(face), input.next(input.next(face))})
+    if(are_of_one_edge(h, location.halfedge))
+      return h;
+  throw_wrong_flips(location.halfedge);
+}
+
+/* Returns the number of a side of the face of h, counted from h. */
+template <class Input_mesh>
+int side_number(const Input_mesh& input, Input_halfedge_index h, Input_halfedge_index side)
+{
+  return side == h ? 0 : (side == input.next(h) ? 1 : 2);
+}
+
+/* Returns the weights of a canonical surface point, on an edge or in the interior, in the face of h, relative to h. */
+template <class Input_mesh>
+std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_location& location, Input_halfedge_index h)
+{
+  const Input_halfedge_index side = location_anchor(input, location, h);
+  const int i = side_number(input, h, side);
+  const bool is_along = location.halfedge == side;
+  std::array<double, 3> result;
+  result[i] = location.weights[is_along ? 0 : 1];
+  result[(i + 1) % 3] = location.weights[is_along ? 1 : 0];
+  result[(i + 2) % 3] = location.weights[2];
+  return result;
+}
+
 /* Returns an input face that contains two canonical locations, or null_index if they have no common face. */
 template <class Input_mesh>
 Input_halfedge_index common_face(const Input_mesh& input, const Surface_location& p, const Surface_location& q)

@@ -4,6 +4,7 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>

@@ -5,11 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -29,32 +27,6 @@ inline Input_halfedge_index face_of_gap(const Edge_sequence& sequence, std::size
   if(sequence.along != null_index)
     return sequence.along;
   return gap < sequence.crossed.size() ? sequence.crossed[gap] : sequence.last_face();
-}
-
-/*
- * Thrown if the edge sequence of an edge does not lead to its end. Refinement and the reader of networks catch this,
- * since they undo the flips and continue without the point. It is detected in the innermost loops of flips, insertions
- * and predicates, whose results are edge sequences, positions and signs; their other callers cannot undo anything.
- */
-[[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
-{
-  throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face.idx()) +
-                            " were wrong because of rounding errors",
-                        {static_cast<std::size_t>(face.idx())});
-}
-
-/* Returns the side of an input face, given by any of its halfedges, on which a point of an edge lies; for an interior
- * point, its halfedge. */
-template <class Input_mesh>
-Input_halfedge_index location_anchor(const Input_mesh& input, const Surface_location& location,
-                                     Input_halfedge_index face)
-{
-  if(kind(location) == Location_kind::FACE)
-    return location.halfedge;
-  for(Input_halfedge_index h : {face, input.next(face), input.next(input.next(face))})
-    if(are_of_one_edge(h, location.halfedge))
-      return h;
-  throw_wrong_flips(location.halfedge);
 }
 
 /*
@@ -161,27 +133,6 @@ template <class Triangulation>
 Input_halfedge_index head_anchor(const Triangulation& triangulation, const Edge_sequence& sequence)
 {
   return head_anchor(triangulation, head_end(sequence));
-}
-
-/* Returns the number of a side of the face of h, counted from h. */
-template <class Input_mesh>
-int side_number(const Input_mesh& input, Input_halfedge_index h, Input_halfedge_index side)
-{
-  return side == h ? 0 : (side == input.next(h) ? 1 : 2);
-}
-
-/* Returns the weights of a canonical surface point, on an edge or in the interior, in the face of h, relative to h. */
-template <class Input_mesh>
-std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_location& location, Input_halfedge_index h)
-{
-  const Input_halfedge_index side = location_anchor(input, location, h);
-  const int i = side_number(input, h, side);
-  const bool is_along = location.halfedge == side;
-  std::array<double, 3> result;
-  result[i] = location.weights[is_along ? 0 : 1];
-  result[(i + 1) % 3] = location.weights[is_along ? 1 : 0];
-  result[(i + 2) % 3] = location.weights[2];
-  return result;
 }
 
 /* Returns the weights of a vertex in the face of h, relative to h. */

@@ -13,7 +13,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -60,21 +59,6 @@ bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh
 {
   const std::size_t end = mesh.number_of_faces() + mesh.number_of_removed_faces();
   return static_cast<std::size_t>(f) < end && !mesh.is_removed(f);
-}
-
-/* Returns whether the face on the left of h closes and, if the twin's face is known, both sides agree in length and
- * vertices. */
-template <class Triangulation>
-bool is_valid_halfedge(const Triangulation& triangulation, Halfedge_index h, double tolerance, bool is_twin_known)
-{
-  const Halfedge_index t = Triangulation::twin(h), hn = triangulation.next(h), hp = triangulation.next(hn);
-  if(triangulation.next(hp) != h || (is_twin_known && triangulation.tail(t) != triangulation.tail(hn)))
-    return false;
-  const double a = triangulation.length(h), b = triangulation.length(hn), c = triangulation.length(hp);
-  const double scale = tolerance * (std::max)({a, b, c});
-  if(a > b + c + scale)
-    return false;
-  return !is_twin_known || triangulation.is_border(t) || std::abs(a - triangulation.length(t)) <= scale;
 }
 
 /*
