@@ -10,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -43,108 +41,6 @@ inline double well_rounded_length(const Plane_vector& v)
 {
   return sqrt(exact_product(v.real(), v.real()) + exact_product(v.imag(), v.imag())).high;
 }
-
-/* The ends of a portal, as seen along the path. */
-enum Portal_side : std::size_t { LEFT_END, RIGHT_END };
-
-/* An edge crossed by a path, in the plane: its end that is not an end of the previous portal. The first portal has its
- * right end at the origin and stores the left one. */
-struct Portal
-{
-  Plane_vector end;
-  Portal_side side;
-};
-
-/*
- * The shortest path in a sleeve of unfolded faces, by a funnel that restarts at each bend [LP84]. The portals are the
- * edges that the path crosses between its two ends, neither of which is an end of a portal.
- */
-class Funnel
-{
-public:
-  /* A vertex at which the path bends: an end of portals `first` to `last`. */
-  struct Bend
-  {
-    std::size_t first, last;
-    Portal_side side;
-    Plane_vector position;
-  };
-
-  void pull(const std::vector<Portal>& portals, const Plane_vector& source, const Plane_vector& target)
-  {
-    m_bends.clear();
-    Plane_vector apex = source;
-    std::size_t start = 0;
-    while(find_bend(portals, apex, start, target)) {
-      apex = m_bends.back().position;
-      start = m_bends.back().last + 1;
-    }
-  }
-
-  /* Returns an end of portal i. */
-  static Plane_vector end(const std::vector<Portal>& portals, std::size_t i, Portal_side side)
-  {
-    for(; portals[i].side != side; --i)
-      if(i == 0)
-        return 0;
-    return portals[i].end;
-  }
-
-  const std::vector<Bend>& bends() const { return m_bends; }
-
-private:
-  // The region visible from the apex through the portals so far lies between the directions to `left` and `right`.
-  struct View
-  {
-    Plane_vector left, right;
-    std::size_t left_portal, right_portal;
-  };
-
-  // Most portals do not change the view, which is computed without a branch on their side, since the sides follow no
-  // predictable pattern.
-  bool find_bend(const std::vector<Portal>& portals, const Plane_vector& apex, std::size_t start,
-                 const Plane_vector& target)
-  {
-    if(start >= portals.size())
-      return false;
-    View view = {end(portals, start, LEFT_END) - apex, end(portals, start, RIGHT_END) - apex, start, start};
-    for(std::size_t i = start + 1; i < portals.size(); ++i) {
-      const double x = portals[i].end.real() - apex.real(), y = portals[i].end.imag() - apex.imag();
-      const double to_left = unfused(view.right.real() * y) - unfused(view.right.imag() * x);
-      const double to_right = unfused(x * view.left.imag()) - unfused(y * view.left.real());
-      const Portal_side side = portals[i].side;
-      if(std::array<double, 2>{to_right, to_left}[side] < 0) // by LEFT_END, RIGHT_END
-        continue;
-      if(side == RIGHT_END) {
-        if(to_right < 0)
-          return add_bend(portals, view.left_portal, LEFT_END);
-        view.right = {x, y};
-        view.right_portal = i;
-      } else {
-        if(to_left < 0)
-          return add_bend(portals, view.right_portal, RIGHT_END);
-        view.left = {x, y};
-        view.left_portal = i;
-      }
-    }
-    if(cross(view.right, target - apex) < 0)
-      return add_bend(portals, view.right_portal, RIGHT_END);
-    return cross(view.left, target - apex) > 0 && add_bend(portals, view.left_portal, LEFT_END);
-  }
-
-  bool add_bend(const std::vector<Portal>& portals, std::size_t portal, Portal_side side)
-  {
-    std::size_t first = portal, last = portal;
-    while(first > 0 && portals[first].side != side)
-      --first;
-    while(last + 1 < portals.size() && portals[last + 1].side != side)
-      ++last;
-    m_bends.push_back({first, last, side, end(portals, portal, side)});
-    return true;
-  }
-
-  std::vector<Bend> m_bends;
-};
 
 /*
  * The area and the shape of a triangle given by its lengths, in doubles; side i leads from corner i to corner i + 1.
