@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <type_traits>
 
 namespace CGAL {
@@ -101,13 +100,19 @@ public:
  */
 template <class K>
 class Intrinsic_triangulation_traits<K, double>
+#ifndef DOXYGEN_RUNNING
+  : public internal::Double_face_traits<K>
+#endif
 {
+  using Base = internal::Double_face_traits<K>;
+
 public:
   using FT = double; ///< the type to which squared lengths are rounded
   /// Vectors drift with flips, so predicates can be wrong, and finished curves must be checked.
   using Has_drift = Tag_true;
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
 
+#ifdef DOXYGEN_RUNNING
   /// Stores the vector of a halfedge in the frame of its face.
   struct Halfedge_geometry
   {
@@ -117,6 +122,46 @@ public:
 
   /// The geometry of a face, one vector per halfedge, in the order of the face.
   using Face_geometry = std::array<Halfedge_geometry, 3>;
+
+  /*!
+   * Lays out a face given by its three points. Each vector is computed from its own differences and dot products, since
+   * closing the triangle instead would lose the small angles of needles.
+   */
+  class Construct_face_3
+  {
+  public:
+    /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
+    Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const;
+    /// Returns the face whose halfedges have the vectors `e` in space.
+    Face_geometry operator()(const std::array<std::array<double, 3>, 3>& e) const;
+  };
+
+  /*!
+   * Lays out a face given by the lengths of its edges.
+   * \pre the triangle inequality holds, as checked by `Edge_length_metric`
+   */
+  class Construct_face_from_lengths
+  {
+  public:
+    /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
+    Face_geometry operator()(double a, double b, double c) const;
+    /// Returns the face whose halfedges have the exact squared lengths `squares[i] / denominator`. Each coordinate is
+    /// computed exactly and then rounded. \tparam Integer see `IntrinsicTriangulationTraits`
+    template <class Integer>
+    Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const;
+  };
+
+  /// Lays out a face given by the vectors of its halfedges in one frame, as pairs x, y, and their relative error.
+  class Construct_face_2
+  {
+  public:
+    /// Returns the face whose halfedges have the vectors `v`; the error is not stored.
+    Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const;
+  };
+#else
+  using typename Base::Face_geometry;
+  using typename Base::Halfedge_geometry;
+#endif
 
   /// Stores the rotation over a fan of corners, a complex number of any magnitude, whose angle is meaningful only up to
   /// \f$\pi\f$.
@@ -138,118 +183,6 @@ public:
 
   /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-9.
   static constexpr double angle_tolerance() { return internal::straight_angle_tolerance; }
-
-  /*!
-   * Lays out a face given by its three points. Each vector is computed from its own differences and dot products, since
-   * closing the triangle instead would lose the small angles of needles.
-   */
-  class Construct_face_3
-  {
-  public:
-    /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
-    Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
-    {
-      return operator()(internal::rounded_sides(p, q, r));
-    }
-
-    /// Returns the face whose halfedges have the vectors `e` in space.
-    Face_geometry operator()(const std::array<std::array<double, 3>, 3>& e) const
-    {
-      const double base = std::sqrt(dot(e[0], e[0]));
-      const double height = doubled_area(e) / base;
-      return {{{base, 0}, {dot(e[0], e[1]) / base, height}, {dot(e[0], e[2]) / base, -height}}};
-    }
-
-  private:
-    using Vector_3 = std::array<double, 3>;
-
-    static double dot(const Vector_3& u, const Vector_3& v)
-    {
-      return internal::unfused(u[0] * v[0]) + internal::unfused(u[1] * v[1]) + internal::unfused(u[2] * v[2]);
-    }
-
-    // Uses the two shortest edges, which minimizes cancellation.
-    static double doubled_area(const std::array<Vector_3, 3>& e)
-    {
-      const std::array<double, 3> l = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
-      const int longest = static_cast<int>((std::max_element)(l.begin(), l.end()) - l.begin());
-      const Vector_3& u = e[(longest + 1) % 3];
-      const Vector_3& v = e[(longest + 2) % 3];
-      const auto entry = [&](int i, int j) { return internal::unfused(u[i] * v[j]) - internal::unfused(u[j] * v[i]); };
-      const Vector_3 n = {entry(1, 2), entry(2, 0), entry(0, 1)};
-      return std::sqrt(dot(n, n));
-    }
-  };
-
-  /*!
-   * Lays out a face given by the lengths of its edges.
-   * \pre the triangle inequality holds, as checked by `Edge_length_metric`
-   */
-  class Construct_face_from_lengths
-  {
-  public:
-    /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
-    Face_geometry operator()(double a, double b, double c) const
-    {
-      const std::array<double, 3> length = {a, b, c};
-      const int first = static_cast<int>((std::max_element)(length.begin(), length.end()) - length.begin());
-      Face_geometry face = on_longest(length[first], length[(first + 1) % 3], length[(first + 2) % 3]);
-      std::rotate(face.begin(), face.begin() + (3 - first) % 3, face.end());
-      return turned_to_first(face, a);
-    }
-
-    /// Returns the face whose halfedges have the exact squared lengths `squares[i] / denominator`. Each coordinate is
-    /// computed exactly and then rounded. \tparam Integer see `IntrinsicTriangulationTraits`
-    template <class Integer>
-    Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const
-    {
-      const internal::Squared_lengths lengths = {squares, denominator};
-      const double base = lengths.length(0).high, height = lengths.doubled_area().high / base;
-      return {{{base, 0}, {lengths.dot(0).high / base, height}, {lengths.dot(2).high / base, -height}}};
-    }
-
-  private:
-    // On the longest edge, all three vectors are accurate relative to their own lengths.
-    static Face_geometry on_longest(double a, double b, double c)
-    {
-      const double height = doubled_area(a, b, c) / a;
-      return {{{a, 0},
-               {(internal::unfused((c - a) * (c + a)) - internal::unfused(b * b)) / (2 * a), height},
-               {(internal::unfused((b - a) * (b + a)) - internal::unfused(c * c)) / (2 * a), -height}}};
-    }
-
-    static Face_geometry turned_to_first(const Face_geometry& face, double length)
-    {
-      const double x = face[0].x / length, y = -face[0].y / length;
-      const auto turned = [x, y](const Halfedge_geometry& v) {
-        return Halfedge_geometry{internal::unfused(v.x * x) - internal::unfused(v.y * y),
-                                 internal::unfused(v.x * y) + internal::unfused(v.y * x)};
-      };
-      return {{{length, 0}, turned(face[1]), turned(face[2])}};
-    }
-
-    // Heron's formula in the order that is accurate for needles [K14]; a negative product results from rounding errors
-    // in a degenerate triangle.
-    static double doubled_area(double a, double b, double c)
-    {
-      std::array<double, 3> l = {a, b, c};
-      std::sort(l.begin(), l.end(), std::greater<double>());
-      const double product =
-          (l[0] + (l[1] + l[2])) * (l[2] - (l[0] - l[1])) * (l[2] + (l[0] - l[1])) * (l[0] + (l[1] - l[2]));
-      return product > 0 ? std::sqrt(product) / 2 : 0;
-    }
-  };
-
-  /// Lays out a face given by the vectors of its halfedges in one frame, as pairs x, y, and their relative error.
-  class Construct_face_2
-  {
-  public:
-    /// Returns the face whose halfedges have the vectors `v`; the error is not stored.
-    Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double /* error */) const
-    {
-      return {{{v[0][0], v[0][1]}, {v[1][0], v[1][1]}, {v[2][0], v[2][1]}}};
-    }
-  };
 
   /*!
    * Adds the corner between two consecutive halfedges of a face, `in` and `out`, to a turn; `opposite` is the third
@@ -420,17 +353,19 @@ public:
     }
   };
 
-  Construct_face_3 construct_face_3_object() const { return {}; }                       ///< a functor of this type
-  Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; } ///< a functor of this type
-  Construct_face_2 construct_face_2_object() const { return {}; }                       ///< a functor of this type
-  Extend_turn extend_turn_object() const { return {}; }                                 ///< a functor of this type
-  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }   ///< a functor of this type
-  Turn_key turn_key_object() const { return {}; }                                       ///< a functor of this type
-  Flip flip_object() const { return {}; }                                               ///< a functor of this type
-  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }                 ///< a functor of this type
-  Is_inaccurate is_inaccurate_object() const { return {}; }                             ///< a functor of this type
-  Compute_squared_length compute_squared_length_object() const { return {}; }           ///< a functor of this type
-  Compute_length compute_length_object() const { return {}; }                           ///< a functor of this type
+#ifdef DOXYGEN_RUNNING
+  Construct_face_3 construct_face_3_object() const;                       ///< a functor of this type
+  Construct_face_from_lengths construct_face_from_lengths_object() const; ///< a functor of this type
+  Construct_face_2 construct_face_2_object() const;                       ///< a functor of this type
+#endif
+  Extend_turn extend_turn_object() const { return {}; }                               ///< a functor of this type
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; } ///< a functor of this type
+  Turn_key turn_key_object() const { return {}; }                                     ///< a functor of this type
+  Flip flip_object() const { return {}; }                                             ///< a functor of this type
+  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }               ///< a functor of this type
+  Is_inaccurate is_inaccurate_object() const { return {}; }                           ///< a functor of this type
+  Compute_squared_length compute_squared_length_object() const { return {}; }         ///< a functor of this type
+  Compute_length compute_length_object() const { return {}; }                         ///< a functor of this type
 };
 
 } // namespace Flip_geodesics

@@ -444,9 +444,9 @@ private:
   // Returns the vectors of h, next(h), previous(h) in the triangulation, rotated so that h lies along the given vector.
   Face_vectors face_along(Halfedge_index h, const Vector& along) const
   {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel, double>;
+    using Traits = Double_face_traits<typename Triangulation::Metric::Kernel>;
     const Halfedge_index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
-    const auto face = Double_traits().construct_face_from_lengths_object()(
+    const auto face = Traits().construct_face_from_lengths_object()(
         m_triangulation.length(h), m_triangulation.length(hn), m_triangulation.length(hp));
     return turned_along(face, along);
   }

@@ -250,8 +250,8 @@ private:
   // The angle of a face between its first edge and its last one, from their lengths.
   static double corner(double first, double opposite, double last)
   {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel, double>;
-    const auto face = Double_traits().construct_face_from_lengths_object()(first, opposite, last);
+    using Traits = Double_face_traits<typename Triangulation::Metric::Kernel>;
+    const auto face = Traits().construct_face_from_lengths_object()(first, opposite, last);
     return std::atan2(-face[2].y, -face[2].x);
   }
 

@@ -4,20 +4,24 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CHECKS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/surface/point_coordinates.h>
 
 #include <CGAL/enum.h>
 
 #include <boost/config.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -323,6 +327,125 @@ inline void check_vertex(Vertex_index v, Index number_of_vertices, std::size_t p
                               {position});
 }
 
+/* Lays out faces in doubles: the part of `Intrinsic_triangulation_traits<K, double>` that metrics require. */
+template <class K>
+struct Double_face_traits
+{
+  using Point_3 = typename K::Point_3;
+
+  struct Halfedge_geometry
+  {
+    double x, y;
+  };
+  using Face_geometry = std::array<Halfedge_geometry, 3>;
+
+  /* Lays out a face given by its three points. Each vector is computed from its own differences and dot products, since
+   * closing the triangle instead would lose the small angles of needles. */
+  class Construct_face_3
+  {
+  public:
+    Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
+    {
+      return operator()(rounded_sides(p, q, r));
+    }
+
+    /* By the vectors of the halfedges in space. */
+    Face_geometry operator()(const std::array<std::array<double, 3>, 3>& e) const
+    {
+      const double base = std::sqrt(dot(e[0], e[0]));
+      const double height = doubled_area(e) / base;
+      return {{{base, 0}, {dot(e[0], e[1]) / base, height}, {dot(e[0], e[2]) / base, -height}}};
+    }
+
+  private:
+    using Vector_3 = std::array<double, 3>;
+
+    static double dot(const Vector_3& u, const Vector_3& v)
+    {
+      return unfused(u[0] * v[0]) + unfused(u[1] * v[1]) + unfused(u[2] * v[2]);
+    }
+
+    // Uses the two shortest edges, which minimizes cancellation.
+    static double doubled_area(const std::array<Vector_3, 3>& e)
+    {
+      const std::array<double, 3> l = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
+      const int longest = static_cast<int>((std::max_element)(l.begin(), l.end()) - l.begin());
+      const Vector_3& u = e[(longest + 1) % 3];
+      const Vector_3& v = e[(longest + 2) % 3];
+      const auto entry = [&](int i, int j) { return unfused(u[i] * v[j]) - unfused(u[j] * v[i]); };
+      const Vector_3 n = {entry(1, 2), entry(2, 0), entry(0, 1)};
+      return std::sqrt(dot(n, n));
+    }
+  };
+
+  /* Lays out a face given by the lengths of its edges. \pre the triangle inequality holds */
+  class Construct_face_from_lengths
+  {
+  public:
+    Face_geometry operator()(double a, double b, double c) const
+    {
+      const std::array<double, 3> length = {a, b, c};
+      const int first = static_cast<int>((std::max_element)(length.begin(), length.end()) - length.begin());
+      Face_geometry face = on_longest(length[first], length[(first + 1) % 3], length[(first + 2) % 3]);
+      std::rotate(face.begin(), face.begin() + (3 - first) % 3, face.end());
+      return turned_to_first(face, a);
+    }
+
+    /* By the exact squared lengths `squares[i] / denominator`. Each coordinate is computed exactly and then rounded. */
+    template <class Integer>
+    Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const
+    {
+      const Squared_lengths lengths = {squares, denominator};
+      const double base = lengths.length(0).high, height = lengths.doubled_area().high / base;
+      return {{{base, 0}, {lengths.dot(0).high / base, height}, {lengths.dot(2).high / base, -height}}};
+    }
+
+  private:
+    // On the longest edge, all three vectors are accurate relative to their own lengths.
+    static Face_geometry on_longest(double a, double b, double c)
+    {
+      const double height = doubled_area(a, b, c) / a;
+      return {{{a, 0},
+               {(unfused((c - a) * (c + a)) - unfused(b * b)) / (2 * a), height},
+               {(unfused((b - a) * (b + a)) - unfused(c * c)) / (2 * a), -height}}};
+    }
+
+    static Face_geometry turned_to_first(const Face_geometry& face, double length)
+    {
+      const double x = face[0].x / length, y = -face[0].y / length;
+      const auto turned = [x, y](const Halfedge_geometry& v) {
+        return Halfedge_geometry{unfused(v.x * x) - unfused(v.y * y), unfused(v.x * y) + unfused(v.y * x)};
+      };
+      return {{{length, 0}, turned(face[1]), turned(face[2])}};
+    }
+
+    // Heron's formula in the order that is accurate for needles [K14]; a negative product results from rounding errors
+    // in a degenerate triangle.
+    static double doubled_area(double a, double b, double c)
+    {
+      std::array<double, 3> l = {a, b, c};
+      std::sort(l.begin(), l.end(), std::greater<double>());
+      const double product =
+          (l[0] + (l[1] + l[2])) * (l[2] - (l[0] - l[1])) * (l[2] + (l[0] - l[1])) * (l[0] + (l[1] - l[2]));
+      return product > 0 ? std::sqrt(product) / 2 : 0;
+    }
+  };
+
+  /* Lays out a face given by the vectors of its halfedges in one frame. */
+  class Construct_face_2
+  {
+  public:
+    Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double /* error */) const
+    {
+      return {{{v[0][0], v[0][1]}, {v[1][0], v[1][1]}, {v[2][0], v[2][1]}}};
+    }
+  };
+
+  Construct_face_3 construct_face_3_object() const { return {}; }
+  Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; }
+  Construct_face_2 construct_face_2_object() const { return {}; }
+};
+
 /* Returns the vectors of the input face on the left of h, starting with h, in the numbers of some traits; the face must
  * be a triangle. */
 template <class Triangulation, class Traits>
@@ -336,8 +459,8 @@ auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_inde
 template <class Triangulation>
 auto known_input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h)
 {
-  using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel, double>;
-  return face_geometry(triangulation.metric(), triangulation.input(), h, Double_traits());
+  using Traits = Double_face_traits<typename Triangulation::Metric::Kernel>;
+  return face_geometry(triangulation.metric(), triangulation.input(), h, Traits());
 }
 
 /* Returns the vectors in doubles of any face, which must be a triangle. */
