@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_INTEGER_H
 
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Fraction_traits.h>
@@ -104,11 +105,6 @@ inline Exact_face exact_face_from_lengths(const std::array<double, 3>& lengths)
   const auto [a, b, c] = to_integers(lengths);
   return exact_face_from_squares({a * a, b * b, c * c});
 }
-
-/* Whether every number of a type is a double. */
-template <class NT>
-inline constexpr bool is_within_double = std::is_arithmetic<NT>::value&& std::numeric_limits<NT>::radix == 2 &&
-                                         std::numeric_limits<NT>::digits <= std::numeric_limits<double>::digits;
 
 /* The ways of reading the exact value of a number. */
 enum class Rational_kind {

@@ -7,6 +7,8 @@
 #include <cfloat>
 #include <cmath>
 #include <complex>
+#include <limits>
+#include <type_traits>
 
 /* Proofs rely on bounds of rounding errors, on computed errors, and on infinity as the absence of a bound. */
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) ||                          \
@@ -57,6 +59,11 @@ inline bool are_finite(const std::array<double, 3>& coordinates)
 {
   return std::isfinite(coordinates[0]) && std::isfinite(coordinates[1]) && std::isfinite(coordinates[2]);
 }
+
+/* Whether every number of a type is a double. */
+template <class NT>
+inline constexpr bool is_within_double = std::is_arithmetic<NT>::value&& std::numeric_limits<NT>::radix == 2 &&
+                                         std::numeric_limits<NT>::digits <= std::numeric_limits<double>::digits;
 
 } // namespace internal
 } // namespace Flip_geodesics

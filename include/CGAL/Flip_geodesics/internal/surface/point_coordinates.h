@@ -6,10 +6,14 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +29,35 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* Returns the double to which a number rounds. */
+template <class NT>
+double imported_number(const NT& x)
+{
+  if constexpr(is_rational_number<NT>)
+    return rounded_number(x);
+  else
+    return CGAL::to_double(x);
+}
+
+/* Returns the double to which a lazy number rounds; `CGAL::to_double()` guarantees five digits only, and others depend
+ * on whether its exact value is known. */
+template <class ET>
+double imported_number(const Lazy_exact_nt<ET>& x)
+{
+  return x.approx().is_point() ? x.approx().inf() : imported_number(x.exact());
+}
+
+/* Returns whether a number changes when it is imported as a double. Uncertain cases, as for intervals, count as
+ * changed. */
+template <class NT>
+bool is_rounded_number(const NT& x)
+{
+  if constexpr(is_within_double<NT>)
+    return static_cast<void>(x), false;
+  else
+    return !CGAL::certainly(x == NT(imported_number(x)));
+}
 
 template <class Point>
 using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
