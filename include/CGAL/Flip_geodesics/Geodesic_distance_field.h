@@ -15,7 +15,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -8,7 +8,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -22,7 +22,6 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Named_function_parameters.h>

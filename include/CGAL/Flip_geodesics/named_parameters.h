@@ -3,15 +3,18 @@
 #ifndef CGAL_FLIP_GEODESICS_NAMED_PARAMETERS_H
 #define CGAL_FLIP_GEODESICS_NAMED_PARAMETERS_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -19,6 +22,68 @@
 namespace CGAL {
 
 namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsStop
+ *
+ * Implements a visitor that does nothing; derive from it and hide the members that you need.
+ *
+ * \cgalModels{FlipOutVisitor}
+ * \cgalModels{RefinementVisitor}
+ */
+struct Default_shortening_visitor
+{
+  /// Is called after the edge of halfedge `h` has been flipped, but not when the flips of a rejected step are rolled
+  /// back.
+  template <class Triangulation>
+  void on_flip(const Triangulation&, Halfedge_index /* h */)
+  {
+  }
+
+  /// Is called after a step, which has moved a joint of `curve` over its wedge.
+  template <class Network>
+  void after_flip_out(const Network&, Curve_index /* curve */)
+  {
+  }
+
+  /// Is called after `refine()` has inserted vertex `v`, with the flips around it.
+  template <class Triangulation>
+  void on_insertion(const Triangulation&, Vertex_index /* v */)
+  {
+  }
+
+  /// Is called before each step; shortening stops if the result is `false`.
+  bool go_further() { return true; }
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// Limits the number of windows that a search for shortest paths may create, each of about 60 bytes, and the number of
+/// edges along which rays may start from vertices. The search is aborted when either limit is exceeded.
+class Window_limit
+{
+public:
+  /// Sets the default limit, \f$10^6 + 500 n + 2 n^{3/2}\f$ for \f$n\f$ vertices, several times the number that meshes
+  /// without needles require. On smooth meshes, all distances from a vertex require up to about \f$0.7 n^{3/2}\f$
+  /// windows.
+  Window_limit() = default;
+
+  /// Sets an approximate maximal number of windows.
+  explicit Window_limit(std::size_t windows)
+    : m_windows(windows)
+  {
+  }
+
+  /// Returns the limit for a mesh with a given number of vertices.
+  std::size_t operator()(std::size_t number_of_vertices) const
+  {
+    const double n = static_cast<double>(number_of_vertices);
+    return m_windows.value_or(static_cast<std::size_t>(1000000 + 500 * n + 2 * n * std::sqrt(n)));
+  }
+
+private:
+  std::optional<std::size_t> m_windows;
+};
+
 namespace internal {
 
 enum Metric_parameter { metric_parameter };

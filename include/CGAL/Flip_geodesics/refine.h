@@ -9,7 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/assertions.h>
 

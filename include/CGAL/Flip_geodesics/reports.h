@@ -3,8 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_REPORTS_H
 #define CGAL_FLIP_GEODESICS_REPORTS_H
 
-#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -236,51 +234,6 @@ struct Shortening_report
     }
     return result;
   }
-};
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// Reports the search for a shortest path.
-struct Shortest_path_report
-{
-  Shortening_report shortening; ///< the report on the shortening of the path
-
-  double first_length = 0; ///< the length of the geodesic obtained from the initial edge path
-  double length = 0;       ///< the length of the result
-  /// A lower bound of the length of all paths, including rounding errors.
-  double lower_bound = 0;
-  std::size_t windows = 0;              ///< the number of windows of the search
-  Verdict verdict = Verdict::UNDECIDED; ///< the verdict on the claim that no path is shorter
-  /// Whether other paths are as short, up to 2^-42 of the length, which is about 2e-13. For a confirmed path, all of
-  /// these are found.
-  bool has_tie = false;
-
-  /// Returns whether the path is a geodesic.
-  Shortening_status status() const { return shortening.status(); }
-
-  /// Returns whether the path is confirmed to be shortest; an unconfirmed path may still be shortest.
-  bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }
-
-  /// Returns an upper bound of the difference between the length of the path and that of a shortest path.
-  double gap() const { return (std::max)(length - lower_bound, 0.0); }
-
-  /// Returns the relative difference from a shortest path that `WITHIN_TOLERANCE` allows: 1e-10.
-  static constexpr double tolerance() { return internal::confirmed_gap; }
-
-  /// Returns the relative difference from a shortest path that `WITHIN_ROUNDING` allows: 1e-12.
-  static constexpr double rounding_tolerance() { return internal::proven_gap; }
-};
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// Contains the result of `shortest_path()`: the end of the output, and a report on the path.
-template <class OutputIterator>
-struct Shortest_path_result
-{
-  OutputIterator out;          ///< the past-the-end iterator of the output
-  Shortest_path_report report; ///< the report on the path
-
-  double length() const { return report.length; }              ///< returns the length of the path
-  Shortening_status status() const { return report.status(); } ///< returns how the shortening ended
-  Verdict verdict() const { return report.verdict; } ///< returns the verdict on the claim that no path is shorter
 };
 
 } // namespace Flip_geodesics

@@ -13,7 +13,6 @@
 #include <CGAL/Flip_geodesics/internal/tangents/Transport_sleeve.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 

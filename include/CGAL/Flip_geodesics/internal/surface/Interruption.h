@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INTERRUPTION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INTERRUPTION_H
 
-#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
