@@ -4,10 +4,8 @@
 #define CGAL_FLIP_GEODESICS_CURVE_EDITOR_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Leg_mover.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>

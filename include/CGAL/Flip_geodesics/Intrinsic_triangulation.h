@@ -20,7 +20,6 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Kernel_traits.h>

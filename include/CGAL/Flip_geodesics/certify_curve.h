@@ -14,7 +14,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>

@@ -11,7 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
-#include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -6,7 +6,6 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Leg_drawer.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>

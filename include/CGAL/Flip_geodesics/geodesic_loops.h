@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_LOOPS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>

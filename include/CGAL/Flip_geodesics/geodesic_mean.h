@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_MEAN_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>

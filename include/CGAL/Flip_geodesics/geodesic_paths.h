@@ -3,10 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H
 #define CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H
 
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>

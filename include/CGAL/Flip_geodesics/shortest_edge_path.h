@@ -10,7 +10,6 @@
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

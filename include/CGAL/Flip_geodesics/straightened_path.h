@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_STRAIGHTENED_PATH_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Iterative_unfolding.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>

@@ -14,7 +14,6 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
-#include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
 

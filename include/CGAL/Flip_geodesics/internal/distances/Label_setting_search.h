@@ -8,7 +8,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
-#include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>
 

@@ -12,7 +12,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Input_faces.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <cmath>

@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Iterative_unfolding.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>

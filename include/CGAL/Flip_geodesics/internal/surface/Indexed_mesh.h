@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 
 #include <CGAL/boost/graph/properties.h>

@@ -4,8 +4,6 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_PLACE_FRAME_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/surface/Nearest_face.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 

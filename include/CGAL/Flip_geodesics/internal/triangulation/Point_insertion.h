@@ -15,7 +15,6 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
-#include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/assertions.h>

@@ -7,11 +7,8 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Multiquadratic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
-#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/Uncertain.h>

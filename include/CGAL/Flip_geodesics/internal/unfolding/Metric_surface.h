@@ -6,11 +6,8 @@
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 

@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRAIGHT_STRIP_H
 
 #include <CGAL/Flip_geodesics/internal/numbers/orientation.h>
-#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
