@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Zero_edge_contractor.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>

@@ -84,17 +84,6 @@ struct Polar_coordinates
 
 namespace internal {
 
-/*
- * An approximate position for a point to be inserted: the piece of an input face at a gap of the edge sequence of a
- * halfedge, as seen from the face of that halfedge.
- */
-struct Known_piece
-{
-  Halfedge_index halfedge; // an intrinsic halfedge
-  std::size_t gap;         // an index in its edge sequence: the piece before crossing `gap`, or the last one
-  std::size_t letters;     // the remaining budget of crossed edges for searches that start elsewhere
-};
-
 /* Returns whether halfedge `h` is a side of the face on the left of `f`. */
 template <class Input>
 bool is_side_of(const Input& input, Input_halfedge_index h, Input_halfedge_index f)

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -223,24 +222,6 @@ const Landmarks* landmarks_of(const NamedParameters& np)
     return &given.get();
   } else {
     return nullptr;
-  }
-}
-
-/*
- * Returns the greatest distance of points from the surface, which is infinite unless given. \throws
- * Invalid_parameter_error
- */
-template <class NamedParameters>
-double greatest_point_distance_of(const NamedParameters& np)
-{
-  if constexpr(is_given<NamedParameters, Point_distance_parameter>) {
-    const double distance = parameters::get_parameter(np, point_distance_parameter);
-    if(!(distance >= 0))
-      throw Invalid_parameter_error("greatest_point_distance is " + Flip_geodesics::internal::written(distance) +
-                                    ", but must not be negative");
-    return distance;
-  } else {
-    return static_cast<void>(np), std::numeric_limits<double>::infinity();
   }
 }
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -25,6 +26,23 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * Returns the greatest distance of points from the surface, which is infinite unless given. \throws
+ * Invalid_parameter_error
+ */
+template <class NamedParameters>
+double greatest_point_distance_of(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, Point_distance_parameter>) {
+    const double distance = parameters::get_parameter(np, point_distance_parameter);
+    if(!(distance >= 0))
+      throw Invalid_parameter_error("greatest_point_distance is " + written(distance) + ", but must not be negative");
+    return distance;
+  } else {
+    return static_cast<void>(np), std::numeric_limits<double>::infinity();
+  }
+}
 
 /* Given points as locations on the mesh, and the distances in space between the two. */
 struct Located_points

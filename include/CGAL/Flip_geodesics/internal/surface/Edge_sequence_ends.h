@@ -13,6 +13,17 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/*
+ * An approximate position for a point to be inserted: the piece of an input face at a gap of the edge sequence of a
+ * halfedge, as seen from the face of that halfedge.
+ */
+struct Known_piece
+{
+  Halfedge_index halfedge; // an intrinsic halfedge
+  std::size_t gap;         // an index in its edge sequence: the piece before crossing `gap`, or the last one
+  std::size_t letters;     // the remaining budget of crossed edges for searches that start elsewhere
+};
+
 /* Returns the kind of an intrinsic vertex on the input. */
 template <class Triangulation>
 Location_kind vertex_kind(const Triangulation& triangulation, Vertex_index v)

@@ -201,55 +201,6 @@ bool sine_in_plane(const Metric& metric, const Mesh& mesh, const Edge_sequence& 
     return false;
 }
 
-/* Metrics of the library's own use have public members for it. */
-template <class Metric>
-struct Internals_of_members
-{
-  static constexpr bool has_exact_faces = true;
-  static constexpr bool has_usable_faces = true;
-
-  template <class... Arguments>
-  static Exact_face exact_face(const Metric& metric, const Arguments&... arguments)
-  {
-    return metric.exact_face(arguments...);
-  }
-  template <class... Arguments>
-  static bool sine_in_plane(const Metric& metric, Arguments&... arguments)
-  {
-    return metric.sine_in_plane(arguments...);
-  }
-  template <class... Arguments>
-  static auto vector(const Metric& metric, const Arguments&... arguments)
-  {
-    return metric.vector(arguments...);
-  }
-  template <class... Arguments>
-  static bool is_usable_face(const Metric& metric, const Arguments&... arguments)
-  {
-    return metric.is_usable_face(arguments...);
-  }
-};
-
-/* The exact faces of metrics whose faces are defined by lengths in double. Lengths do not determine which faces lie in
- * one plane. */
-struct Internals_of_lengths
-{
-  static constexpr bool has_exact_faces = true;
-  static constexpr bool has_usable_faces = false;
-
-  template <class Metric, class Mesh>
-  static Exact_face exact_face(const Metric& metric, const Mesh& mesh, Input_halfedge_index h)
-  {
-    return exact_face_from_lengths(face_lengths(metric, mesh, h));
-  }
-
-  template <class... Arguments>
-  static bool sine_in_plane(Arguments&&...)
-  {
-    return false;
-  }
-};
-
 /* The message lists the vertices of the face on the left of h, the first of them if there are many. */
 template <class Input_mesh>
 [[noreturn]] BOOST_NOINLINE void throw_no_triangle(const Input_mesh& input, Input_halfedge_index h)

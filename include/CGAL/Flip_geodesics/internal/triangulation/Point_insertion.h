@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>

@@ -11,7 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>

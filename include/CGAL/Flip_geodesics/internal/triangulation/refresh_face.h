@@ -8,7 +8,6 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <CGAL/enum.h>
 

@@ -279,6 +279,72 @@ private:
   double m_error = 0;
 };
 
+/* Returns the number of corners clockwise from one outgoing halfedge of a vertex to another, all of them if the two are
+ * the same; -1 if the border intervenes. */
+template <class Input_mesh>
+Index number_of_corners_clockwise(const Input_mesh& input, Input_halfedge_index from, Input_halfedge_index to)
+{
+  Index result = 0;
+  Input_halfedge_index h = from;
+  do {
+    if(input.is_border(twin_index(h)))
+      return -1;
+    h = clockwise_of(input, h);
+    ++result;
+  } while(h != to);
+  return result;
+}
+
+/* Calls visit(t) for `number` corners clockwise from outgoing halfedge h of a vertex; t is the halfedge of the corner's
+ * face that ends at the vertex. */
+template <class Input_mesh, class Visit>
+void for_each_corner_clockwise(const Input_mesh& input, Input_halfedge_index h, Index number, const Visit& visit)
+{
+  for(Index i = 0; i < number; ++i) {
+    visit(twin_index(h));
+    h = clockwise_of(input, h);
+  }
+}
+
+/* A sum of angles between 0 and pi, given as complex numbers: their product, and the number of half turns lost in
+ * it. */
+class Angle_sum
+{
+public:
+  void add(const std::complex<double>& corner)
+  {
+    const double x = unfused(m_x * corner.real()) - unfused(m_y * corner.imag());
+    const double y = unfused(m_x * corner.imag()) + unfused(m_y * corner.real());
+    const double scale = 1 / (std::abs(x) + std::abs(y));
+    const bool is_past_straight = y < 0 || (y == 0 && x < 0);
+    m_half_turns += is_past_straight ? 1 : 0;
+    m_x = is_past_straight ? -x * scale : x * scale;
+    m_y = std::abs(y) * scale;
+  }
+
+  double value() const { return unfused(m_half_turns * boost::math::constants::pi<double>()) + std::atan2(m_y, m_x); }
+
+  /* Returns the rotation by the sum, scaled. */
+  std::complex<double> rotation() const
+  {
+    return m_half_turns % 2 == 0 ? std::complex<double>(m_x, m_y) : std::complex<double>(-m_x, -m_y);
+  }
+
+private:
+  double m_x = 1, m_y = 0; // with an angle of at least 0 and below pi
+  int m_half_turns = 0;
+};
+
+/* Returns the sum of `number` input corners clockwise from input halfedge h around an input vertex. */
+template <class Triangulation>
+Angle_sum sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_index h, Index number)
+{
+  Angle_sum sum;
+  for_each_corner_clockwise(triangulation.input(), h, number,
+                            [&](Input_halfedge_index t) { sum.add(input_corner_vector(triangulation, t)); });
+  return sum;
+}
+
 /* An angle, in radians, and a bound of its error. */
 struct Wedge_angle
 {
