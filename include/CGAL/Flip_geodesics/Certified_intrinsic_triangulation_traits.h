@@ -11,7 +11,6 @@
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

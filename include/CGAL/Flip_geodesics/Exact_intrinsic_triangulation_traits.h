@@ -18,8 +18,6 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -27,7 +25,6 @@
 #include <limits>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {

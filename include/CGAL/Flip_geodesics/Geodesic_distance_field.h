@@ -19,7 +19,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>

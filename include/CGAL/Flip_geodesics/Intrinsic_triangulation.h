@@ -23,19 +23,12 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>

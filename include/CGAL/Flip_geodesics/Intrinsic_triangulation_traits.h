@@ -9,7 +9,6 @@
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/config.hpp>

@@ -20,8 +20,6 @@
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 #include <boost/graph/graph_traits.hpp>
 #include <boost/math/constants/constants.hpp>
 

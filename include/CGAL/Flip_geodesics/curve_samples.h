@@ -12,8 +12,6 @@
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <complex>
 #include <cstddef>
 #include <iterator>
 #include <utility>

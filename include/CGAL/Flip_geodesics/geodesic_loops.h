@@ -16,13 +16,11 @@
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

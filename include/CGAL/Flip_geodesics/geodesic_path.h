@@ -11,11 +11,8 @@
 #include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 #include <cstddef>
 #include <iterator>
-#include <utility>
 #include <vector>
 
 #ifndef CGAL_FLIP_GEODESICS_DECLARATIONS_ONLY

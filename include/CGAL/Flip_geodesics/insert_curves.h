@@ -27,7 +27,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>

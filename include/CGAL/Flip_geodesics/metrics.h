@@ -29,7 +29,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>

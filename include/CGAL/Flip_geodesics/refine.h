@@ -11,14 +11,11 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/outgoing_halfedges.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 
-#include <CGAL/assertions.h>
-
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <type_traits>
 
 namespace CGAL {

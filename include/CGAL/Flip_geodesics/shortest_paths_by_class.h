@@ -25,9 +25,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

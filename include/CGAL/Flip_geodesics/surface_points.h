@@ -11,7 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
-#include <CGAL/Iterator_range.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
-#include <string>
 #include <vector>
 
 namespace CGAL {

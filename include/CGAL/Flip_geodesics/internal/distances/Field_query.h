@@ -9,7 +9,6 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>

@@ -23,7 +23,6 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

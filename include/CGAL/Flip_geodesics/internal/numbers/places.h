@@ -6,8 +6,6 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 
-#include <CGAL/enum.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -11,11 +11,9 @@
 
 #include <boost/math/constants/constants.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Flip_geodesics {

@@ -11,8 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
 #include <CGAL/Flip_geodesics/internal/topology/Linking_matrix.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -19,9 +19,7 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <CGAL/Uncertain.h>
-#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/math/constants/constants.hpp>
 
