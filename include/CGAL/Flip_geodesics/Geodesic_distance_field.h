@@ -60,19 +60,8 @@ enum class Distance_field_status {
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Distance_field_status status)
 {
-  switch(status) {
-  case Distance_field_status::COMPLETE:
-    return "COMPLETE";
-  case Distance_field_status::RADIUS_REACHED:
-    return "RADIUS_REACHED";
-  case Distance_field_status::TARGETS_REACHED:
-    return "TARGETS_REACHED";
-  case Distance_field_status::WINDOW_LIMIT_REACHED:
-    return "WINDOW_LIMIT_REACHED";
-  case Distance_field_status::STOPPED_BY_VISITOR:
-    return "STOPPED_BY_VISITOR";
-  }
-  return "";
+  return internal::name_of(
+      status, {"COMPLETE", "RADIUS_REACHED", "TARGETS_REACHED", "WINDOW_LIMIT_REACHED", "STOPPED_BY_VISITOR"});
 }
 
 namespace internal {

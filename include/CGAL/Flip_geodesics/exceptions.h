@@ -23,6 +23,14 @@ inline std::string written(double number)
   return text.str();
 }
 
+/* Returns the name of an enumerator, given the names of all of them in their order. */
+template <class Enumeration, std::size_t N>
+const char* name_of(Enumeration value, const char* const (&names)[N])
+{
+  const auto i = static_cast<std::size_t>(value);
+  return i < N ? names[i] : "";
+}
+
 } // namespace internal
 
 /*!

@@ -43,15 +43,7 @@ enum class Mean_status {
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Mean_status status)
 {
-  switch(status) {
-  case Mean_status::CONVERGED:
-    return "CONVERGED";
-  case Mean_status::STUCK:
-    return "STUCK";
-  case Mean_status::ITERATION_LIMIT:
-    return "ITERATION_LIMIT";
-  }
-  return "";
+  return internal::name_of(status, {"CONVERGED", "STUCK", "ITERATION_LIMIT"});
 }
 
 /// \ingroup PkgFlipGeodesicsTangents

@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_REPORTS_H
 #define CGAL_FLIP_GEODESICS_REPORTS_H
 
+#include <CGAL/Flip_geodesics/exceptions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -41,23 +43,8 @@ enum class Verdict {
 /// Returns the name of a verdict, spelled like the enumerator.
 inline const char* to_string(Verdict verdict)
 {
-  switch(verdict) {
-  case Verdict::PROVEN:
-    return "PROVEN";
-  case Verdict::PROBABLE:
-    return "PROBABLE";
-  case Verdict::BENT_SEGMENT:
-    return "BENT_SEGMENT";
-  case Verdict::BENT_JOINT:
-    return "BENT_JOINT";
-  case Verdict::UNDECIDED:
-    return "UNDECIDED";
-  case Verdict::WITHIN_ROUNDING:
-    return "WITHIN_ROUNDING";
-  case Verdict::WITHIN_TOLERANCE:
-    return "WITHIN_TOLERANCE";
-  }
-  return "";
+  return internal::name_of(verdict, {"PROVEN", "PROBABLE", "BENT_SEGMENT", "BENT_JOINT", "UNDECIDED", "WITHIN_ROUNDING",
+                                     "WITHIN_TOLERANCE"});
 }
 
 /// \ingroup PkgFlipGeodesicsProving
@@ -133,27 +120,8 @@ enum class Shortening_status {
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Shortening_status status)
 {
-  switch(status) {
-  case Shortening_status::LOCALLY_SHORTEST:
-    return "LOCALLY_SHORTEST";
-  case Shortening_status::CONTRACTED:
-    return "CONTRACTED";
-  case Shortening_status::LENGTH_LIMIT:
-    return "LENGTH_LIMIT";
-  case Shortening_status::ANGLE_LIMIT:
-    return "ANGLE_LIMIT";
-  case Shortening_status::ITERATION_LIMIT:
-    return "ITERATION_LIMIT";
-  case Shortening_status::MEMORY_LIMIT:
-    return "MEMORY_LIMIT";
-  case Shortening_status::STOPPED_BY_VISITOR:
-    return "STOPPED_BY_VISITOR";
-  case Shortening_status::PRECISION_LIMIT:
-    return "PRECISION_LIMIT";
-  case Shortening_status::DEGENERATE_FACES:
-    return "DEGENERATE_FACES";
-  }
-  return "";
+  return internal::name_of(status, {"LOCALLY_SHORTEST", "CONTRACTED", "LENGTH_LIMIT", "ANGLE_LIMIT", "ITERATION_LIMIT",
+                                    "MEMORY_LIMIT", "STOPPED_BY_VISITOR", "PRECISION_LIMIT", "DEGENERATE_FACES"});
 }
 
 /// \ingroup PkgFlipGeodesicsShortening

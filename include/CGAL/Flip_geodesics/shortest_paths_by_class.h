@@ -43,17 +43,7 @@ enum class Class_search_status {
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Class_search_status status)
 {
-  switch(status) {
-  case Class_search_status::FOUND:
-    return "FOUND";
-  case Class_search_status::NO_MORE_CLASSES:
-    return "NO_MORE_CLASSES";
-  case Class_search_status::COVERING_LIMIT:
-    return "COVERING_LIMIT";
-  case Class_search_status::STOPPED_BY_VISITOR:
-    return "STOPPED_BY_VISITOR";
-  }
-  return "";
+  return internal::name_of(status, {"FOUND", "NO_MORE_CLASSES", "COVERING_LIMIT", "STOPPED_BY_VISITOR"});
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions

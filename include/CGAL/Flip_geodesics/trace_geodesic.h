@@ -51,19 +51,7 @@ enum class Trace_status {
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Trace_status end)
 {
-  switch(end) {
-  case Trace_status::LENGTH:
-    return "LENGTH";
-  case Trace_status::VERTEX:
-    return "VERTEX";
-  case Trace_status::BORDER:
-    return "BORDER";
-  case Trace_status::CONSTRAINED_EDGE:
-    return "CONSTRAINED_EDGE";
-  case Trace_status::CROSSING_LIMIT:
-    return "CROSSING_LIMIT";
-  }
-  return "";
+  return internal::name_of(end, {"LENGTH", "VERTEX", "BORDER", "CONSTRAINED_EDGE", "CROSSING_LIMIT"});
 }
 
 /// \ingroup PkgFlipGeodesicsTracing
