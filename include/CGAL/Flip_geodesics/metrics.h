@@ -443,35 +443,6 @@ private:
 
 namespace internal {
 
-/* Metrics of the library's own use have public members for it. */
-template <class Metric>
-struct Internals_of_members
-{
-  static constexpr bool has_exact_faces = true;
-  static constexpr bool has_usable_faces = true;
-
-  template <class... Arguments>
-  static Exact_face exact_face(const Metric& metric, const Arguments&... arguments)
-  {
-    return metric.exact_face(arguments...);
-  }
-  template <class... Arguments>
-  static bool sine_in_plane(const Metric& metric, Arguments&... arguments)
-  {
-    return metric.sine_in_plane(arguments...);
-  }
-  template <class... Arguments>
-  static auto vector(const Metric& metric, const Arguments&... arguments)
-  {
-    return metric.vector(arguments...);
-  }
-  template <class... Arguments>
-  static bool is_usable_face(const Metric& metric, const Arguments&... arguments)
-  {
-    return metric.is_usable_face(arguments...);
-  }
-};
-
 /* The exact faces of metrics whose faces are defined by lengths in double. Lengths do not determine which faces lie in
  * one plane. */
 struct Internals_of_lengths

@@ -3,12 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
 
-#include <CGAL/Flip_geodesics/internal/distances/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <CGAL/tags.h>
 

@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
-#include <CGAL/Flip_geodesics/internal/distances/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
@@ -13,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <algorithm>

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Numbered_surface.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
@@ -38,15 +39,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/* A face of a split surface, by its smallest halfedge. */
-struct Split_face
-{
-  Input_halfedge_index halfedge;
-
-  friend bool operator==(Split_face a, Split_face b) { return a.halfedge == b.halfedge; }
-  friend bool operator!=(Split_face a, Split_face b) { return !(a == b); }
-};
 
 /* A halfedge of a split surface that is new, or whose links differ from those of the original halfedge. */
 struct Split_side
@@ -301,15 +293,9 @@ private:
 
 /* The functions of a face graph that curve points require. */
 template <class TriangleMesh>
-Split_face face(Input_halfedge_index h, const Split_surface<TriangleMesh>& surface)
+Numbered_face face(Input_halfedge_index h, const Split_surface<TriangleMesh>& surface)
 {
   return {least_in_face(surface, h)};
-}
-
-template <class TriangleMesh>
-Input_halfedge_index halfedge(Split_face f, const Split_surface<TriangleMesh>&)
-{
-  return f.halfedge;
 }
 
 /* The elements of a split surface are numbered, so that it is its own indexed mesh. */
@@ -328,7 +314,7 @@ namespace boost {
 
 template <class TriangleMesh>
 struct graph_traits<CGAL::Flip_geodesics::internal::Split_surface<TriangleMesh>>
-  : CGAL::Flip_geodesics::internal::Numbered_surface_traits<CGAL::Flip_geodesics::internal::Split_face>
+  : CGAL::Flip_geodesics::internal::Numbered_surface_traits
 {
 };
 

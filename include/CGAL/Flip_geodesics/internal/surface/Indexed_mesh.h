@@ -402,51 +402,6 @@ private:
   std::shared_ptr<const Mesh> m_contracted_mesh; // to which `m_mesh` then refers
 };
 
-/* The indices of a surface that is numbered already and is its own mesh, as base of its `Indexed_mesh`. */
-template <class Surface>
-class Numbered_surface : public Possibly_contracted<Indexed_mesh<Surface>>
-{
-public:
-  using vertex_descriptor = Vertex_index;
-  using halfedge_descriptor = Input_halfedge_index;
-
-  explicit Numbered_surface(const Surface& surface)
-    : m_surface(&surface)
-  {
-  }
-
-  const Surface& surface() const { return *m_surface; }
-  const Surface& mesh() const { return *m_surface; }
-
-  Index number_of_vertices() const { return m_surface->number_of_vertices(); }
-  Index number_of_halfedges() const { return m_surface->number_of_halfedges(); }
-  Index number_of_faces() const { return m_surface->number_of_faces(); }
-  Vertex_index vertex(Vertex_index v) const { return v; }
-  Input_halfedge_index halfedge(Input_halfedge_index h) const { return h; }
-  Vertex_index index(Vertex_index v) const { return v; }
-  Input_halfedge_index index(Input_halfedge_index h) const { return h; }
-  Input_halfedge_index next(Input_halfedge_index h) const { return m_surface->next(h); }
-  Input_halfedge_index previous(Input_halfedge_index h) const { return m_surface->previous(h); }
-  bool is_triangle(Input_halfedge_index h) const { return next(next(h)) == previous(h); }
-  Vertex_index tail(Input_halfedge_index h) const { return m_surface->tail(h); }
-  bool is_border(Input_halfedge_index h) const { return m_surface->is_border(h); }
-  Input_halfedge_index outgoing(Vertex_index v) const { return m_surface->outgoing(v); }
-
-private:
-  const Surface* m_surface;
-};
-
-/* The graph traits of such a surface. */
-template <class Face>
-struct Numbered_surface_traits
-{
-  using vertex_descriptor = Vertex_index;
-  using halfedge_descriptor = Input_halfedge_index;
-  using face_descriptor = Face;
-
-  static halfedge_descriptor null_halfedge() { return halfedge_descriptor(); }
-};
-
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/Numbered_surface.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
@@ -268,15 +269,6 @@ private:
   Vertex_queue m_queue; // of lifts
 };
 
-/* A face of a covering, by the halfedge that lies over the first one of the mesh's face. */
-struct Covering_face
-{
-  Input_halfedge_index halfedge;
-
-  friend bool operator==(Covering_face a, Covering_face b) { return a.halfedge == b.halfedge; }
-  friend bool operator!=(Covering_face a, Covering_face b) { return !(a == b); }
-};
-
 /*
  * A part of the universal covering of a surface: all faces around the lifts that a search has settled. In it all paths
  * between two vertices are homotopic, so that the shortest of them is the shortest of a class on the original surface.
@@ -432,7 +424,7 @@ private:
 
 /* The data of the faces of a graph that a curve point requires. */
 template <class TriangleMesh>
-Covering_face face(Input_halfedge_index h, const Covering_surface<TriangleMesh>& surface)
+Numbered_face face(Input_halfedge_index h, const Covering_surface<TriangleMesh>& surface)
 {
   const auto& below = surface.below();
   const auto f = graph_face(below.halfedge(surface.below(h)), surface.mesh());
@@ -440,12 +432,6 @@ Covering_face face(Input_halfedge_index h, const Covering_surface<TriangleMesh>&
   for(int i = 0; i < 2 && surface.below(h) != first; ++i)
     h = surface.next(h);
   return {h};
-}
-
-template <class TriangleMesh>
-Input_halfedge_index halfedge(Covering_face f, const Covering_surface<TriangleMesh>&)
-{
-  return f.halfedge;
 }
 
 /* A covering surface is numbered already, and is its own mesh. */
@@ -464,7 +450,7 @@ namespace boost {
 
 template <class TriangleMesh>
 struct graph_traits<CGAL::Flip_geodesics::internal::Covering_surface<TriangleMesh>>
-  : CGAL::Flip_geodesics::internal::Numbered_surface_traits<CGAL::Flip_geodesics::internal::Covering_face>
+  : CGAL::Flip_geodesics::internal::Numbered_surface_traits
 {
 };
 

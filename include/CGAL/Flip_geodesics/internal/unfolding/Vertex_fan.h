@@ -189,6 +189,15 @@ private:
   bool m_has_border = false;
 };
 
+/* The last segment of a shortest path to a vertex: the vertex from which it comes straight, its length, and its angle
+ * counterclockwise of an input halfedge that starts at the vertex. */
+struct Last_leg
+{
+  Vertex_index from;
+  Input_halfedge_index halfedge;
+  double angle, length;
+};
+
 /* Throws Invalid_parameter_error unless h, from which a direction is measured, is a halfedge of the input. */
 template <class Input_mesh>
 void check_reference(const Input_mesh& input, Input_halfedge_index h)
