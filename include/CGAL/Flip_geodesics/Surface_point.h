@@ -102,12 +102,6 @@ inline std::array<double, 3> divided_by_sum(const std::array<double, 3>& weights
   return {{weights[0] / sum, weights[1] / sum, weights[2] / sum}};
 }
 
-/* Returns whether a weight is zero or so large that the sums and products of weights are normal numbers. */
-inline bool is_usable_weight(double weight)
-{
-  return weight == 0 || (weight >= least_weight && weight <= greatest_weight);
-}
-
 template <class Input_mesh>
 void check_location(const Input_mesh& input, const Surface_location& location)
 {
@@ -115,7 +109,7 @@ void check_location(const Input_mesh& input, const Surface_location& location)
   if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
     throw Invalid_location_error("a location has a face or halfedge that does not belong to the mesh");
   for(double weight : location.weights)
-    if(!is_usable_weight(weight))
+    if(!(weight == 0 || (weight >= least_weight && weight <= greatest_weight))) // sums and products would not be normal
       throw Invalid_location_error("a weight of a location in the face of halfedge " + std::to_string(h.idx()) +
                                        " is negative, too small, too large or not a number",
                                    {static_cast<std::size_t>(h.idx())});

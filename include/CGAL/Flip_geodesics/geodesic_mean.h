@@ -187,7 +187,8 @@ public:
       if(report.iterations == limits.most_iterations)
         break;
       ++report.iterations;
-      const Trace_report step = step_from(here, part);
+      // Along a part of the vector, up to the border; the length is 0 if it leads out of the surface.
+      const Trace_report step = m_tracer.trace(here.place, here.direction, part * here.residual, Emptyset_iterator());
       const State next = step.length > 0 ? look(step.location) : here;
       const bool is_better = next.variance < here.variance || next.residual < here.residual;
       if(is_better && next.variance <= here.variance * (1 + internal::variance_rounding)) {
@@ -243,12 +244,6 @@ private:
     throw Degenerate_face_error("all faces of vertex " + std::to_string(v.idx()) +
                                     " have an angle of 0 there, so the direction to a mean is undefined",
                                 {static_cast<std::size_t>(v.idx())});
-  }
-
-  // Traces along a part of the vector, up to the border; the length is 0 if it leads out of the surface.
-  Trace_report step_from(const State& here, double part) const
-  {
-    return m_tracer.trace(here.place, here.direction, part * here.residual, Emptyset_iterator());
   }
 
   const Triangulation& m_triangulation;

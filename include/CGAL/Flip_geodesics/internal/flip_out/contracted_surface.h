@@ -235,27 +235,19 @@ bool is_folded_along(const Input_mesh& contracted, Input_halfedge_index h)
 }
 
 /*
- * Returns whether edges have vanished except for their ends, because only degenerate faces connected these. Linear in
- * the mesh.
- */
-template <class Input_mesh>
-bool has_lost_edges(const Input_mesh& contracted)
-{
-  if(!contracted.is_contracted())
-    return false;
-  const auto all = descriptors<Input_halfedge_index>(contracted.uncontracted().number_of_halfedges());
-  return std::any_of(all.begin(), all.end(),
-                     [&](Input_halfedge_index h) { return contracted.contracted_halfedge(h) == Contraction::is_hair; });
-}
-
-/*
- * Returns whether a shortest path on a mesh need not be one on the contracted surface: a path along vanished edges, or
- * through a point at which umbrellas met that have separate vertices there now. Linear in the mesh if it is contracted.
+ * Returns whether a shortest path on a mesh need not be one on the contracted surface: a path along edges that have
+ * vanished except for their ends, because only degenerate faces connected these, or through a point at which umbrellas
+ * met that have separate vertices there now. Linear in the mesh if it is contracted.
  */
 template <class Input_mesh>
 bool has_lost_paths(const Input_mesh& contracted)
 {
-  return contracted.has_split_point() || has_lost_edges(contracted);
+  if(!contracted.is_contracted())
+    return false;
+  const auto all = descriptors<Input_halfedge_index>(contracted.uncontracted().number_of_halfedges());
+  return contracted.has_split_point() || std::any_of(all.begin(), all.end(), [&](Input_halfedge_index h) {
+           return contracted.contracted_halfedge(h) == Contraction::is_hair;
+         });
 }
 
 /*

@@ -84,12 +84,6 @@ inline std::array<double, 3> approximate_vector(const Approximate_place& p, cons
   return result;
 }
 
-/* Returns a bound of the error of the difference of two coordinates of precise points. */
-inline double difference_error(const Double_double& p, const Double_double& q)
-{
-  return p.low == 0 && q.low == 0 ? 0 : double_double_error * (std::abs(p.high) + std::abs(q.high));
-}
-
 /*
  * Returns the vector from one point to another, each coordinate rounded once, like the difference of two doubles. If
  * the difference of the precise points is too small, `precise()` is used, the precise vector between the exact points.
@@ -100,7 +94,9 @@ std::array<double, 3> rounded_vector(const Precise_place& p, const Precise_place
   std::array<double, 3> result;
   for(std::size_t i = 0; i < 3; ++i) {
     result[i] = (q[i] - p[i]).high;
-    if(!(difference_error(p[i], q[i]) <= negligible_rounding * std::abs(result[i])))
+    const bool are_doubles = p[i].low == 0 && q[i].low == 0;
+    const double error = are_doubles ? 0 : double_double_error * (std::abs(p[i].high) + std::abs(q[i].high));
+    if(!(error <= negligible_rounding * std::abs(result[i])))
       result[i] = precise()[i].high;
   }
   return result;

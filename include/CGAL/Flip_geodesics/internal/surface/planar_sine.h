@@ -200,7 +200,7 @@ private:
 
   bool add_bend(Input_halfedge_index h, Input_halfedge_index& bend, Halfedges& bends) const
   {
-    if(is_flat_across(h))
+    if(m_flat_edges(h, [&] { return lies_in_one_plane(h); }))
       return true;
     if(bend == null_index ? !is_sharp(h) : !is_parallel(bend, h))
       return false;
@@ -244,11 +244,6 @@ private:
   }
 
   Vertex_index apex(Input_halfedge_index h) const { return m_mesh.tail(m_mesh.next(m_mesh.next(h))); }
-
-  bool is_flat_across(Input_halfedge_index h) const
-  {
-    return m_flat_edges(h, [&] { return lies_in_one_plane(h); });
-  }
 
   // Returns whether the faces on both sides of an edge lie in one plane and are unfolded.
   bool lies_in_one_plane(Input_halfedge_index h) const
