@@ -394,12 +394,6 @@ std::vector<Surface_location> locations_of_curve(const Triangulation& triangulat
   return result;
 }
 
-/* Is it a surface point other than a location? */
-template <class Triangulation, class Place>
-constexpr bool is_other_place =
-    !std::is_convertible<const Place&, const Surface_location&>::value &&
-    (Is_variant<Place>::value || is_place<Triangulation, typename Triangulation::Triangle_mesh, Place>);
-
 template <class Triangulation, class TriangleMesh, class Place>
 Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
