@@ -103,11 +103,13 @@ bool is_basis(std::vector<Class> rows)
 
 double length(const Setting& s, const Chain& chain) { return s.length(chain); }
 
-// Of a surface with faces counterclockwise as seen from outside.
-FG::Handle_and_tunnel_loops check_solid(const Mesh_soup& soup, std::size_t genus, double push)
+// Of a surface with faces counterclockwise as seen from outside. The loops are found on a deformed surface, and compared
+// with linking numbers on the given one.
+FG::Handle_and_tunnel_loops check_solid(const Mesh_soup& soup, std::size_t genus, double push,
+                                        const Mesh_soup& deformed)
 {
-  const Setting s(soup);
-  const FG::Handle_and_tunnel_loops loops = FG::handle_and_tunnel_loops(s.triangulation);
+  const Setting s(soup), other(deformed);
+  const FG::Handle_and_tunnel_loops loops = FG::handle_and_tunnel_loops(other.triangulation);
   BOOST_TEST_REQUIRE(loops.handles.size() == genus);
   BOOST_TEST_REQUIRE(loops.tunnels.size() == genus);
   BOOST_TEST_REQUIRE(s.basis.number_of_loops() == static_cast<FG::Index>(2 * genus));
@@ -127,6 +129,11 @@ FG::Handle_and_tunnel_loops check_solid(const Mesh_soup& soup, std::size_t genus
       BOOST_TEST(linking_number(pushed(soup, s.triangulation, tunnel, push), inside) == 0);
   }
   return loops;
+}
+
+FG::Handle_and_tunnel_loops check_solid(const Mesh_soup& soup, std::size_t genus, double push)
+{
+  return check_solid(soup, genus, push, soup);
 }
 
 // A tube about a torus knot, which winds p times about the axis and q times around.
@@ -207,6 +214,31 @@ BOOST_AUTO_TEST_CASE(handles_and_tunnels_far_away)
   const FG::Handle_and_tunnel_loops b = FG::handle_and_tunnel_loops(there.triangulation);
   BOOST_TEST((a.handles == b.handles));
   BOOST_TEST((a.tunnels == b.tunnels));
+}
+
+// Rounding errors are larger than the thickness of a plate in a plane that is not parallel to an axis.
+BOOST_AUTO_TEST_CASE(handles_and_tunnels_of_thin_plates)
+{
+  const Mesh_soup soup = plate(2);
+  for(double size : {1., 0x1p-30, 0x1p20})
+    for(double thickness : {0x1p-30, -0x1p-44}) {
+      const Mesh_soup thin = mapped(soup, [&](const Coordinates& p) {
+        return Coordinates{size * p[0], size * p[1], size * (p[0] + 3 * p[1] + thickness * p[2])};
+      });
+      check_solid(soup, 2, 0.05, thin);
+    }
+}
+
+// Loops are projected along a direction to which many faces may be parallel; another direction is used in that case.
+BOOST_AUTO_TEST_CASE(handles_and_tunnels_of_a_prism_seen_from_above)
+{
+  const auto slope = [](std::uint64_t k) {
+    return static_cast<double>((1 << 15) + FG::internal::scrambled(k) % (1 << 20));
+  };
+  const Mesh_soup soup = plate(2);
+  check_solid(soup, 2, 0.05, mapped(soup, [&](const Coordinates& p) {
+                return Coordinates{0x1p20 * p[0] + slope(0) * p[2], 0x1p20 * p[1] + slope(1) * p[2], slope(2) * p[2]};
+              }));
 }
 
 BOOST_AUTO_TEST_CASE(handles_and_tunnels_of_knots)

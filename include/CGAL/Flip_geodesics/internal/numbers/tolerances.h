@@ -81,10 +81,6 @@ inline constexpr double determinant_error = 8.001 * unit_roundoff;
 /* Coordinates of a point by weights in a triangle: three products, two sums and a quotient, of rounded coordinates. */
 inline constexpr double weighted_place_error = rounding_errors(8);
 
-/* A determinant of three vectors: each of its six products takes part in at most two products, a difference and two
- * sums, that is five rounded operations. */
-inline constexpr double three_vectors_error = rounding_errors(8);
-
 /* A vector of a face that is laid out in double: differences (2), dot or cross products (8), roots and quotients (3)
  * make 13 u in each coordinate. */
 inline constexpr double face_layout_error = rounding_errors(32);

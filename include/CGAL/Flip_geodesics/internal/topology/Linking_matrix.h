@@ -128,12 +128,13 @@ private:
 
   static double largest(const Coordinates& v) { return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
-  // A bound of the error of a determinant: six products, of entries with errors of twice the rounding.
+  // A bound of the error of a determinant: six products, of entries with errors of twice the rounding. Entries are in
+  // fact off by at most 11 rounding errors of the size, instead of 16, and those of two of the vectors are at most twice
+  // the size. The difference therefore exceeds the five rounding errors of each product.
   double error(const Coordinates& u, const Coordinates& v, const Coordinates& w) const
   {
     const double a = largest(u), b = largest(v), c = largest(w), off = 2.1 * rounding();
-    return 6.1 * (off * (a * b + b * c + a * c) + off * off * (a + b + c + off) + three_vectors_error * a * b * c) +
-           underflow_of_small_products;
+    return 6.1 * (off * (a * b + b * c + a * c) + off * off * (a + b + c + off)) + underflow_of_small_products;
   }
 
   // The sign of `exact()`, which is called only if the rounded vectors do not decide.
@@ -194,7 +195,7 @@ public:
   Rooted_cotree(const Input_mesh& input, const Cotree& cotree)
     : m_input(input)
     , m_up(static_cast<std::size_t>(input.number_of_halfedges()), null_index)
-    , m_depth(static_cast<std::size_t>(input.number_of_halfedges()), -1)
+    , m_depth(static_cast<std::size_t>(input.number_of_halfedges()), null_index)
   {
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges()))
       if(m_depth[face(h)] < 0)
