@@ -135,14 +135,12 @@ private:
   void prune(const Indexed_by<Vertex_index, std::vector<Index>>& degree_before)
   {
     for(Vertex_index leaf : descriptors<Vertex_index>(triangulation().number_of_vertices()))
-      for(Vertex_index v = leaf; m_degree[v] == 1 && degree_before[v] > 1 && m_is_on_border[v] == 0;) {
-        const std::vector<Halfedge_index> chain = chain_from(v);
-        v = triangulation().head(chain.back());
-        if(m_degree[v] == 1 && m_is_on_border[v] == 0)
-          break;
-        drop(chain);
-      }
+      if(is_leaf(leaf) && degree_before[leaf] != 1)
+        if(const std::vector<Halfedge_index> chain = chain_from(leaf); !is_leaf(triangulation().head(chain.back())))
+          drop(chain);
   }
+
+  bool is_leaf(Vertex_index v) const { return m_degree[v] == 1 && m_is_on_border[v] == 0; }
 
   std::vector<Halfedge_index> chain_from(Vertex_index leaf) const
   {
