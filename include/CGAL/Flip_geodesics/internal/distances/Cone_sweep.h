@@ -777,7 +777,7 @@ private:
     const Lit_parts parts = lit_parts(side);
     wave.apex_distance = distance_of_apex(side);
     if(parts.size == 0) {
-      wave.is_set = wave.is_set && !wave.is_borrowed; // nothing enters its face yet
+      wave.is_set = false; // nothing enters its face yet
       return;
     }
     const double length = m_faces[side].length;

@@ -449,7 +449,6 @@ public:
                      Flat_edges& flat_edges, Sign& sine) const
   {
     const Surface& surface = mesh.surface();
-    sine = ZERO;
     if(surface.is_beside_split(a.tail) || surface.is_new(a.head) || surface.is_new(b.head))
       return false;
     return internal::sine_in_plane(m_metric, below(mesh), sequence_below(surface, a), sequence_below(surface, b), steps,

@@ -429,7 +429,7 @@ Numbered_face face(Input_halfedge_index h, const Covering_surface<TriangleMesh>&
   const auto& below = surface.below();
   const auto f = graph_face(below.halfedge(surface.below(h)), surface.mesh());
   const Input_halfedge_index first = below.index(graph_halfedge(f, surface.mesh()));
-  for(int i = 0; i < 2 && surface.below(h) != first; ++i)
+  while(surface.below(h) != first)
     h = surface.next(h);
   return {h};
 }
@@ -525,7 +525,6 @@ public:
   {
     if(m_flat_edges->size() == 0)
       *m_flat_edges = Flat_edges(static_cast<std::size_t>(below(mesh).number_of_halfedges() / 2));
-    sine = ZERO;
     return internal::sine_in_plane(m_metric, below(mesh), below(mesh, a), below(mesh, b), steps, *m_flat_edges, sine);
   }
 

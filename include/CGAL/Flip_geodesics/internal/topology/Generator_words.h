@@ -197,7 +197,7 @@ public:
       }
       read.push_back(next_letter(read, letter));
       for(bool is_inverse : {false, true})
-        if(m_size > 0 && read.back().in_a_row[is_inverse] > m_size / 2) {
+        if(!m_next.empty() && read.back().in_a_row[is_inverse] > m_size / 2) {
           replace_end(read, word, is_inverse);
           break;
         }
@@ -237,7 +237,7 @@ private:
   {
     Read_letter result = {letter, {{1, 1}}};
     for(bool is_inverse : {false, true})
-      if(m_size > 0 && !read.empty() && following(read.back().letter, is_inverse) == letter)
+      if(!m_next.empty() && !read.empty() && following(read.back().letter, is_inverse) == letter)
         result.in_a_row[is_inverse] += read.back().in_a_row[is_inverse];
     return result;
   }

@@ -369,7 +369,7 @@ private:
     std::array<Candidates, 2> candidates = loops_of_edges();
     std::array<Basis, 2> bases = {Basis{Primitive_rows(m_size), {}, {}}, Basis{Primitive_rows(m_size), {}, {}}};
     constexpr std::size_t most_rounds = 16;
-    for(std::size_t round = 0; round == 0 || (round < most_rounds && !is_complete(bases)); ++round) {
+    for(std::size_t round = 0; round < most_rounds && !is_complete(bases); ++round) {
       add_near_loops(search, round, candidates);
       for(std::size_t side : {0, 1})
         bases[side] = basis_of(candidates[side], rows[1 - side]);
