@@ -87,6 +87,28 @@ BOOST_AUTO_TEST_CASE(chords_of_one_level_do_not_cross)
   }
 }
 
+// The part of a circle beyond an edge of the mesh is lower than the tolerance, but chords do not cut it off: the level is
+// reached beyond the edge as well.
+BOOST_AUTO_TEST_CASE(chords_do_not_run_along_edges)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::RISING));
+  for(const auto& [x, y, dx, dy] : {std::array<double, 4>{1.6, 1.2, 0, 1}, {1.6, 1.7, 0, -1}, {1.2, 1.4, 1, 0}}) {
+    const double edge = dx == 0 ? (dy > 0 ? 2 : 1) : 2, to_edge = std::abs(edge - (dx == 0 ? y : x));
+    const Closed_field field(mesh, from_points({{x, y}}));
+    for(double height : {0.002, 0.008}) {
+      const auto curves = checked_isolines(mesh, field, {to_edge + height}, 0.05);
+      BOOST_TEST_REQUIRE(curves.size() == 1u);
+      const auto beyond = [&, along_x = dx != 0, sign = dx + dy](const Point& p) {
+        return sign * ((along_x ? p.x() : p.y()) - edge);
+      };
+      const auto& points = curves[0].points;
+      BOOST_TEST(std::any_of(points.begin(), points.end(), [&](const Point& p) { return beyond(p) > 0; }));
+      for(std::size_t i = 0; i + 1 < points.size(); ++i)
+        BOOST_TEST((beyond(points[i]) != 0 || beyond(points[i + 1]) != 0));
+    }
+  }
+}
+
 // Levels that are closer to one another than the tolerance is.
 BOOST_AUTO_TEST_CASE(chords_of_many_levels_do_not_cross)
 {

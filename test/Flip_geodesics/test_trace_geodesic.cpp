@@ -346,15 +346,21 @@ BOOST_AUTO_TEST_CASE(out_of_the_surface_it_ends_at_once)
 }
 
 // Along the border from a place on an edge of it, told from any side of the face: rounding must not lead out.
+// In a needle as well, where angles are converted to directions at a corner that is less acute.
 BOOST_AUTO_TEST_CASE(along_the_border_it_stays_on_the_border)
 {
-  const Surface mesh = to_mesh<Surface>({{{0, 0, 0}, {1.3, 0.2, 0.1}, {0.1, 1.7, 0.4}}, {{0, 1, 2}}});
-  const FG::Intrinsic_triangulation<Surface> triangulation(mesh);
-  const FG::Geodesic_tracer<FG::Intrinsic_triangulation<Surface>> tracer(triangulation);
+  const std::vector<Mesh_soup> triangles = {{{{0, 0, 0}, {1.3, 0.2, 0.1}, {0.1, 1.7, 0.4}}, {{0, 1, 2}}},
+                                            {{{0, 0, 0}, {10, 1, 0}, {10, 1.3, 0}}, {{0, 1, 2}}}};
   std::mt19937 random(3);
   std::uniform_real_distribution<double> weight(0.1, 0.9);
-  for(int i = 0; i < 600; ++i) {
-    const Halfedge edge = mesh.next(mesh.halfedge(Face(0))), told_from = i % 2 == 0 ? edge : mesh.next(edge);
+  for(int i = 0; i < 1200; ++i) {
+    const Surface mesh = to_mesh<Surface>(triangles[static_cast<std::size_t>(i / 600)]);
+    const FG::Intrinsic_triangulation<Surface> triangulation(mesh);
+    const FG::Geodesic_tracer<FG::Intrinsic_triangulation<Surface>> tracer(triangulation);
+    Halfedge edge = mesh.halfedge(Face(0));
+    for(int side = 0; side < i / 2 % 3; ++side)
+      edge = mesh.next(edge);
+    const Halfedge told_from = i % 2 == 0 ? edge : mesh.next(edge);
     const double place = weight(random);
     const FG::Surface_location at = {triangulation.input().index(edge), {{1 - place, place, 0}}};
     // Angles inside of the face, from `told_from` on to the edge.
