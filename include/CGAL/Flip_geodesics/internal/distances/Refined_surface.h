@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
@@ -80,7 +81,7 @@ class Refined_surface
 public:
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   using Location = std::pair<Face, Weights_in_face>;
-  using Place = std::array<double, 3>;
+  using Place = Place_in_space;
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
 
   struct Piece
@@ -236,8 +237,7 @@ public:
   {
     double sum = 0;
     for(const Corners& f : m_faces) {
-      const Place u = difference(f.corners[1], f.corners[0]), v = difference(f.corners[2], f.corners[0]);
-      sum += norm({{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}}) / 2;
+      sum += norm(cross(difference(f.corners[1], f.corners[0]), difference(f.corners[2], f.corners[0]))) / 2;
     }
     return sum;
   }
@@ -249,7 +249,6 @@ private:
     std::array<Place, 3> corners;
   };
 
-  static Place difference(const Place& p, const Place& q) { return {{p[0] - q[0], p[1] - q[1], p[2] - q[2]}}; }
   static double norm(const Place& v) { return std::hypot(v[0], v[1], v[2]); }
 
   void add_face(const Numbered_mesh<TriangleMesh>& numbered, const TriangleMesh& mesh, Face f,

@@ -212,7 +212,7 @@ private:
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input().number_of_halfedges()))
       degree[input().tail(h)] += m_marks[edge_of(as_intrinsic(h))];
     for(Vertex_index leaf : descriptors<Vertex_index>(input().number_of_vertices()))
-      for(Vertex_index v = leaf; v != null_index && degree[v] == 1;) {
+      for(Vertex_index v = leaf; degree[v] == 1;) {
         const Input_halfedge_index h = marked_outgoing_halfedge(v);
         m_marks[edge_of(as_intrinsic(h))] = 0;
         --degree[v];

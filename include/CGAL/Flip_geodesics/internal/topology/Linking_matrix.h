@@ -7,11 +7,13 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
 
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -46,7 +48,7 @@ struct Weighted_place
 class Places_in_space
 {
 public:
-  using Coordinates = std::array<double, 3>;
+  using Coordinates = Place_in_space;
   using Direction = std::array<std::int64_t, 3>; // of numbers below 2^21
 
   /* `place(v)` must return the finite coordinates of each of `n` vertices. */
@@ -123,7 +125,7 @@ private:
   static Number determinant(const std::array<Number, 3>& u, const std::array<Number, 3>& v,
                             const std::array<Number, 3>& w)
   {
-    return u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+    return dot(u, cross(v, w));
   }
 
   static double largest(const Coordinates& v) { return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
@@ -144,15 +146,13 @@ private:
   {
     const double value = determinant(u, v, w);
     if(std::abs(value) > error(u, v, w))
-      return value > 0 ? POSITIVE : NEGATIVE;
-    const Integer number = exact();
-    return number.sign() > 0 ? POSITIVE : (number.sign() < 0 ? NEGATIVE : ZERO);
+      return CGAL::sign(value);
+    return CGAL::sign(exact().sign());
   }
 
   Coordinates vector(const Weighted_place& a, const Weighted_place& b) const
   {
-    const Coordinates p = close_by(a), q = close_by(b);
-    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    return difference(close_by(b), close_by(a));
   }
 
   Exact_vector exact_vector(const Weighted_place& a, const Weighted_place& b) const
@@ -373,9 +373,10 @@ private:
   // Counts crossings in a projection; returns false if it is not generic.
   bool project(std::uint64_t seed)
   {
-    Direction direction;
-    for(std::size_t k = 0; k < 3; ++k)
-      direction[k] = (1 << 15) + static_cast<std::int64_t>(scrambled(3 * seed + k) % (1 << 20));
+    Direction direction = {};
+    std::uint64_t number = 3 * seed;
+    for(std::int64_t& slope : direction)
+      slope = (1 << 15) + static_cast<std::int64_t>(scrambled(number++) % (1 << 20));
     m_rows.assign(m_size, Row(m_size, 0));
     m_is_generic = true;
     for(std::size_t i = 0; i < m_size && m_is_generic; ++i)
