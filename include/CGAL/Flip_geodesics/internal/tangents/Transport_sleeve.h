@@ -306,7 +306,7 @@ private:
     return result;
   }
 
-  // Joins parts at points on edges and in faces, where the curve passes no vertex.
+  // Joins parts at points on edges and in faces, where the curve passes no vertex. Such parts do not cross edges.
   void join_pieces()
   {
     std::vector<Surface_location> places = {m_places.front()};
@@ -321,8 +321,6 @@ private:
       Sleeve_segment& leg = legs.back();
       if(least_in_face(input(), leg.last_face()) != least_in_face(input(), m_legs[i].face))
         push(leg, location_anchor(input(), m_places[i], leg.last_face()));
-      for(Input_halfedge_index h : m_legs[i].crossed)
-        push(leg, h);
     }
     if(!m_legs.empty())
       places.push_back(m_places.back());
@@ -386,13 +384,11 @@ private:
     const auto has_vertex = [&](std::size_t g) {
       return input().tail(leg.crossed[g]) == v || input().tail(twin_index(leg.crossed[g])) == v;
     };
-    std::size_t first = portal, last = portal + 1;
-    while(first > 0 && has_vertex(first - 1))
-      --first;
+    std::size_t last = portal + 1; // the first portal with the vertex is the given one
     while(last < leg.crossed.size() && has_vertex(last))
       ++last;
     const auto at = [&](std::size_t g) { return leg.crossed.begin() + static_cast<std::ptrdiff_t>(g); };
-    m_legs[i].crossed.assign(leg.crossed.begin(), at(first));
+    m_legs[i].crossed.assign(leg.crossed.begin(), at(portal));
     const Sleeve_segment rest = {twin_index(leg.crossed[last - 1]), {at(last), leg.crossed.end()}};
     const auto next = static_cast<std::ptrdiff_t>(i + 1);
     m_legs.insert(m_legs.begin() + next, rest);
