@@ -328,6 +328,29 @@ BOOST_AUTO_TEST_CASE(fitted_cones_touch_what_they_are_fitted_to)
   BOOST_TEST(touching * 100 > fitted * 95);
 }
 
+// If fronts come from both ends of an edge, there are two cones, which meet where the fronts do: they are no lower than
+// the fronts in between by much.
+BOOST_AUTO_TEST_CASE(two_fitted_cones_meet_where_fronts_meet)
+{
+  using namespace FG::internal;
+  std::mt19937 random(3);
+  const auto number = [&](double from, double to) { return from + (to - from) * (random() / 4294967296.0); };
+  for(int i = 0; i < 1000; ++i) {
+    const double length = number(0.1, 3), delay = length * number(-0.5, 0.5);
+    const Cone first = {-length * number(0.1, 2), length * number(0.01, 1), 0};
+    const Cone from_end = {length * number(1.1, 3), length * number(0.01, 1), 0};
+    const Cone second = {from_end.x, from_end.y, first(length / 2) - from_end(length / 2) + delay};
+    Lit_parts parts;
+    parts.add(first, 0, length);
+    parts.add(second, 0, length);
+    if(!(first(0) < second(0) && second(length) < first(length)))
+      continue;
+    const Edge_cones cones = fitted_cones(parts, length, 1e-14);
+    BOOST_TEST((0 < cones.split && cones.split < length));
+    BOOST_TEST(std::abs(first(cones.split) - second(cones.split)) <= 0.02 * length);
+  }
+}
+
 // Over each part of an edge with two cones, the least sum with a cone from the other side is that of dense samples.
 BOOST_AUTO_TEST_CASE(least_sums_of_cones_are_those_of_samples)
 {

@@ -70,6 +70,24 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_distances)
   BOOST_TEST_MESSAGE(useful << " of " << rough.size() << " sweeps over rough meshes are of use");
 }
 
+// Cones at needles lower each other many times. If they may do so freely, the sweep ends as useless before it costs as
+// much as windows do.
+BOOST_AUTO_TEST_CASE(sweeps_over_needles_end_early)
+{
+  Setting setting(mapped(torus(26, 14, 3, 1), [](const Coordinates& p) {
+    return Coordinates{p[0], 1e-3 * p[1], p[2]};
+  }));
+  const auto& triangulation = setting.triangulation;
+  for(int free_updates : {6, 1000}) {
+    FG::internal::Unfolded_faces<Setting::Triangulation> faces(triangulation);
+    FG::internal::Cone_sweep<Setting::Triangulation> sweep(
+        triangulation, faces, 0_v, {triangulation, Vertex_index(triangulation.number_of_vertices() - 1)}, free_updates);
+    sweep.run(100);
+    BOOST_TEST(sweep.is_useful() == (free_updates == 6));
+    BOOST_TEST(sweep.number_of_updates() <= 26 * static_cast<std::size_t>(triangulation.input().number_of_halfedges()));
+  }
+}
+
 // What a sweep says of paths over a part of an edge, to a point beyond it, against the distances of places there.
 BOOST_AUTO_TEST_CASE(sweeps_bound_paths_over_edges)
 {
