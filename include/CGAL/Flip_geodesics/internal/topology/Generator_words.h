@@ -68,16 +68,17 @@ public:
         continue;
       is_walked[static_cast<std::size_t>(forest.component(input.tail(h)))] = 1;
       if(cotree.is_crossed(h))
-        walk(input, cotree, generator, {twin_index(h), input.next(twin_index(h)), 2, 0}, interruption);
+        walk(input, cotree, generator, {twin_index(h), input.next(twin_index(h)), 2, number_of_letters()},
+             interruption);
     }
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
       const std::size_t component = static_cast<std::size_t>(forest.component(input.tail(h)));
       if(is_walked[component] != 0)
         continue;
       is_walked[component] = 1;
-      const Index begin = static_cast<Index>(m_letters.size());
-      walk(input, cotree, generator, {null_index, h, 3, 0}, interruption);
-      m_relations[component] = {begin, static_cast<Index>(m_letters.size()), true};
+      const Index begin = number_of_letters();
+      walk(input, cotree, generator, {null_index, h, 3, begin}, interruption);
+      m_relations[component] = {begin, number_of_letters(), true};
     }
   }
 
@@ -120,9 +121,8 @@ private:
 
   template <class Input_mesh>
   void walk(const Input_mesh& input, const Cotree& cotree, const Indexed_by<Edge_index, std::vector<Index>>& generator,
-            Visit first, Interruption* interruption)
+            const Visit& first, Interruption* interruption)
   {
-    first.begin = static_cast<Index>(m_letters.size());
     std::vector<Visit> visits(1, first);
     while(!visits.empty()) {
       throw_if_interrupted(interruption);
@@ -135,7 +135,7 @@ private:
       const Input_halfedge_index g = visit.side;
       visit.side = input.next(g);
       --visit.sides_left;
-      const Index begin = static_cast<Index>(m_letters.size());
+      const Index begin = number_of_letters();
       if(cotree.is_crossed(g))
         visits.push_back({twin_index(g), input.next(twin_index(g)), 2, begin});
       else if(const Index i = generator[edge_of(as_intrinsic(g))]; i >= 0) {
@@ -148,9 +148,10 @@ private:
   void leave(const Visit& visit)
   {
     if(visit.entry != null_index)
-      m_parts[edge_of(as_intrinsic(visit.entry))] = {visit.begin, static_cast<Index>(m_letters.size()),
-                                                     !is_first_side(visit.entry)};
+      m_parts[edge_of(as_intrinsic(visit.entry))] = {visit.begin, number_of_letters(), !is_first_side(visit.entry)};
   }
+
+  Index number_of_letters() const { return static_cast<Index>(m_letters.size()); }
 
   std::vector<Letter> m_letters; // of the whole walk
   Indexed_by<Edge_index, std::vector<Part>> m_parts;

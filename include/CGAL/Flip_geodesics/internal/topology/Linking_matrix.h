@@ -61,10 +61,8 @@ public:
         const double x = m_points.back()[k];
         m_near.push_back(x - m_points.front()[k]);
         m_size = (std::max)(m_size, std::abs(m_near.back()));
-        if(int exponent = 0; x != 0) {
-          std::frexp(x, &exponent);
-          m_least_exponent = (std::min)(m_least_exponent, exponent);
-        }
+        if(x != 0)
+          m_least_exponent = (std::min)(m_least_exponent, std::ilogb(x));
       }
     }
   }
@@ -175,10 +173,11 @@ private:
   // A coordinate in the unit of the last place of the least one.
   Integer whole_number(double x) const
   {
-    int exponent = 0;
-    const double fraction = std::frexp(x, &exponent);
-    const Integer digits(static_cast<std::int64_t>(std::ldexp(fraction, 53)));
-    return x == 0 ? Integer(0) : digits << static_cast<unsigned long>(exponent - m_least_exponent);
+    if(x == 0)
+      return Integer(0);
+    const int exponent = std::ilogb(x);
+    const Integer digits(static_cast<std::int64_t>(std::scalbn(x, 52 - exponent)));
+    return digits << static_cast<unsigned long>(exponent - m_least_exponent);
   }
 
   Indexed_by<Vertex_index, std::vector<Coordinates>> m_points;
