@@ -554,10 +554,10 @@ private:
       }
       return false;
     };
-    for(bool is_changed = true; is_changed;) {
-      is_changed = std::any_of(classes.begin(), classes.end(), is_improved_by);
-      for(std::size_t k = 0; k < rows.size() && !is_changed; ++k)
-        is_changed = k != i && is_improved_by(rows[k]);
+    const auto is_improved_by_row = [&](const Row& row) { return &row != &rows[i] && is_improved_by(row); };
+    while(std::any_of(classes.begin(), classes.end(), is_improved_by) ||
+          std::any_of(rows.begin(), rows.end(), is_improved_by_row))
+    {
     }
   }
 
