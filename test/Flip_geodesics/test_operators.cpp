@@ -256,6 +256,18 @@ BOOST_AUTO_TEST_CASE(problems_without_a_solution_and_bad_input_are_refused)
   BOOST_CHECK_THROW(Operators{Triangulation(to_mesh<Mesh>(flat))}, FG::Degenerate_face_error);
 }
 
+BOOST_AUTO_TEST_CASE(one_value_determines_a_solution_on_a_connected_surface)
+{
+  const Mesh mesh = to_mesh<Mesh>(single_triangle());
+  const Operators operators{Triangulation(mesh)};
+  for(FG::Vertex_index given : {0_v, 1_v, 2_v}) {
+    Vector values = Vector::Zero(3);
+    values[given.idx()] = 7;
+    const Vector solution = FG::Dirichlet_problem<Operators>(operators, {given}).solve(Vector(), values);
+    BOOST_TEST(largest(solution - Vector::Constant(3, 7)) < 1e-12);
+  }
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
 BOOST_AUTO_TEST_CASE(parallel_assembly_gives_the_same_bits)
 {

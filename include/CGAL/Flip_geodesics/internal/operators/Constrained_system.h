@@ -102,13 +102,13 @@ inline std::vector<char> marked_vertices(std::size_t number_of_vertices, const s
 /* Returns for each vertex a representative vertex of its component, itself if it is isolated. */
 inline std::vector<Index> components(std::size_t number_of_vertices, const std::vector<Intrinsic_face>& faces)
 {
-  std::vector<Index> rank(number_of_vertices, 0), parent(number_of_vertices);
+  std::vector<Index> rank(number_of_vertices), parent(number_of_vertices);
   boost::disjoint_sets<Index*, Index*> sets(rank.data(), parent.data());
   for(std::size_t v = 0; v < number_of_vertices; ++v)
     sets.make_set(static_cast<Index>(v));
   for(const Intrinsic_face& face : faces)
-    for(int i = 0; i < 3; ++i)
-      sets.union_set(face.vertices[i].idx(), face.vertices[(i + 1) % 3].idx());
+    for(int i : {1, 2})
+      sets.union_set(face.vertices[0].idx(), face.vertices[i].idx());
   std::vector<Index> result(number_of_vertices);
   for(std::size_t v = 0; v < number_of_vertices; ++v)
     result[v] = sets.find_set(static_cast<Index>(v));
