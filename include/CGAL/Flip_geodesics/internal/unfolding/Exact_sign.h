@@ -120,7 +120,7 @@ struct Unfolding_chain
  * the weights. */
 inline std::array<Integer, 3> corner_from_point(const std::array<Integer, 3>& weights, int i)
 {
-  std::array<Integer, 3> result = {0, 0, 0};
+  std::array<Integer, 3> result = {};
   result[(i + 2) % 3] = weights[(i + 2) % 3];
   result[i] = -weights[(i + 1) % 3];
   return result;
@@ -129,7 +129,7 @@ inline std::array<Integer, 3> corner_from_point(const std::array<Integer, 3>& we
 /* Returns the chain from the point of a face with given weights to the ends of a side. */
 inline Unfolding_chain chain_to_side(const Exact_face& face, const std::array<Integer, 3>& weights, int side)
 {
-  std::array<Integer, 3> to_right = {0, 0, 0};
+  std::array<Integer, 3> to_right = {};
   to_right[side] = -(weights[0] + weights[1] + weights[2]);
   Unfolding_chain result;
   result.right = Side_combination(face, corner_from_point(weights, side));
