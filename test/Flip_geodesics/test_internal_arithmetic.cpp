@@ -154,6 +154,26 @@ BOOST_AUTO_TEST_CASE(orientations_are_exact)
   check_orientations<3>(random, {1e-160, 1e-162, 1e300});
 }
 
+// The determinant of (1 + e, 1, 0), (1, 1 - e, 0), (0, 0, 1) is -e^2, which double-double arithmetic does not resolve.
+BOOST_AUTO_TEST_CASE(orientations_beyond_double_double_arithmetic_are_exact)
+{
+  constexpr double e = 0x1p-52;
+  std::array<std::size_t, 3> rows = {0, 1, 2};
+  do {
+    std::array<std::size_t, 3> columns = {0, 1, 2};
+    do {
+      Places<3> places = {};
+      places[rows[0] + 1][columns[0]] = 1 + e;
+      places[rows[0] + 1][columns[1]] = places[rows[1] + 1][columns[0]] = places[rows[2] + 1][columns[2]] = 1;
+      places[rows[1] + 1][columns[1]] = 1 - e;
+      BOOST_TEST(
+          (found_orientation(places) != CGAL::ZERO && found_orientation(places) == expected_orientation(places)));
+      places[rows[1] + 1][columns[1]] = 1 / (1 + e); // rounded
+      BOOST_TEST(found_orientation(places) == expected_orientation(places));
+    } while(std::next_permutation(columns.begin(), columns.end()));
+  } while(std::next_permutation(rows.begin(), rows.end()));
+}
+
 // ---------------------------------------------------------------- classes of literals
 
 BOOST_AUTO_TEST_CASE(literals_are_not_equal_to_their_opposites)
@@ -242,6 +262,14 @@ BOOST_AUTO_TEST_CASE(products_of_vectors_have_the_signs_of_integers)
   BOOST_TEST(right > 3000);
   BOOST_TEST(parallel > 1000);
   BOOST_TEST(right + parallel < 19000 * scale);
+  // Of two directions along axes, two coordinates of the cross product are zero.
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t k = 0; k < 3; ++k) {
+      Place a = {0, 0, 0}, b = {0, 0, 0};
+      a[i] = b[k] = 0.1;
+      BOOST_TEST(are_parallel(FI::Exact_vector<Place>({0, 0, 0}, a), FI::Exact_vector<Place>({0, 0, 0}, b)) ==
+                 (i == k));
+    }
   // Products of doubles underflow, or lose their last bits.
   const Place o = {0, 0, 0};
   for(double size : {0x1p-1060, 0x1p-600, 0x1p-520, 0x1p-460}) {

@@ -21,6 +21,7 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -286,6 +287,28 @@ BOOST_AUTO_TEST_CASE(polygons_are_triangulated)
   BOOST_CHECK_EQUAL(repair(star).mesh.number_of_faces(), 3u);
 }
 
+// Neither the directions of the axes nor the unit of length have an influence on the triangles.
+BOOST_AUTO_TEST_CASE(polygons_are_triangulated_in_the_projection_in_which_they_are_widest)
+{
+  Soup along_z = {{}, {{}}};
+  for(std::size_t i = 0; i < 9; ++i) {
+    const double radius = 1 + 0.1 * static_cast<double>(i * i % 7), angle = 2 * pi * static_cast<double>(i) / 9;
+    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+    along_z.points.emplace_back(x, y, 0.7 * x + 0.2 * y);
+    along_z.polygons[0].push_back(i);
+  }
+  const std::vector<Polygon> triangles = to_soup(repair(along_z).mesh).polygons;
+  BOOST_CHECK_EQUAL(triangles.size(), 7u);
+  for(const double scale : {1.0, 1.0 / 1024})
+    for(const bool is_along_x : {true, false}) {
+      Soup turned = along_z;
+      for(Point_3& p : turned.points)
+        p = is_along_x ? Point_3(scale * p.z(), scale * p.x(), scale * p.y())
+                       : Point_3(scale * p.y(), scale * p.z(), scale * p.x());
+      BOOST_CHECK(to_soup(repair(turned).mesh).polygons == triangles);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(polygons_are_cleaned)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -331,16 +354,19 @@ BOOST_AUTO_TEST_CASE(polygons_are_cleaned)
 
 BOOST_AUTO_TEST_CASE(duplicates_are_dropped)
 {
-  Soup soup = to_soup(cube(2));
-  const Polygon copy = soup.polygons[5];
-  soup.polygons.push_back({copy[1], copy[2], copy[0]});                                          // turned
-  soup.polygons.push_back({copy[1], copy[0], copy[2]});                                          // turned over
-  soup.polygons.push_back({soup.points.size(), soup.points.size() + 1, soup.points.size() + 2}); // of its own points
-  for(const std::size_t v : copy)
-    soup.points.push_back(Point_3(soup.points[v]));
-  const Repaired repaired = repair(soup);
-  check_repairs(repaired.report, {{Repair::DUPLICATES_DROPPED, 3}, {Repair::POINTS_MERGED, 3}});
-  BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 0u);
+  const std::size_t last = cube(2).triangles.size() - 1;
+  for(const std::size_t copied : {std::size_t(0), std::size_t(5), last}) {
+    Soup soup = to_soup(cube(2));
+    const Polygon copy = soup.polygons[copied];
+    soup.polygons.push_back({copy[1], copy[2], copy[0]});                                          // turned
+    soup.polygons.push_back({copy[1], copy[0], copy[2]});                                          // turned over
+    soup.polygons.push_back({soup.points.size(), soup.points.size() + 1, soup.points.size() + 2}); // of its own points
+    for(const std::size_t v : copy)
+      soup.points.push_back(Point_3(soup.points[v]));
+    const Repaired repaired = repair(soup);
+    check_repairs(repaired.report, {{Repair::DUPLICATES_DROPPED, 3}, {Repair::POINTS_MERGED, 3}});
+    BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 0u);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(most_orientations_are_kept)
@@ -552,6 +578,16 @@ BOOST_AUTO_TEST_CASE(borders_that_nearly_coincide_are_reported_and_welded)
       BOOST_CHECK_EQUAL(welded.report.number_of_near_border_edges(), 0u);
       BOOST_CHECK(weld(to_soup(welded.mesh), 2 * distance).report.is_empty());
     }
+  // Neither the order of the polygons nor the orientations of the halves matter.
+  Soup soup = grid_with_seam(1, 1e-12);
+  const Repair_report expected = repair(soup).report;
+  std::shuffle(soup.polygons.begin(), soup.polygons.end(), std::mt19937(3));
+  for(Polygon& polygon : soup.polygons)
+    if(polygon[0] >= 28)
+      std::swap(polygon[0], polygon[1]);
+  const Repair_report report = repair(soup).report;
+  BOOST_CHECK_EQUAL(report.number_of_near_border_edges(), 12u);
+  BOOST_CHECK_EQUAL(report.distance_of_near_border_edges(), expected.distance_of_near_border_edges());
   // Borders that are apart, and one that coincides to the bit, are not mentioned.
   BOOST_CHECK_EQUAL(repair(grid_with_seam(1, 1e-3)).report.number_of_near_border_edges(), 0u);
   BOOST_CHECK_EQUAL(repair(grid_with_seam(1, 0)).report.number_of_near_border_edges(), 0u);

@@ -97,6 +97,11 @@ BOOST_AUTO_TEST_CASE(products_of_sums_of_roots_have_the_sign_of_their_value)
     const std::array<Real, 2> expected = product({value(a.re), value(a.im)}, {value(b.re), value(b.im)});
     BOOST_TEST((abs(value(c.re) - expected[0]) < 1e-200 && abs(value(c.im) - expected[1]) < 1e-200));
     BOOST_TEST((ring.sign_of_sine({{}, c.im}) == CGAL::Sign(abs(expected[1]) < 1e-200 ? 0 : expected[1].sign())));
+    const Ring::Complex sum = ring.add(a, b), difference = ring.add(ring.conjugate(a), ring.negate(b));
+    BOOST_TEST(abs(value(sum.re) - value(a.re) - value(b.re)) < 1e-200);
+    BOOST_TEST(abs(value(sum.im) - value(a.im) - value(b.im)) < 1e-200);
+    BOOST_TEST(abs(value(difference.re) - value(a.re) + value(b.re)) < 1e-200);
+    BOOST_TEST(abs(value(difference.im) + value(a.im) + value(b.im)) < 1e-200);
   }
 }
 

@@ -20,6 +20,16 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 } // namespace
 
+// The decoding function of IEC 61966-2-1, the inverse of what the writers compute.
+BOOST_AUTO_TEST_CASE(components_of_colors_are_encoded_as_srgb)
+{
+  for(int byte = 0; byte < 256; ++byte) {
+    const double x = byte / 255.0, linear = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+    const FG::internal::Material material = {"gray", {{linear, 0, 1}}};
+    BOOST_CHECK((material.bytes() == std::array<std::uint8_t, 3>{{static_cast<std::uint8_t>(byte), 0, 255}}));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(vertices_and_edges_of_ply_have_colors)
 {
   const Mesh mesh = sample_mesh();

@@ -44,6 +44,25 @@ BOOST_AUTO_TEST_CASE(tubes_of_closed_curves_are_not_twisted)
   }
 }
 
+// The least rotation from one direction in a plane to another leaves the distances from the plane unchanged.
+BOOST_AUTO_TEST_CASE(rings_along_a_plane_curve_keep_their_distances_from_the_plane)
+{
+  const int sides = 7;
+  const std::array<Point, 2> axes = {Point(2.0 / 3, 1.0 / 3, 2.0 / 3), Point(-2.0 / 3, 2.0 / 3, 1.0 / 3)};
+  const std::array<double, 3> normal = {{-1.0 / 3, -2.0 / 3, 2.0 / 3}};
+  Polyline zigzag;
+  for(const auto& [x, y] : std::vector<std::pair<double, double>>{{0, 0}, {1, 0}, {1.5, 1}, {0, 3}, {2, 4}, {2, 0}})
+    zigzag.emplace_back(x * axes[0].x() + y * axes[1].x(), x * axes[0].y() + y * axes[1].y(),
+                        x * axes[0].z() + y * axes[1].z());
+  const Written tube = tube_of(zigzag, 0.1, sides);
+  BOOST_REQUIRE_EQUAL(tube.points.size(), sides * zigzag.size() + 2);
+  const auto height = [&](std::size_t i) {
+    return std::inner_product(normal.begin(), normal.end(), tube.points[i].begin(), 0.0);
+  };
+  for(std::size_t i = sides; i < sides * zigzag.size(); ++i)
+    BOOST_CHECK_SMALL(height(i) - height(i % sides), 1e-14);
+}
+
 BOOST_AUTO_TEST_CASE(tubes_stand_sharp_bends_and_all_sizes)
 {
   const std::vector<Polyline> curves = {

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(names_of_values_are_checked)
   const auto one = map_of([](Vertex) { return 1.0; });
   for(const Format& format : formats_with_values()) {
     std::ostringstream out;
-    for(const char* name : {"", "two words", "a\"b", "a<b"})
+    for(const char* name : {"", "two words", "a\"b", "a<b", "a/", "a:", "a@", "a[", "a^", "a`", "a{"})
       BOOST_CHECK_THROW(format.write(out, mesh, FG::IO::Vertex_values(name, one)), FG::Invalid_parameter_error);
     BOOST_CHECK_THROW(format.write(out, mesh, FG::IO::Vertex_values("a", one), FG::IO::Vertex_values("a", one)),
                       FG::Invalid_parameter_error);
@@ -104,6 +104,8 @@ BOOST_AUTO_TEST_CASE(names_of_values_are_checked)
       BOOST_CHECK_THROW(format.write(out, mesh, FG::IO::Vertex_values("y", one)), FG::Invalid_parameter_error);
     BOOST_CHECK(out.str().empty());
   }
+  for(const Format& format : formats_with_values())
+    BOOST_CHECK_EQUAL(format.read(format.text(mesh, FG::IO::Vertex_values("AZ_az09", one))).values.count("AZ_az09"), 1);
   for(const Format& format : formats()) // the other formats take no notice
     BOOST_CHECK(!format.text(mesh, FG::IO::Vertex_values("a", one)).empty());
 }

@@ -38,6 +38,7 @@
 #include <list>
 #include <locale>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <streambuf>
 #include <string>
