@@ -430,6 +430,28 @@ BOOST_AUTO_TEST_CASE(borders_in_one_place_are_stitched)
 }
 
 // Points on straight edges of one side only, as many as there is room for, leave degenerate triangles between.
+// Two prisms without their ends, each cut open along the edge from p to q. They share two further edges, one at p and one
+// at q. If all borders in one place were stitched, two edges would lead from p to q.
+BOOST_AUTO_TEST_CASE(borders_stay_open_where_stitching_doubles_an_edge)
+{
+  const Point_3 p(0, 0, 1), q(0, 0, 0), a(1, 0, 1), e(1, 0, 0), b(0, 1, 1), f(0, 1, 0), d(0, -1, 1), h(0, -1, 0);
+  Soup soup = {{p, q, p, q, a, e, b, f, p, q, p, q, a, e, d, h}, {}};
+  soup.polygons = {{0, 1, 4},  {4, 1, 5},   {4, 5, 7},    {4, 7, 6},    {6, 7, 3},    {3, 2, 6},
+                   {8, 9, 14}, {14, 9, 15}, {14, 15, 13}, {14, 13, 12}, {11, 10, 13}, {10, 12, 13}};
+  const Repaired open = repair(soup);
+  BOOST_CHECK(open.report.is_empty());
+  BOOST_CHECK_EQUAL(open.number_of_components(), 2u);
+  // A seam elsewhere is closed all the same.
+  for(const Point_3& place :
+      {Point_3(5, 0, 0), Point_3(6, 0, 0), Point_3(5, 1, 0), Point_3(6, 0, 0), Point_3(6, 1, 0), Point_3(5, 1, 0)})
+    soup.points.push_back(place);
+  soup.polygons.insert(soup.polygons.begin(), {{16, 17, 18}, {19, 20, 21}});
+  const Repaired closed = repair(soup);
+  check_repairs(closed.report, {{Repair::POINTS_MERGED, 2}});
+  BOOST_CHECK_EQUAL(closed.number_of_components(), 3u);
+  BOOST_CHECK_EQUAL(closed.number_of_border_edges(), open.number_of_border_edges() + 4);
+}
+
 BOOST_AUTO_TEST_CASE(collinear_triangles_are_flipped_away)
 {
   for(int n : {1, 2, 5, 9}) { // points between (0,0) and (n+1,0)

@@ -21,6 +21,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
+#include <complex>
+#include <cstddef>
 #include <vector>
 
 using namespace Flip_geodesics_test;
@@ -92,4 +95,30 @@ BOOST_AUTO_TEST_CASE(strips_ask_for_the_input_of_a_triangulation_alone)
     BOOST_TEST(!result.empty());
     BOOST_TEST(result == unfolded(triangulation));
   }
+}
+
+// In a plane they are known; only the ratio of the weights matters.
+BOOST_AUTO_TEST_CASE(distances_of_points_from_edges_are_those_in_the_plane)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
+  FG::Decision_statistics statistics;
+  const FI::Point_side<FG::Intrinsic_triangulation<Mesh>> side(triangulation, statistics);
+  const auto& input = triangulation.input();
+  const auto place = [&](FG::Vertex_index v) {
+    const auto& p = mesh.point(input.vertex(v));
+    return std::complex<double>(p.x(), p.y());
+  };
+  for(const FG::Edge_sequence& word : words_across(input))
+    for(std::size_t gap = 0; gap <= word.crossed.size(); ++gap) {
+      const FG::Input_halfedge_index h = FI::face_of_gap(word, gap), hn = input.next(h);
+      const FG::Surface_location point = {h, {{3, 1, 4}}}, same = {h, {{6, 2, 8}}};
+      const std::complex<double> along = place(word.head) - place(word.tail),
+                                 p = (3.0 * place(input.tail(h)) + place(input.tail(hn)) +
+                                      4.0 * place(input.tail(input.next(hn)))) /
+                                     8.0;
+      const double expected = std::imag(std::conj(along) * (p - place(word.tail))) / std::abs(along);
+      BOOST_TEST(std::abs(side.distance(word, gap, point) - expected) < 1e-13);
+      BOOST_TEST(side.distance(word, gap, same) == side.distance(word, gap, point));
+    }
 }

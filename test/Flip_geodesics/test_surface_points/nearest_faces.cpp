@@ -95,6 +95,24 @@ BOOST_AUTO_TEST_CASE(nearest_faces_of_many_points_are_those_of_a_linear_search)
     }
 }
 
+BOOST_AUTO_TEST_CASE(faces_in_one_place_are_found_there)
+{
+  Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  const Face first(static_cast<unsigned>(mesh.number_of_faces()));
+  const Point place(7, 8, 9);
+  for(int i = 0; i < 40; ++i)
+    mesh.add_face(mesh.add_vertex(place), mesh.add_vertex(place), mesh.add_vertex(place));
+  std::size_t calls = 0;
+  Nearest_face nearest(mesh, {&mesh, &calls});
+  for(int i = 0; i < 8; ++i) { // without a tree and with it
+    const auto found = nearest(FG::internal::half_of(place)), near = nearest({{3, 4, 5}});
+    BOOST_TEST(found.face == first);
+    BOOST_TEST(found.distance() == 0.0);
+    BOOST_TEST(near.face == first);
+    BOOST_TEST(std::abs(near.distance() - std::sqrt(0.5)) < 1e-15);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(few_faces_are_compared_with_each_of_many_points)
 {
   const Mesh mesh = to_mesh<Mesh>(torus(80, 40, 2, 1));
