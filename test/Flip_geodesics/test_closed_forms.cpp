@@ -449,6 +449,11 @@ BOOST_AUTO_TEST_CASE(weights_of_faces)
   const double length = length_and_height(mesh, one, source, target).first;
   BOOST_TEST(is_close(length, std::hypot(14 * 0.125, 5 * 0.125)));
   BOOST_TEST(is_close(length_and_height(mesh, four, source, target).first, 4 * length));
+  const FG::Weighted_metric<Plane_metric>::Mesh numbered(mesh);
+  const double bound = four.distance_lower_bound(four.place(numbered, FG::Vertex_index(source)),
+                                                 four.place(numbered, FG::Vertex_index(target)));
+  BOOST_TEST(bound <= 4 * length);
+  BOOST_TEST(bound > 4 * length * (1 - 1e-5));
   // Twice the weight in a square in the way.
   const auto is_heavy = [](Plane_mesh::Face_index f) {
     const std::size_t cell = static_cast<std::size_t>(f) / 2, i = cell % 16, j = cell / 16;
@@ -498,6 +503,31 @@ BOOST_AUTO_TEST_CASE(weights_direct_searches)
   for(int i = 0; i < 20; ++i) {
     const FG::Vertex_index u(random.below(625)), v(random.below(625));
     BOOST_TEST(is_close(length(directed(u, v)), length(plain(u, v))));
+  }
+}
+
+// A length that is negative, infinite or not a number is refused by every search that meets its edge.
+BOOST_AUTO_TEST_CASE(edges_without_a_length_are_refused)
+{
+  Plane_mesh mesh = half_plane(4);
+  using Lengths = Plane_mesh::Property_map<Plane_mesh::Edge_index, double>;
+  const Lengths lengths = mesh.add_property_map<Plane_mesh::Edge_index, double>("e:length", 1).first;
+  const FG::Edge_length_metric<Plane_mesh, Lengths> metric(mesh, lengths);
+  using Triangulation =
+      FG::Intrinsic_triangulation<Plane_mesh, FG::Intrinsic_triangulation_traits<Plane_metric::Kernel>,
+                                  FG::Edge_length_metric<Plane_mesh, Lengths>>;
+  const Triangulation triangulation(mesh, metric);
+  const auto edge = mesh.edge(mesh.halfedge(Plane_mesh::Vertex_index(12)));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for(FG::Search_method method : {FG::Search_method::DIJKSTRA, FG::Search_method::A_STAR, FG::Search_method::LOOK_BACK})
+  {
+    FG::Shortest_edge_path<Triangulation> search(triangulation, CGAL::parameters::search_method(method));
+    for(double length : {-1.0, infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+      lengths[edge] = length;
+      BOOST_CHECK_THROW(search(0_v, 24_v), FG::Invalid_coordinate_error);
+      lengths[edge] = 1;
+      BOOST_TEST(search(0_v, 24_v).size() >= 4u);
+    }
   }
 }
 

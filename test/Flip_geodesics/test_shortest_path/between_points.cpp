@@ -7,6 +7,7 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/distances/Landmark_rows.h>
@@ -294,6 +295,10 @@ BOOST_AUTO_TEST_CASE(points_in_space_and_points_of_curves_are_ends)
   BOOST_TEST_REQUIRE(distances.size() == 2u);
   BOOST_TEST(std::abs(distances[0] - 0.5) <= 1e-12);
   BOOST_TEST(std::abs(distances[1] - 0.25) <= 1e-12);
+  std::vector<Point> geodesic;
+  const auto through = FG::geodesic_path_through(mesh, std::vector<Point>{above, inside}, std::back_inserter(geodesic),
+                                                 CGAL::parameters::greatest_point_distance(0.5));
+  BOOST_TEST(through.report.curves.front().point_distances == distances);
   BOOST_TEST(std::abs(result.length() - std::hypot(3.25, 3)) <= 1e-12);
   for(const auto& p : curve)
     BOOST_TEST(p.point.z() == 3);
