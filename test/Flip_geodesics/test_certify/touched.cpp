@@ -4,6 +4,8 @@
 
 #include "test_certify/second_opinion.h"
 
+#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
+
 using namespace Flip_geodesics_test;
 
 // A kite with two points on its long diagonal, which is doubled by degenerate faces. Lines run along crossed edges.
@@ -56,6 +58,21 @@ BOOST_AUTO_TEST_CASE(a_segment_that_touches_a_cone_is_bent)
   }
 }
 
+namespace {
+
+// The ends of crossed edges that lie on the line of an edge of the triangulation.
+template <class Triangulation>
+FG::internal::Line_contacts contacts_of(const Triangulation& triangulation, FG::Halfedge_index h)
+{
+  FG::Decision_statistics statistics;
+  FG::internal::Line_contacts contacts;
+  FG::internal::Straight_strip<Triangulation>(triangulation, statistics)(triangulation.edge_sequence(h), nullptr,
+                                                                         &contacts);
+  return contacts;
+}
+
+} // namespace
+
 // The line from 0 to 1 touches 2, an end of the only edge that it crosses, at a right angle to that edge. The angle on
 // the other side is pi, or a unit in the last place more or less, or there is the border.
 BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_portal_has_a_full_angle_or_is_told)
@@ -83,6 +100,8 @@ BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_portal_has_a_full_angle_or
         triangulation.flip(h);
         FG::Edge_path_network<Triangulation> network(triangulation);
         network.add_curve(Halfedge_sequence{is_reversed ? Triangulation::twin(h) : h});
+        const FG::internal::Line_contacts contacts = contacts_of(triangulation, h);
+        BOOST_TEST((!contacts.have_edge && contacts.ends.size() == 1));
         const auto verdict = FG::certify(network).curves[0].verdict;
         BOOST_TEST((verdict == (has_border || far_side >= 5 ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
       }
@@ -115,6 +134,8 @@ BOOST_AUTO_TEST_CASE(a_segment_along_an_edge_that_it_crosses)
     for(FG::Halfedge_index side : {h, Triangulation::twin(h)}) {
       FG::Edge_path_network<Triangulation> network(triangulation);
       network.add_curve(Halfedge_sequence{side});
+      const FG::internal::Line_contacts contacts = contacts_of(triangulation, side);
+      BOOST_TEST((contacts.have_edge && contacts.ends.size() == 2));
       BOOST_TEST((FG::certify(network).curves[0].verdict ==
                   (far_side > 3.1 ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
       network.clear();

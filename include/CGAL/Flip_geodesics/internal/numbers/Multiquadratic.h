@@ -255,20 +255,24 @@ public:
     return {integer(q.dot), times_integer(times_root(integer(1), q.root), n)};
   }
 
-  Complex add(const Complex& a, const Complex& b) const { return {add(a.re, b.re, 1), add(a.im, b.im, 1)}; }
+  Complex add(const Complex& a, const Complex& b) const
+  {
+    return {add(a.re, b.re, POSITIVE), add(a.im, b.im, POSITIVE)};
+  }
   Complex negate(const Complex& z) const { return {times_integer(z.re, -1), times_integer(z.im, -1)}; }
   Complex conjugate(const Complex& z) const { return {z.re, times_integer(z.im, -1)}; }
   Complex rescale(const Complex& z, const Integer& factor) const { return times_integer(z, factor); }
 
   Complex multiply(const Complex& a, const Complex& b) const
   {
-    return {add(multiply(a.re, b.re), multiply(a.im, b.im), -1), add(multiply(a.re, b.im), multiply(a.im, b.re), 1)};
+    return {add(multiply(a.re, b.re), multiply(a.im, b.im), NEGATIVE),
+            add(multiply(a.re, b.im), multiply(a.im, b.re), POSITIVE)};
   }
 
   Complex times_side(const Complex& z, const Side& q) const
   {
-    return {add(times_integer(z.re, q.dot), times_root(z.im, q.root), -1),
-            add(times_integer(z.im, q.dot), times_root(z.re, q.root), 1)};
+    return {add(times_integer(z.re, q.dot), times_root(z.im, q.root), NEGATIVE),
+            add(times_integer(z.im, q.dot), times_root(z.re, q.root), POSITIVE)};
   }
 
   Complex times_integer(const Complex& z, const Integer& n) const
@@ -337,12 +341,12 @@ private:
   }
 
   // a + sign b
-  Number add(Number a, const Number& b, int sign) const
+  Number add(Number a, const Number& b, Sign sign) const
   {
     if(m_work.is_met())
       return {};
     for(std::size_t i = 0; i < a.size(); ++i)
-      sign > 0 ? a[i] += b[i] : a[i] -= b[i];
+      sign == POSITIVE ? a[i] += b[i] : a[i] -= b[i];
     return a;
   }
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -103,9 +104,8 @@ inline std::vector<char> marked_vertices(std::size_t number_of_vertices, const s
 inline std::vector<Index> components(std::size_t number_of_vertices, const std::vector<Intrinsic_face>& faces)
 {
   std::vector<Index> rank(number_of_vertices), parent(number_of_vertices);
+  std::iota(parent.begin(), parent.end(), Index(0));
   boost::disjoint_sets<Index*, Index*> sets(rank.data(), parent.data());
-  for(std::size_t v = 0; v < number_of_vertices; ++v)
-    sets.make_set(static_cast<Index>(v));
   for(const Intrinsic_face& face : faces)
     for(int i : {1, 2})
       sets.union_set(face.vertices[0].idx(), face.vertices[i].idx());
