@@ -155,3 +155,22 @@ BOOST_AUTO_TEST_CASE(networks_take_any_points)
   const auto draw = [](auto& network, const auto& q) { return FG::draw_polyline(network, q); };
   BOOST_TEST(lengths(way, draw) == lengths(p.located(way), draw));
 }
+
+BOOST_AUTO_TEST_CASE(points_of_polygons_have_no_common_face)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> corners;
+  for(const Point& p : {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(2, 0, 0)})
+    corners.push_back(mesh.add_vertex(p));
+  mesh.add_face(corners[0], corners[1], corners[2], corners[3]);
+  mesh.add_face(corners[1], corners[4], corners[2]);
+  const Certified triangulation(mesh);
+  const auto are_in_one_face = [&](FG::Vertex_index v, FG::Vertex_index w) {
+    return FG::internal::common_face(triangulation.input(), triangulation.location(v), triangulation.location(w)) !=
+           FG::null_index;
+  };
+  for(FG::Vertex_index v : {1_v, 2_v, 3_v})
+    BOOST_CHECK_THROW(are_in_one_face(0_v, v), FG::Invalid_mesh_error);
+  BOOST_CHECK_THROW(are_in_one_face(4_v, 1_v), FG::Invalid_mesh_error); // 1 is a corner of both
+  BOOST_TEST(are_in_one_face(4_v, 4_v));
+}
