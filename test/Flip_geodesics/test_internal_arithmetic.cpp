@@ -86,6 +86,17 @@ BOOST_AUTO_TEST_CASE(roots_of_integers_are_rounded_down)
   }
 }
 
+BOOST_AUTO_TEST_CASE(integers_are_converted_to_other_numbers_exactly)
+{
+  Random_numbers random(12);
+  BOOST_TEST(FI::converted<Rational>(0) == 0);
+  for(int bits = 1; bits < 200; ++bits) {
+    const Integer n = random_integer(random, bits);
+    BOOST_TEST(FI::converted<Rational>(n) == Rational(n));
+    BOOST_TEST(FI::converted<Rational>(Integer(-n)) == -Rational(n));
+  }
+}
+
 // ---------------------------------------------------------------- orientations
 
 namespace {

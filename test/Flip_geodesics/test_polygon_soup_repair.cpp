@@ -610,6 +610,10 @@ BOOST_AUTO_TEST_CASE(borders_that_nearly_coincide_are_reported_and_welded)
   const Repair_report report = repair(soup).report;
   BOOST_CHECK_EQUAL(report.number_of_near_border_edges(), 12u);
   BOOST_CHECK_EQUAL(report.distance_of_near_border_edges(), expected.distance_of_near_border_edges());
+  // Edges inside of two surfaces that nearly coincide are not borders.
+  const Mesh_soup inner = cube(2);
+  const Soup double_walled = to_soup(disjoint_union(inner, scaled(inner, 1 + 1e-12)));
+  BOOST_CHECK_EQUAL(repair(double_walled).report.number_of_near_border_edges(), 0u);
   // Borders that are apart, and one that coincides to the bit, are not mentioned.
   BOOST_CHECK_EQUAL(repair(grid_with_seam(1, 1e-3)).report.number_of_near_border_edges(), 0u);
   BOOST_CHECK_EQUAL(repair(grid_with_seam(1, 0)).report.number_of_near_border_edges(), 0u);

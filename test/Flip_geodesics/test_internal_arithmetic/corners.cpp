@@ -4,6 +4,9 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/places.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 using namespace Flip_geodesics_test;
@@ -266,5 +269,87 @@ BOOST_AUTO_TEST_CASE(longer_sides_shorten_nothing)
     const double c = std::abs(a - b) + (1 + random.below(1000)) * 1e-3 * 2 * (std::min)(a, b);
     const double added = std::ldexp(1., random.below(30) - 15);
     BOOST_TEST(FG::internal::least_stretch({a, b, c}, {a + added, b + added, c + added}) >= 1 - 1e-3);
+  }
+}
+
+namespace {
+
+using Vector_3 = std::array<double, 3>;
+
+std::array<FI::Precise_halfedge, 3> precise_face(const std::array<Vector_3, 3>& p, std::size_t first)
+{
+  const auto point = [&](std::size_t i) {
+    const Vector_3& q = p[(first + i) % 3];
+    return CGAL::Simple_cartesian<double>::Point_3(q[0], q[1], q[2]);
+  };
+  return FI::Precise_face_traits().construct_face_3_object()(point(0), point(1), point(2));
+}
+
+bool are_close(const Double_double& a, const Double_double& b, double scale)
+{
+  return abs(exact(a) - exact(b)) <= Rational(0x1p-90 * scale);
+}
+
+} // namespace
+
+// A part of a face in space, given by weights of its corners with different sums, is the face of its corners.
+BOOST_AUTO_TEST_CASE(parts_of_faces_are_the_faces_of_their_corners)
+{
+  Random_numbers random(9);
+  int used = 0;
+  for(int round = 0; round < 150 * scale; ++round) {
+    std::array<Vector_3, 3> face, weights, part = {};
+    for(std::size_t i = 0; i < 3; ++i) {
+      for(std::size_t k = 0; k < 3; ++k)
+        face[i][k] = std::ldexp(random.below(41) - 20, 30 * (round % 3 - 1));
+      const int sum = 8 << i, first = random.below(sum + 1), second = random.below(sum + 1 - first);
+      weights[i] = {{1.0 * first, 1.0 * second, 1.0 * (sum - first - second)}};
+    }
+    const double area = weights[0][0] * (weights[1][1] * weights[2][2] - weights[1][2] * weights[2][1]) +
+                        weights[0][1] * (weights[1][2] * weights[2][0] - weights[1][0] * weights[2][2]) +
+                        weights[0][2] * (weights[1][0] * weights[2][1] - weights[1][1] * weights[2][0]);
+    const FI::Exact_face exact_face = FI::exact_face_from_points(FI::to_integers(face));
+    if(area == 0 || exact_face.doubled_area_squared == 0)
+      continue;
+    ++used;
+    if(area < 0)
+      std::swap(weights[1], weights[2]);
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t k = 0; k < 3; ++k)
+        part[i][k] = (weights[i][0] * face[0][k] + weights[i][1] * face[1][k] + weights[i][2] * face[2][k]) /
+                     (weights[i][0] + weights[i][1] + weights[i][2]);
+    const FI::Exact_subface subface(exact_face, precise_face(face, 0)[0], weights);
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::array<FI::Precise_halfedge, 3> found = subface.precise_face(i), expected = precise_face(part, i);
+      for(std::size_t k = 0; k < 3; ++k) {
+        BOOST_TEST(are_close(found[k].length, expected[k].length, expected[k].length.high));
+        BOOST_TEST(are_close(found[k].next.x, expected[k].next.x, 1));
+        BOOST_TEST(are_close(found[k].next.y, expected[k].next.y, 1));
+        BOOST_TEST(found[k].error < 0x1p-90);
+      }
+      const std::array<std::array<double, 2>, 3> sides = subface.vectors(i);
+      const double size = expected[0].length.high + expected[1].length.high, close = 1e-15 * size;
+      BOOST_TEST(std::abs(sides[0][0] - expected[0].length.high) <= close);
+      BOOST_TEST(sides[0][1] == 0);
+      BOOST_TEST(std::abs(sides[1][0] - expected[1].length.high * expected[0].next.x.high) <= close);
+      BOOST_TEST(std::abs(sides[1][1] - expected[1].length.high * expected[0].next.y.high) <= close);
+      BOOST_TEST(std::abs(sides[0][0] + sides[1][0] + sides[2][0]) <= 2 * close);
+      BOOST_TEST(std::abs(sides[1][1] + sides[2][1]) <= 2 * close);
+      const FI::Exact_face of_part = subface.exact_face(i);
+      BOOST_TEST(std::abs(static_cast<double>(of_part.dot_next) / static_cast<double>(of_part.squared_length) -
+                          sides[1][0] / sides[0][0]) <= 1e-12 * size / sides[0][0]);
+    }
+  }
+  BOOST_TEST(used > 50);
+}
+
+BOOST_AUTO_TEST_CASE(parts_of_faces_below_the_range_of_lengths_have_no_bound)
+{
+  const std::array<Vector_3, 3> face = {{{{0, 0, 0}}, {{0x1p-190, 0, 0}}, {{0, 0x1p-190, 0}}}};
+  for(const double share : {0x1p-5, 0x1p-20}) { // of both sides at corner 0
+    const FI::Exact_subface part(FI::exact_face_from_points(FI::to_integers(face)), precise_face(face, 0)[0],
+                                 {{{{1, 0, 0}}, {{1 - share, share, 0}}, {{1 - share, 0, share}}}});
+    for(const FI::Precise_halfedge& side : part.precise_face(0))
+      BOOST_TEST((side.error < 0x1p-90) == (share == 0x1p-5));
   }
 }

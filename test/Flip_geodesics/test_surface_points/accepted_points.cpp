@@ -15,7 +15,11 @@
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
+#include <cstddef>
+#include <exception>
+#include <string>
 #include <variant>
+#include <vector>
 
 using namespace Flip_geodesics_test;
 
@@ -154,6 +158,22 @@ BOOST_AUTO_TEST_CASE(networks_take_any_points)
   const std::vector<Face_location> way = {p.in_faces[0], {p.in_faces[0].first, {{0.5, 0.25, 0.25}}}};
   const auto draw = [](auto& network, const auto& q) { return FG::draw_polyline(network, q); };
   BOOST_TEST(lengths(way, draw) == lengths(p.located(way), draw));
+}
+
+BOOST_AUTO_TEST_CASE(curves_through_points_in_one_place_are_refused_with_the_reason)
+{
+  Mesh mesh = to_mesh<Mesh>(bumpy_sphere(4, 0.2, 3));
+  Certified triangulation(mesh);
+  FG::Edge_path_network<Certified> network(triangulation);
+  const FG::Surface_location place = triangulation.location(5_v);
+  for(std::size_t number : {1, 2, 3}) {
+    const std::string reason = number == 1 ? "at least two points" : "all points of a curve coincide";
+    for(bool is_closed : {false, true})
+      BOOST_CHECK_EXCEPTION(
+          FG::add_curve_through(network, Locations(number, place), CGAL::parameters::is_closed(is_closed)),
+          FG::Invalid_curve_error,
+          [&](const std::exception& e) { return std::string(e.what()).find(reason) != std::string::npos; });
+  }
 }
 
 BOOST_AUTO_TEST_CASE(points_of_polygons_have_no_common_face)
