@@ -175,6 +175,13 @@ BOOST_AUTO_TEST_CASE(curves_in_one_place_have_no_length)
   BOOST_CHECK_EQUAL(shortest.length, 0);
 
   points.clear();
+  const std::pair<Mesh::Face_index, std::array<double, 3>> inside = {mesh.face(mesh.halfedge(vertex(v), vertex(w))),
+                                                                     {{0.25, 0.25, 0.5}}};
+  const auto of_place = FG::shortest_path(mesh, inside, inside, std::back_inserter(points), exactly).report;
+  BOOST_CHECK(is_point(of_place.shortening.curves.front()));
+  BOOST_CHECK_EQUAL(points.size(), 2);
+
+  points.clear();
   const std::vector<Vertex> loop = {vertex(v), vertex(w), vertex(x)};
   BOOST_CHECK(is_point(FG::geodesic_loop(mesh, loop, std::back_inserter(points), exactly).report.curves.front()));
   BOOST_CHECK(points.empty());
