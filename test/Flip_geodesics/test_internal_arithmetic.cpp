@@ -185,6 +185,61 @@ BOOST_AUTO_TEST_CASE(orientations_beyond_double_double_arithmetic_are_exact)
   } while(std::next_permutation(rows.begin(), rows.end()));
 }
 
+BOOST_AUTO_TEST_CASE(signs_of_rational_places_are_exact)
+{
+  Random_numbers random(14);
+  std::array<int, 3> count = {};
+  for(int i = 0; i < 300 * scale; ++i) {
+    std::array<std::array<Rational, 3>, 4> places;
+    std::array<FI::Rational_place, 4> found;
+    const int size = i % 2 == 0 ? 3 : 100; // many lie in one plane
+    for(std::size_t k = 0; k < 4; ++k) {
+      std::array<FI::Rational, 3> p;
+      for(std::size_t axis = 0; axis < 3; ++axis) {
+        p[axis] = {random.below(2 * size + 1) - size, 1 + random.below(6)};
+        places[k][axis] = Rational(p[axis].numerator) / Rational(p[axis].denominator);
+      }
+      found[k] = FI::rational_place(p[0], p[1], p[2]);
+    }
+    std::array<std::array<Rational, 3>, 3> v;
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::array<Double_double, 3> precise = FI::precise_difference(found[0], found[k + 1]);
+      for(std::size_t axis = 0; axis < 3; ++axis) {
+        v[k][axis] = places[k + 1][axis] - places[0][axis];
+        BOOST_TEST(abs(exact(precise[axis]) - v[k][axis]) <= Rational(0x1p-100) * abs(v[k][axis]));
+      }
+    }
+    Rational volume = 0, dot = 0;
+    const FI::Exact_vector<FI::Rational_place> a(found[0], found[1]), b(found[0], found[2]);
+    for(std::size_t x = 0; x < 3; ++x) {
+      const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+      const Rational cross = v[0][y] * v[1][z] - v[0][z] * v[1][y];
+      BOOST_TEST(sign_of_cross(a, b, x) == cross.sign());
+      volume += v[2][x] * cross;
+      dot += v[0][x] * v[1][x];
+    }
+    BOOST_TEST(sign_of_dot(a, b) == dot.sign());
+    BOOST_TEST(FI::orientation(found[0], found[1], found[2], found[3]) == volume.sign());
+    ++count[static_cast<std::size_t>(volume.sign() + 1)];
+  }
+  BOOST_TEST((count[0] > 10 && count[1] > 0 && count[2] > 10));
+}
+
+// The right triangle with sides 3, 4 and 5, at half of this size.
+BOOST_AUTO_TEST_CASE(squared_lengths_determine_a_face)
+{
+  const FI::Squared_lengths face = {{9, 16, 25}, 4};
+  const std::array<double, 3> lengths = {1.5, 2, 2.5}, dots = {0, -4, -2.25};
+  for(std::size_t i = 0; i < 3; ++i) {
+    BOOST_TEST(exact(face.length(i)) == Rational(lengths[i]));
+    BOOST_TEST(exact(face.dot(i)) == Rational(dots[i]));
+  }
+  BOOST_TEST(exact(face.doubled_area()) == 3);
+  BOOST_TEST(face.satisfy_triangle_inequality());
+  BOOST_TEST((FI::Squared_lengths{{1, 4, 9}, 7}).satisfy_triangle_inequality()); // flat
+  BOOST_TEST(!(FI::Squared_lengths{{1, 4, 10}, 7}).satisfy_triangle_inequality());
+}
+
 // ---------------------------------------------------------------- classes of literals
 
 BOOST_AUTO_TEST_CASE(literals_are_not_equal_to_their_opposites)
