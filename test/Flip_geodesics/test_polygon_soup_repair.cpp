@@ -635,6 +635,11 @@ BOOST_AUTO_TEST_CASE(points_are_not_welded_farther_than_the_tolerance)
     BOOST_CHECK_LE(std::abs(repaired.mesh.point(Mesh::Vertex_index(static_cast<unsigned>(i))).x() - soup.points[i].x()),
                    2.5);
   BOOST_CHECK(weld(to_soup(repaired.mesh), 0.025).report.is_empty());
+  // Points that are not finite have no box, and a box can be far from the origin in one direction.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_THROW(weld({{{nan, 0, 0}, {1, nan, 0}, {0, 1, nan}}, {{0, 1, 2}}}, 0.025), FG::Invalid_mesh_error);
+  const Soup far_off = {{{0, 50, 0}, {1, 50, 0}, {0, 51, 0}, {1e-3, 50, 0}}, {{0, 1, 2}, {3, 1, 2}}};
+  BOOST_CHECK_EQUAL(weld(far_off, 0.025).report.number_of(Repair::POINTS_WELDED), 1u);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_repaired_is_said)

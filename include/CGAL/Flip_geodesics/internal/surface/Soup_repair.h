@@ -147,7 +147,7 @@ inline double maximum_distance(const Place_in_space& p, const Place_in_space& q)
   return (std::max)({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])});
 }
 
-/* The bounding box of the finite points, and the length of its longest side. */
+/* The bounding box of the finite points, and the length of its longest side; infinite if there are none. */
 struct Soup_box : Bounding_box
 {
   explicit Soup_box(const std::vector<Place_in_space>& points)
@@ -155,7 +155,7 @@ struct Soup_box : Bounding_box
     for(const Place_in_space& p : points)
       if(are_finite(p))
         add(p);
-    longest_side = low[0] <= high[0] ? maximum_distance(low, high) : 0;
+    longest_side = maximum_distance(low, high);
   }
 
   double longest_side;
@@ -553,7 +553,7 @@ private:
   // The position of the place of v among the open corners, or their number.
   std::size_t position_in(const Corners& open, std::size_t v)
   {
-    m_position.resize(m_soup.points.size(), 0);
+    m_position.resize(m_soup.points.size());
     const std::size_t i = m_position[m_soup.place(v)];
     return i < open.size() && m_soup.place(open[i]) == m_soup.place(v) ? i : open.size();
   }
