@@ -4,10 +4,13 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
+#include <CGAL/Flip_geodesics/Exact_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/places.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+
+#include <CGAL/Interval_nt.h>
 
 using namespace Flip_geodesics_test;
 
@@ -351,5 +354,22 @@ BOOST_AUTO_TEST_CASE(parts_of_faces_below_the_range_of_lengths_have_no_bound)
                                  {{{{1, 0, 0}}, {{1 - share, share, 0}}, {{1 - share, 0, share}}}});
     for(const FI::Precise_halfedge& side : part.precise_face(0))
       BOOST_TEST((side.error < 0x1p-90) == (share == 0x1p-5));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(faces_of_intervals_hold_vectors_with_their_errors)
+{
+  const std::array<std::array<double, 2>, 3> vectors = {{{{3, 0}}, {{-1, 2}}, {{-2, -2}}}};
+  for(const double error : {0.0, 1e-10}) {
+    const auto face =
+        FG::Exact_intrinsic_triangulation_traits<CGAL::Interval_nt<>>().construct_face_2_object()(vectors, error);
+    for(std::size_t i = 0; i < 3; ++i) {
+      const double size = std::abs(vectors[i][0]) + std::abs(vectors[i][1]);
+      for(const auto& [found, expected] : {std::make_pair(face[i].x, vectors[i][0]), {face[i].y, vectors[i][1]}}) {
+        BOOST_TEST((found.inf() <= expected - error * size / 2 && found.sup() >= expected + error * size / 2));
+        BOOST_TEST(found.sup() - found.inf() <= 3 * error * size);
+      }
+      BOOST_TEST((face[i].scale.inf() == 1 && face[i].scale.sup() == 1));
+    }
   }
 }
