@@ -433,8 +433,8 @@ private:
  */
 struct Triangle_crossings
 {
-  Index emanating[3]; // input edges that start at the corner, strictly inside it
-  Index cutting[3];   // input edges that cut the corner off
+  std::array<Index, 3> emanating; // input edges that start at the corner, strictly inside it
+  std::array<Index, 3> cutting;   // input edges that cut the corner off
 
   Triangle_crossings(Index opposite_0, Index opposite_1, Index opposite_2)
   {
