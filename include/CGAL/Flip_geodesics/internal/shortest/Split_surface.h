@@ -346,7 +346,6 @@ class Split_metric
 public:
   using Mesh = Numbered_mesh<Surface>;
   using Kernel = typename Metric::Kernel;
-  using Point_3 = typename Metric_point<Metric>::type;
   using Place = Split_place<typename Metric::Place>;
 
   /* \throws as the original metric for the faces that are split */
@@ -360,19 +359,6 @@ public:
           Exact_subface(exact_face_below(surface.below(), sides[i].face),
                         internal::face_geometry(metric, surface.below(), sides[i].face, Precise_face_traits())[0],
                         {{sides[i].tail_weights, sides[i + 1].tail_weights, sides[i + 2].tail_weights}}));
-  }
-
-  auto point(const Mesh& mesh, Vertex_index v) const
-  {
-    using Point = std::decay_t<decltype(m_metric.point(below(mesh), v))>;
-    if(!mesh.surface().is_new(v))
-      return Point(m_metric.point(below(mesh), v));
-    const auto [corners, w] = corners_and_shares(mesh, v);
-    const Point p = m_metric.point(below(mesh), corners[0]), q = m_metric.point(below(mesh), corners[1]),
-                r = m_metric.point(below(mesh), corners[2]);
-    return Point(p.x() + w[1] * (q.x() - p.x()) + w[2] * (r.x() - p.x()),
-                 p.y() + w[1] * (q.y() - p.y()) + w[2] * (r.y() - p.y()),
-                 p.z() + w[1] * (q.z() - p.z()) + w[2] * (r.z() - p.z()));
   }
 
   double length(const Mesh& mesh, Input_halfedge_index h) const { return length_by_weight(*this, mesh, h); }
@@ -449,7 +435,7 @@ public:
                      Flat_edges& flat_edges, Sign& sine) const
   {
     const Surface& surface = mesh.surface();
-    if(surface.is_beside_split(a.tail) || surface.is_new(a.head) || surface.is_new(b.head))
+    if(surface.is_beside_split(a.tail))
       return false;
     return internal::sine_in_plane(m_metric, below(mesh), sequence_below(surface, a), sequence_below(surface, b), steps,
                                    flat_edges, sine);

@@ -492,7 +492,7 @@ public:
     Edge_end place = are_places_known ? known_place(around, arrival, first) : Edge_end();
     for(std::size_t i = 0; i < around.size(); ++i) {
       const Halfedge_index h = around[(first + i) % around.size()];
-      if(i > 0 && are_places_known && m_triangulation.is_border(h)) // of another umbrella
+      if(are_places_known && m_triangulation.is_border(h)) // the first one or of another umbrella
         place = {h, {as_input(h), 0, 0}, true};
       else if(i > 0)
         m_places.turn_clockwise(h, place);
