@@ -412,43 +412,65 @@ BOOST_AUTO_TEST_CASE(a_leg_is_proven_if_and_only_if_it_is_straight)
   BOOST_TEST(bent > 5u);
 }
 
+// A line through a vertex of a torus of equilateral triangles: that its angle is pi requires a root.
+BOOST_AUTO_TEST_CASE(a_leg_beyond_the_work_limit_is_probable)
+{
+  using Traits = FG::Certified_intrinsic_triangulation_traits<Length_metric::Kernel>;
+  using Certified = FG::Intrinsic_triangulation<Surface, Traits, Length_metric>;
+  constexpr int n = 9;
+  const Surface mesh = to_mesh<Surface>(torus(n, 7, 3, 1));
+  std::map<Surface::Edge_index, double> lengths;
+  for(Surface::Edge_index e : mesh.edges())
+    lengths[e] = 1;
+  for(const bool is_limited : {false, true}) {
+    Certified t(mesh, Length_metric(mesh, Length_map(lengths)), is_limited ? Traits(0) : Traits());
+    const FG::Curve_editor<Certified> editor(t, {t.location(0_v), t.location(FG::Vertex_index(4 + 2 * n))});
+    BOOST_TEST(std::abs(editor.length() - 2 * std::sqrt(3.0)) < 1e-12);
+    BOOST_TEST((editor.verdict(0) == (is_limited ? FG::Verdict::PROBABLE : FG::Verdict::PROVEN)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(angles_from_leg_to_leg_go_round_their_vertex)
 {
-  Curve_setting s(flat_grid(7, 7, Diagonal_rule::RISING));
-  struct Seen
-  {
-    FG::Edge_sequence sequence;
-    FG::internal::Edge_sequence_angle angle;
-  };
-  const auto seen = [&](int x, int y) { // from the vertex (2, 2)
+  for(const double shear : {0.0, 3.0}) { // acute corners, and obtuse ones
+    Curve_setting s(mapped(flat_grid(7, 7, Diagonal_rule::RISING), [shear](const Coordinates& p) {
+      return Coordinates{p[0] - shear * p[1], p[1], p[2]};
+    }));
+    struct Seen
+    {
+      FG::Edge_sequence sequence;
+      FG::internal::Edge_sequence_angle angle;
+    };
+    const auto seen = [&](int x, int y) { // from the vertex (2, 2)
+      s.network.clear();
+      s.triangulation.rollback();
+      s.add_path(FG::Vertex_index(grid_vertex(7, 2, 2)), FG::Vertex_index(grid_vertex(7, x, y)));
+      FG::shorten(s.network);
+      Seen result;
+      s.network.for_each_segment(0_c, [&](FG::Segment_index segment) {
+        result.sequence = s.triangulation.edge_sequence(s.network.halfedge(segment));
+      });
+      const FG::internal::Strip<Curve_setting::Triangulation> strip(s.triangulation, result.sequence);
+      result.angle = FG::internal::tail_angle(strip);
+      return result;
+    };
+    FG::Decision_statistics statistics;
+    const auto compare = [&](const Seen& a, const Seen& b) {
+      return FG::internal::compare_clockwise(s.triangulation, statistics, {a.sequence, true, a.angle},
+                                             {b.sequence, true, b.angle});
+    };
+    const Seen low = seen(7, 3), high = seen(4, 3), left = seen(1, 4); // the first two in one corner
     s.network.clear();
     s.triangulation.rollback();
-    s.add_path(FG::Vertex_index(grid_vertex(7, 2, 2)), FG::Vertex_index(grid_vertex(7, x, y)));
-    FG::shorten(s.network);
-    Seen result;
-    s.network.for_each_segment(0_c, [&](FG::Segment_index segment) {
-      result.sequence = s.triangulation.edge_sequence(s.network.halfedge(segment));
-    });
-    const FG::internal::Strip<Curve_setting::Triangulation> strip(s.triangulation, result.sequence);
-    result.angle = FG::internal::tail_angle(strip);
-    return result;
-  };
-  FG::Decision_statistics statistics;
-  const auto compare = [&](const Seen& a, const Seen& b) {
-    return FG::internal::compare_clockwise(s.triangulation, statistics, {a.sequence, true, a.angle},
-                                           {b.sequence, true, b.angle});
-  };
-  const Seen low = seen(5, 3), high = seen(4, 3), left = seen(1, 4); // the first two in one corner
-  s.network.clear();
-  s.triangulation.rollback();
-  BOOST_TEST(compare(high, low) == CGAL::SMALLER);
-  BOOST_TEST(compare(low, high) == CGAL::LARGER);
-  BOOST_TEST(compare(left, low) == CGAL::SMALLER);
-  BOOST_TEST(compare(low, left) == CGAL::LARGER);
-  Seen same = low; // but for rounding
-  same.angle.angle += same.angle.error;
-  BOOST_TEST(compare(low, same) == CGAL::SMALLER);
-  BOOST_TEST(compare(same, low) == CGAL::SMALLER);
+    BOOST_TEST(compare(high, low) == CGAL::SMALLER);
+    BOOST_TEST(compare(low, high) == CGAL::LARGER);
+    BOOST_TEST(compare(left, low) == CGAL::SMALLER);
+    BOOST_TEST(compare(low, left) == CGAL::LARGER);
+    Seen same = low; // but for rounding
+    same.angle.angle += same.angle.error;
+    BOOST_TEST(compare(low, same) == CGAL::SMALLER);
+    BOOST_TEST(compare(same, low) == CGAL::SMALLER);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(polylines_are_divided_anywhere)

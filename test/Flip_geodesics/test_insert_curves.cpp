@@ -245,6 +245,39 @@ BOOST_AUTO_TEST_CASE(points_that_are_too_close_are_merged)
   BOOST_TEST(result.report.new_vertices == 6u);
 }
 
+BOOST_AUTO_TEST_CASE(weights_are_divided_by_their_sum)
+{
+  constexpr double sum = 1 + 8e-7;
+  for(const std::array<double, 3>& weights : {std::array<double, 3>{{0.25, 0.75, 0}}, {{0.25, 0.25, 0.5}}}) {
+    Mesh mesh = one_triangle();
+    const auto f = *faces(mesh).begin();
+    const auto expected = point_of<Mesh>({f, weights}, mesh);
+    const Polyline point = {{f, {{sum * weights[0], sum * weights[1], sum * weights[2]}}}};
+    FG::insert_curves(mesh, point);
+    BOOST_TEST_REQUIRE(mesh.number_of_vertices() == 4u);
+    BOOST_TEST(CGAL::squared_distance(mesh.point(Mesh::Vertex_index(3)), expected) < 1e-28);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(meshes_of_any_scale_are_divided_in_the_same_way)
+{
+  constexpr double scale = 1024;
+  Random_numbers random(19);
+  for(int round = 0; round < 10; ++round) {
+    Mesh mesh = one_triangle(), large = mesh;
+    for(const auto v : vertices(large))
+      large.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
+    const Polyline curve = drawn_polyline(mesh, 6, random);
+    FG::insert_curves(mesh, curve);
+    FG::insert_curves(large, curve);
+    BOOST_TEST_REQUIRE(mesh.number_of_faces() == large.number_of_faces());
+    for(const auto f : faces(mesh))
+      BOOST_TEST(std::equal(CGAL::vertices_around_face(halfedge(f, mesh), mesh).begin(),
+                            CGAL::vertices_around_face(halfedge(f, mesh), mesh).end(),
+                            CGAL::vertices_around_face(halfedge(f, large), large).begin()));
+  }
+}
+
 // Isolines of nearly one level, and geodesics that meet at sharp angles: vertices closer than rounding.
 BOOST_AUTO_TEST_CASE(nearly_coincident_curves_leave_good_faces)
 {

@@ -443,6 +443,43 @@ BOOST_AUTO_TEST_CASE(paths_over_flat_faces_are_confirmed)
   }
 }
 
+// A mesh that is scaled by a power of two has the same trees.
+BOOST_AUTO_TEST_CASE(trees_do_not_depend_on_the_scale)
+{
+  std::size_t replaced = 0;
+  for(const Mesh_soup& soup : {tetrahedron(7), octahedron(8), genus_3_plate(2), bumpy_sphere(7, 0.3, 5)}) {
+    Setting setting(soup);
+    Tree tree(setting.triangulation);
+    tree.grow(11_v);
+    replaced += FG::make_shortest(tree).longer_before;
+    for(double scale : {0x1p-10, 0x1p10}) {
+      Setting other(mapped(soup, [scale](const Coordinates& p) {
+        return Coordinates{scale * p[0], scale * p[1], scale * p[2]};
+      }));
+      Tree scaled(other.triangulation);
+      scaled.grow(11_v);
+      FG::make_shortest(scaled);
+      for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices())) {
+        BOOST_TEST((scaled.incoming(v) == tree.incoming(v)));
+        BOOST_TEST(scaled.distance(v) == scale * tree.distance(v));
+      }
+    }
+  }
+  BOOST_TEST(replaced > 20u);
+}
+
+// The last segments of the replaced paths cross few edges, and no other edges are flipped.
+BOOST_AUTO_TEST_CASE(replacing_paths_takes_few_flips)
+{
+  Setting setting(bumpy_sphere(7, 0.3, 5));
+  Tree tree(setting.triangulation);
+  tree.grow(11_v);
+  const FG::Distances_report report = FG::make_shortest(tree);
+  BOOST_TEST(report.longer_before > 20u);
+  BOOST_TEST(report.longer == 0u);
+  BOOST_TEST(report.flips <= 3 * report.longer_before / 2);
+}
+
 // Whatever part of its length a path may be longer than a shortest one: where it is too long, so are all paths that go
 // on from it, even if they are not by their own length.
 BOOST_AUTO_TEST_CASE(paths_that_go_on_from_one_too_long_are_replaced_with_it)

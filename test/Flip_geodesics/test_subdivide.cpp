@@ -45,6 +45,38 @@ BOOST_AUTO_TEST_CASE(common_subdivisions_with_random_delta_complexes)
   BOOST_CHECK_GT(crossings, 2000u);
 }
 
+BOOST_AUTO_TEST_CASE(quadrilaterals_are_divided_by_the_better_diagonal)
+{
+  using Point = Surface::Point;
+  const auto quality = [](const Point& p, const Point& q, const Point& r) {
+    return std::sqrt(CGAL::squared_area(p, q, r)) /
+           (CGAL::squared_distance(p, q) + CGAL::squared_distance(q, r) + CGAL::squared_distance(r, p));
+  };
+  Random_numbers random(23);
+  std::size_t quadrilaterals = 0;
+  for(const Mesh_soup& soup : various_meshes()) {
+    Curve_setting s(soup);
+    flip_at_random(s.triangulation, 50, random);
+    const Subdivision subdivision = FG::common_subdivision(s.triangulation, s.mesh);
+    const Surface& mesh = subdivision.mesh();
+    const auto is_diagonal = [&](Surface::Halfedge_index h) {
+      return subdivision.input_halfedge(h) == FG::null_index && subdivision.intrinsic_halfedge(h) == FG::null_index;
+    };
+    for(const auto e : mesh.edges()) {
+      const auto h = mesh.halfedge(e), t = mesh.opposite(h);
+      if(!is_diagonal(h) || is_diagonal(mesh.next(h)) || is_diagonal(mesh.prev(h)) || is_diagonal(mesh.next(t)) ||
+         is_diagonal(mesh.prev(t)))
+        continue;
+      const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                  &r = mesh.point(mesh.target(mesh.next(h))), &o = mesh.point(mesh.target(mesh.next(t)));
+      const double other = std::min(quality(p, o, r), quality(q, r, o));
+      BOOST_CHECK_GE(std::min(quality(p, q, r), quality(p, o, q)), other - 1e-9);
+      ++quadrilaterals;
+    }
+  }
+  BOOST_CHECK_GT(quadrilaterals, 30u);
+}
+
 BOOST_AUTO_TEST_CASE(common_subdivisions_with_inserted_points)
 {
   Random_numbers random(17);

@@ -78,3 +78,37 @@ BOOST_AUTO_TEST_CASE(paths_are_bent_where_their_angles_are_below_pi)
     BOOST_TEST((bent == expected));
   }
 }
+
+// Whichever side of the path the smaller angle is on.
+BOOST_AUTO_TEST_CASE(paths_are_bent_at_inserted_vertices)
+{
+  const Mesh_soup soup = flat_grid(2, 2, Diagonal_rule::RISING);
+  Curve_setting setting(soup);
+  auto& t = setting.triangulation;
+  FG::Input_halfedge_index h(0);
+  while(t.input().is_border(h))
+    ++h;
+  std::vector<FG::Vertex_index> corners;
+  Coordinates middle = {0, 0, 0};
+  for(int i = 0; i < 3; ++i, h = t.input().next(h)) {
+    corners.push_back(t.input().tail(h));
+    for(int k = 0; k < 3; ++k)
+      middle[k] += soup.points[corners.back().idx()][k] / 3;
+  }
+  const auto direction = [&](FG::Vertex_index v) {
+    const Coordinates& p = soup.points[v.idx()];
+    return std::atan2(p[1] - middle[1], p[0] - middle[0]);
+  };
+  const FG::Vertex_index inserted = t.insert({h, {{1, 1, 1}}});
+  for(FG::Vertex_index from : corners)
+    for(FG::Vertex_index to : corners) {
+      if(from == to)
+        continue;
+      const Tree_of_one_path tree(t, {from, inserted, to});
+      FG::internal::Measured_legs measured(static_cast<std::size_t>(t.number_of_vertices()));
+      std::vector<FG::Vertex_index> bent;
+      const double angle = FG::internal::Tree_straightness<Tree_of_one_path>(tree, measured)(std::back_inserter(bent));
+      BOOST_TEST(std::abs(angle - std::abs(std::remainder(direction(to) - direction(from), 2 * pi))) < 1e-12);
+      BOOST_TEST((bent == std::vector<FG::Vertex_index>{to}));
+    }
+}

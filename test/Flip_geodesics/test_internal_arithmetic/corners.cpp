@@ -153,6 +153,10 @@ BOOST_AUTO_TEST_CASE(faces_with_corners_below_zero_or_above_pi_are_refused)
     BOOST_TEST(laid_out(wrong, 1, 1e-2).has_value());
     BOOST_TEST(laid_out(1, wrong, 1e-2).has_value());
   }
+  for(double at_limit : {-1e-2, pi + 1e-2}) {
+    BOOST_TEST(laid_out(at_limit, 1, 1e-2).has_value());
+    BOOST_TEST(laid_out(1, at_limit, 1e-2).has_value());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(corners_below_zero_by_their_error_are_zero)

@@ -58,7 +58,8 @@ BOOST_AUTO_TEST_CASE(points_found_from_any_piece)
         Known_piece piece = {other.halfedge, other.gap, letters};
         BOOST_TEST((neighbors(t, Internals<Triangulation>::insert(t, point, no_split, piece)) == expected));
         BOOST_TEST(piece.letters <= letters);
-        ++(piece.letters == 0 ? from_piece : from_corner);
+        from_corner += piece.letters > 0 ? 1 : 0;
+        from_piece += letters > 0 && piece.letters == 0 ? 1 : 0;
       }
     }
   }
