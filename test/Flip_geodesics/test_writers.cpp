@@ -39,6 +39,32 @@ BOOST_AUTO_TEST_CASE(surface_curves_and_points_are_read_back)
   }
 }
 
+BOOST_AUTO_TEST_CASE(corners_with_equal_texture_coordinates_share_a_line_of_obj)
+{
+  using Corner_map = Mesh::Property_map<Mesh::Halfedge_index, std::array<double, 2>>;
+  Mesh mesh = sample_mesh();
+  const Corner_map corners = mesh.add_property_map<Mesh::Halfedge_index, std::array<double, 2>>("h:texture").first;
+  for(const auto h : mesh.halfedges())
+    corners[h] = {mesh.point(mesh.target(h)).x(), mesh.point(mesh.target(h)).y()};
+  std::ostringstream out;
+  FG::IO::write_OBJ(out, mesh, FG::IO::Texture<Corner_map>(corners));
+
+  // The coordinates are those of the vertices in the plane.
+  std::istringstream in(out.str());
+  std::vector<std::array<double, 2>> points, texture;
+  std::string word;
+  while(in >> word) {
+    double x = 0, y = 0, z = 0;
+    if(word == "v" && in >> x >> y >> z)
+      points.push_back({x, y});
+    else if(word == "vt" && in >> x >> y)
+      texture.push_back({x, y});
+    else if(const auto slash = word.find('/'); slash != std::string::npos)
+      BOOST_CHECK(points.at(std::stoul(word) - 1) == texture.at(std::stoul(word.substr(slash + 1)) - 1));
+  }
+  BOOST_CHECK_EQUAL(texture.size(), mesh.number_of_vertices());
+}
+
 BOOST_AUTO_TEST_CASE(doubles_come_back_bit_by_bit_whatever_the_stream_is_set_to)
 {
   Polyline points;

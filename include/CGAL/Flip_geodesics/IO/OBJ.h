@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <ostream>
 #include <vector>
 
@@ -31,15 +32,16 @@ public:
     if(has_materials)
       out << "mtllib " << m_figure.colors()->material_library() << '\n';
     m_figure.for_each_point([&](const Figure_point& p) { out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; });
+    Texture_numbers numbers;
     for(const Shape& shape : m_figure.shapes())
-      write_texture(out, shape);
-    std::size_t first = 1, first_texture = 1;
+      write_texture(out, shape, numbers);
+    std::size_t first = 1;
     for(const Shape& shape : m_figure.shapes()) {
       out << "o " << shape.name() << '\n';
       if(has_materials)
         out << "usemtl " << material_of(shape).name << '\n';
       if(shape.for_each_texture)
-        write_textured(out, shape, first, first_texture);
+        write_textured(out, shape, first, numbers);
       else
         write_elements(out, shape, first);
       first += shape.number_of_points;
@@ -47,28 +49,37 @@ public:
   }
 
 private:
-  // Writes three lines for each triangle with texture coordinates.
-  static void write_texture(std::ostream& out, const Shape& shape)
+  // The numbers of texture coordinates in the file.
+  using Texture_numbers = std::map<std::array<double, 2>, std::size_t>;
+
+  // Writes a line for each pair of texture coordinates that has no number yet.
+  static void write_texture(std::ostream& out, const Shape& shape, Texture_numbers& numbers)
   {
     if(shape.for_each_texture)
       shape.for_each_texture([&](const Texture_corners& corners) {
         if(is_textured(corners))
-          for(const auto& [u, v] : corners)
-            out << "vt " << u << ' ' << v << '\n';
+          for(const std::array<double, 2>& corner : corners)
+            if(numbers.emplace(corner, numbers.size() + 1).second)
+              out << "vt " << corner[0] << ' ' << corner[1] << '\n';
       });
   }
 
-  static void write_textured(std::ostream& out, const Shape& shape, std::size_t first, std::size_t& first_texture)
+  static void write_textured(std::ostream& out, const Shape& shape, std::size_t first, const Texture_numbers& numbers)
   {
-    std::vector<bool> has_texture;
-    shape.for_each_texture([&](const Texture_corners& corners) { has_texture.push_back(is_textured(corners)); });
+    std::vector<std::array<std::size_t, 3>> textures; // 0 without
+    shape.for_each_texture([&](const Texture_corners& corners) {
+      textures.push_back({});
+      if(is_textured(corners))
+        for(std::size_t i = 0; i < 3; ++i)
+          textures.back()[i] = numbers.at(corners[i]);
+    });
     std::size_t number = 0;
     shape.for_each_triangle([&](const Figure_triangle& t) {
       out << 'f';
-      for(std::size_t corner : t) {
-        out << ' ' << corner + first;
-        if(has_texture[number])
-          out << '/' << first_texture++;
+      for(std::size_t i = 0; i < 3; ++i) {
+        out << ' ' << t[i] + first;
+        if(textures[number][i] != 0)
+          out << '/' << textures[number][i];
       }
       out << '\n';
       ++number;
@@ -111,7 +122,7 @@ namespace IO {
  * The file has an object `surface`, an object `curve_N` for each curve, with one element `l`, and an object `points`.
  * All vertices come first, in the order of the data. A curve of one point is an element `p`. `CGAL::IO::read_OBJ()`
  * does not support the element `l`, but reads surfaces, tubes and points. With an `IO::Texture`, the corners of faces
- * have texture coordinates, `vt`, if these are finite. If `IO::Colors` names a material library, objects have
+ * have texture coordinates, `vt`, if these are finite; corners with equal coordinates share one line. If `IO::Colors` names a material library, objects have
  * materials.
  *
  * \param destination a stream, or the name of a file, which is replaced if it exists
