@@ -276,7 +276,7 @@ private:
 
   void add_ends()
   {
-    m_group = std::string("Curves, of one kind. ") + m_points;
+    m_group = std::string("Curves (use one of these options). ") + m_points;
     CLI::Option* const from = add_text("--from", "POINT", m_options.from, "start a path at this point");
     CLI::Option* const to = add_text("--to", "POINT", m_options.to, "end the path at this point");
     from->needs(to);
@@ -352,9 +352,8 @@ private:
   void add_weights()
   {
     add_text("--face-weights", "FILE", m_options.face_weights,
-             "read factors of the lengths in faces: one per face, or lines `face weight`");
-    add_text("--edge-weights", "FILE", m_options.edge_weights,
-             "read factors of the lengths of edges: lines `v w weight`");
+             "read length factors of faces: one per line, or lines `face weight`");
+    add_text("--edge-weights", "FILE", m_options.edge_weights, "read length factors of edges: lines `v w weight`");
     choose({"--face-weights", "--edge-weights"}, false);
     if(m_command->get_option_no_throw("--kernel") != nullptr)
       exclude("--kernel", {"--face-weights", "--edge-weights"}); // certified
@@ -376,7 +375,7 @@ private:
 
   void add_search()
   {
-    add_text("--search", "NAME", m_options.search, "search edge paths by lookback, astar or dijkstra [lookback]")
+    add_text("--search", "NAME", m_options.search, "search for edge paths by lookback, astar or dijkstra [lookback]")
         ->check(one_of({"lookback", "astar", "dijkstra"}));
   }
 
@@ -466,7 +465,7 @@ private:
           "  flip_geodesics network bunny.off --network curves.txt --stop-length 0.9 -o curves.ply\n"
           "  flip_geodesics network bunny.off --segmentation labels.seg -o boundaries.ply\n"
           "  flip_geodesics network textured.obj --seams --cut pieces.off");
-    m_group = "Curves, of one kind";
+    m_group = "Curves (use one of these options)";
     add_networks();
     choose({"--network", "--segmentation", "--seams"}, true);
     add_arithmetic();
@@ -504,7 +503,7 @@ private:
     add("--delaunay", m_options.meshes.is_delaunay,
         "flip all edges but those of the curves to a constrained Delaunay triangulation");
     CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
-                                    "insert vertices until no angle is smaller than this, from 0 to 30 degrees");
+                                    "insert vertices until no angle is smaller than this (0 to 30 degrees)");
     add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
         "insert vertices until no edge is longer than this; requires --refine")
         ->needs(refine);
@@ -612,7 +611,7 @@ private:
           "  flip_geodesics certify bunny.off --draw curves.polylines.txt\n"
           "  flip_geodesics certify bunny.off --draw edges.txt --stats verdicts.csv\n"
           "  flip_geodesics certify bunny.off --draw curves.polylines.txt --quiet --json -");
-    m_group = "Curves through all edges that they cross";
+    m_group = "Curves, each with a point on every edge that it crosses";
     add_draw()->required();
     add_files_of_curves();
 
@@ -684,7 +683,7 @@ private:
     if(const std::size_t at = text.find(too_often); at != std::string::npos)
       return text.substr(0, at) + " is given " + text.substr(at + too_often.size()) + " times; give it once";
     if(text.rfind("--longest-edge requires", 0) == 0)
-      return text + ", with 0 for any angles";
+      return text + "; use --refine 0 for no bound on angles";
     return text;
   }
 

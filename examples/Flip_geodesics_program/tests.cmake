@@ -350,7 +350,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)
     # Finer faces are needed at the corners of a cube; for those of a tetrahedron the cut has to pass them.
     flip_geodesics_add_program_test(flatten_cube 0 "1 cut. .*flattened in" flatten cube.off --output flat_cube.obj)
-    flip_geodesics_add_program_test(flatten_tetrahedron 2 "sharpest corners by --network" flatten tetrahedron.off
+    flip_geodesics_add_program_test(flatten_tetrahedron 2 "sharpest corners: pass a --network" flatten tetrahedron.off
                                     --quiet --output x.obj)
     flip_geodesics_add_program_test(flatten_through_corners 0 "1 cut. 4 vertices, flattened in" flatten tetrahedron.off
                                     --network corners.txt --output flat_tetrahedron.obj)
@@ -634,7 +634,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   0 --to 1 --refine 25 --most-vertices 5000)
   flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* faces outside the bounds. ended" refine torus.off --from
                                   0 --to 150 --refine 0 --longest-edge 0.02 --most-vertices 30)
-  flip_geodesics_add_program_test(edges_of_nothing 2 "--longest-edge requires --refine, with 0 for any" refine torus.off --from 0 --to
+  flip_geodesics_add_program_test(edges_of_nothing 2 "--longest-edge requires --refine; use --refine 0" refine torus.off --from 0 --to
                                   150 --longest-edge 0.1)
   flip_geodesics_add_program_test(bad_longest_edge 2 "--longest-edge" refine torus.off --from 0 --to 150 --refine 9
                                   --longest-edge 0)

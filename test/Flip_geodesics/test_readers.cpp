@@ -216,7 +216,8 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a.ts", "hello\nworld\n"), "a.ts: no line starts with GOCAD, VRTX or TRGL, so this is not a TS");
   check_has(message("a.ts", "END\n"), "this is not a TS file");
   check_has(message("a.ts", "GOCAD TSurf 1\n"), "a.ts line 1: the file ends without END");
-  check_has(message("a.obj", "OFF\n3 1 0\n"), "a.obj: no line is a vertex, `v`, or a face, `f`, so this is not an OBJ");
+  check_has(message("a.obj", "OFF\n3 1 0\n"),
+            "a.obj: no line starts with `v` (a vertex) or `f` (a face), so this is not an OBJ");
   check_has(message("a\nb.xyz", ""), "a?b.xyz: the extension does not determine the format");
 }
 

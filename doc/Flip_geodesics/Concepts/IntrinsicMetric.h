@@ -44,12 +44,12 @@ public:
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The data of a vertex from which lower bounds are computed, such as the coordinates of its point. Default
-  /// constructible and cheap to copy. With an empty class, the only bound is zero. A `std::array<double, 3>` is
+  /// constructible and cheap to copy. If the class is empty, every lower bound is 0. A `std::array<double, 3>` is
   /// interpreted as the coordinates of a point, from which `add_straightened_path()` unfolds faces.
   typedef unspecified_type Place;
 
-  /// Returns `weight(mesh, h)` up to rounding errors, given the data of the two ends of the halfedge. This is the
-  /// overload that searches for edge paths call most often.
+  /// Returns `weight(mesh, h)` up to rounding errors, given the data of the two ends of the halfedge. Searches for edge
+  /// paths call this overload most often.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const;
 
   /// Returns the data of vertex `v`.

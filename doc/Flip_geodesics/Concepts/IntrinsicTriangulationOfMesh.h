@@ -16,7 +16,7 @@
  * This function is found by argument-dependent lookup; `Intrinsic_triangulation.h` declares it for all models.
  *
  * The mesh may have non-manifold vertices, at which several umbrellas of faces meet. Curves and trees pass through them
- * from one umbrella to another. Directions in different umbrellas do not form angles.
+ * from one umbrella to another. The angle between directions in different umbrellas is undefined.
  *
  * \cgalRefines{IntrinsicTriangulation}
  *

@@ -49,8 +49,8 @@ inline void check_fixed_vertices(const Network_request& network, const Input_tex
       return std::find(curve.vertices.begin(), curve.vertices.end(), v) != curve.vertices.end();
     });
     if(!is_passed)
-      throw Bad_input(input.name() + ": no curve passes the fixed vertex " + std::to_string(v.idx()) +
-                      "; remove it, or correct it");
+      throw Bad_input(input.name() + ": no curve passes through the fixed vertex " + std::to_string(v.idx()) +
+                      "; remove or correct its number");
   }
 }
 

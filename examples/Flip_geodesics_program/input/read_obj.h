@@ -55,8 +55,8 @@ public:
         read_face();
     }
     if(m_soup.points.empty() && m_soup.faces.empty())
-      throw Bad_input(m_name + ": no line is a vertex, `v`, or a face, `f`, so this is not an OBJ file of a surface; "
-                               "correct the file or its extension");
+      throw Bad_input(m_name + ": no line starts with `v` (a vertex) or `f` (a face), so this is not an OBJ file of a "
+                               "surface; correct the file or its extension");
     if(m_last_vertex >= static_cast<long long>(m_soup.points.size()))
       fail_without_vertex(*m_words_at_last_vertex, m_face_of_last_vertex);
     check_unclean_vertices();

@@ -181,7 +181,7 @@ private:
     for(const auto& [name, type] : names)
       if(word == name)
         return type;
-    m_lines.fail("'" + printable(word) + "' is not a type of numbers in a PLY file; correct the header");
+    m_lines.fail("'" + printable(word) + "' is not a number type of PLY files; correct the header");
   }
 
   Text_scanner& m_lines;
@@ -307,7 +307,7 @@ public:
         skip_elements(kind);
     }
     if(!m_source.is_at_end())
-      m_source.fail("there are data after the last element; remove it, or correct the header");
+      m_source.fail("there is data after the last element; remove it, or correct the header");
     if(const std::string remark = remark_on(m_source); !remark.empty())
       m_soup.remarks.push_back(remark);
     return std::move(m_soup);

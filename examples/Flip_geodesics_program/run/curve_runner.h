@@ -646,7 +646,10 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     if(!m_options.are_zero_edges_refused && FG::internal::are_curves_folded(m_triangulation, report))
-      throw FG::Degenerate_face_error("degenerate faces fold vertices onto one point", {});
+      throw FG::Degenerate_face_error(
+          "a curve passes through several vertices that coincide once degenerate faces are contracted; "
+          "use --repair or --mollify",
+          {});
   }
 
   // Where vertices are inserted the record has no steps but the finished triangulation.

@@ -77,7 +77,7 @@ FG::Conformal_flattening<Triangulation> refined_and_flattened(const Mesh& mesh, 
   }
   throw Bad_input(name +
                   ": the mesh cannot be flattened: it would be stretched too much at vertices inside; cut through its "
-                  "sharpest corners by --network, with a line `! v ...` of them");
+                  "sharpest corners: pass a --network with curves through them, and a line `! v ...` that fixes them");
 }
 
 // The corners at a vertex inside an uncut edge are one point of the plane. The positions in the two faces of the edge,

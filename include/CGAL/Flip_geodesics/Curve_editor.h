@@ -196,8 +196,8 @@ public:
    *        must lie in one face
    * \return a report on the recomputed segments
    * \pre `i < number_of_points()`
-   * \throws Invalid_curve_error if the path starts elsewhere or two consecutive locations have no common face, in which
-   *         case the element is the position in the path; and as `move()` does
+   * \throws Invalid_curve_error if the path starts elsewhere, or two consecutive locations have no common face, in
+   *         which case `elements()` contains the position in the path; also as `move()` does
    * \throws Invalid_location_error as `move()` does
    * \throws Occupied_triangulation_error as `move()` does
    * \throws Crossing_curves_error as `move()` does

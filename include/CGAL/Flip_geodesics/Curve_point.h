@@ -37,8 +37,9 @@ struct Curve_place
   /// The coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`.
   std::pair<face_descriptor, std::array<double, 3>> location;
 
-  /// The halfedge that the curve crosses here, as a side of the face that the curve leaves, or that contains the point;
-  /// the null halfedge at a vertex and inside a face.
+  /// The halfedge that the curve crosses at this point, as a side of the face that the curve leaves. If the curve does
+  /// not cross the edge, a halfedge of the edge that contains the point; at a vertex or inside a face, the null
+  /// halfedge.
   halfedge_descriptor halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
 };
 

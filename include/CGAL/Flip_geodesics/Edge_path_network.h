@@ -501,7 +501,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
                                               const NamedParameters&... np)
 {
   static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                "the second argument must be a range of Vertex_index, the vertices of the triangulation");
+                "the second argument must be a range of vertices of the triangulation, of type Vertex_index");
   std::vector<Vertex_index> v;
   for(Vertex_index vertex : vertices) {
     internal::check_vertex(vertex, triangulation.number_of_vertices(), v.size());

@@ -109,9 +109,9 @@ struct Distance_field_report
   /// with the number of faces that paths cross, and with the number of edges that are long compared with the distance.
   /// The bound is conservative: most errors are far smaller.
   bool has_inaccurate_distance = false;
-  /// `WITHIN_TOLERANCE` if no path is shorter than a distance up to `Geodesic_distance_field::reach()` by more than
-  /// 1e-10 of that distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if coordinates
-  /// or lengths of the mesh had to be rounded.
+  /// `WITHIN_TOLERANCE` if each distance up to `Geodesic_distance_field::reach()` exceeds the length of a shortest path
+  /// by at most 1e-10 of the distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if
+  /// coordinates or lengths of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
 };
 
@@ -200,8 +200,8 @@ public:
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times as long as the
    *         sides of a face of the point, so that the rounding errors of the distances exceed the size of the face
-   * \throws Degenerate_face_error for the face of the point, unless it is a vertex without offset
-   * \throws Invalid_mesh_error for the face of the point, unless it is a vertex without offset
+   * \throws Degenerate_face_error if the face of the point is degenerate, unless the point is a vertex without offset
+   * \throws Invalid_mesh_error if the face of the point is invalid, unless the point is a vertex without offset
    */
   template <class Point = Surface_location>
   std::size_t add_source(const Point& point, double offset = 0)
@@ -291,9 +291,9 @@ public:
    * \return a report on the distances that are known
    *
    * \pre the extent is `EVERYWHERE` if a target lies inside a face or on an edge
-   * \throws Invalid_coordinate_error for faces within reach
-   * \throws Degenerate_face_error for faces within reach
-   * \throws Invalid_mesh_error for faces within reach
+   * \throws Invalid_coordinate_error if a face within reach has an invalid coordinate
+   * \throws Degenerate_face_error if a face within reach is degenerate
+   * \throws Invalid_mesh_error if a face within reach is invalid
    * \throws Invalid_location_error if a target is not a point of the surface
    * \throws Invalid_parameter_error if the radius is negative or not a number
    *

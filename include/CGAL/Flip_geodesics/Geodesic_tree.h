@@ -59,7 +59,7 @@ struct Geodesic_tree_report
 {
   /// `LOCALLY_SHORTEST` or `STOPPED_BY_VISITOR`; `PRECISION_LIMIT` if paths remain bent because predicates are inexact
   /// or coordinates were rounded to doubles; `DEGENERATE_FACES` if paths remain bent despite exact predicates, because
-  /// degenerate faces fold vertices onto one point.
+  /// several vertices coincide once degenerate faces are contracted.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
@@ -195,8 +195,8 @@ public:
     return result;
   }
 
-  /// Detaches vertices from the tree and attaches them elsewhere; `replace_paths()` passes an object of this type to
-  /// its argument.
+  /// Detaches vertices from the tree and attaches them elsewhere; `replace_paths()` calls the given
+  /// function with an object of this type.
   class Grafts
   {
   public:

@@ -291,7 +291,7 @@ private:
   void make(const VertexRange& base_points, internal::Interruption* interruption)
   {
     static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                  "the base points must be a range of Vertex_index, the vertices of the triangulation");
+                  "the base points must be a range of vertices of the triangulation, of type Vertex_index");
     const auto& input = checked_input(*m_triangulation);
     const auto length = weight(*m_triangulation);
     m_forest = internal::Edge_forest(input, base_points, length, interruption);
@@ -436,11 +436,11 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  *
  * Which classes bound a surface inside or outside is decided exactly, by linking numbers of loops that are pushed off
  * the surface and counted in a projection. Each candidate consists of an edge and two paths of a tree of shortest
- * paths, from a base point or from a point near a handle. From these candidates, the shortest loops are chosen that
- * bound, and that belong to a basis together with the loops already chosen. If the candidates do not suffice, as on a
- * knotted tube, several loops of a `Loop_basis` are combined, and the result may pass edges more than once and cross
- * itself. Since the points near the handles depend on the numbering of the mesh, the same mesh with a different
- * numbering can have different loops, whose lengths differ by a few percent.
+ * paths, from a base point or from a point near a handle. Among the candidates that bound such a surface, the shortest
+ * ones are chosen that can be extended, together with the loops already chosen, to a basis. If the candidates do not
+ * suffice, as on a knotted tube, several loops of a `Loop_basis` are combined, and the result may pass edges more than
+ * once and cross itself. Since the points near the handles depend on the numbering of the mesh, the same mesh with a
+ * different numbering can have different loops, whose lengths differ by a few percent.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; its input is read
  * \param np an optional sequence of named parameters among those listed below

@@ -27,7 +27,7 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Transports tangent vectors along curves, parallel in the sense of the Levi-Civita connection.
+ * Computes the parallel transport of tangent vectors along curves, with respect to the Levi-Civita connection.
  *
  * Within a face a vector does not change, and across an edge it does not change if both faces are unfolded into a
  * plane. At a vertex on the curve, the vector keeps its angle to the curve, after the angles around the vertex have
@@ -56,14 +56,15 @@ public:
    *        location, or starts there
    * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
    *        location; by default the one described at `Surface_direction`
-   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$, or, at a vertex, from 0 to the sum of
-   *         its angles; on the border, which has no full turn, the angle can have any value
+   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$ or, at an interior vertex, between
+   *         0 and the sum of the angles there. At a border vertex, around which there is no full turn, the angle is not
+   *         reduced and can have any value
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, or a halfedge does not satisfy the condition
-   * \throws Degenerate_face_error for a face along the curve
-   * \throws Invalid_coordinate_error for a face along the curve
-   * \throws Invalid_mesh_error for a face along the curve
+   * \throws Degenerate_face_error if a face along the curve is degenerate
+   * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
+   * \throws Invalid_mesh_error if a face along the curve is invalid
    *
    * Complexity: linear in the number of locations and the degrees of the vertices among them.
    */
@@ -106,9 +107,9 @@ public:
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
-   * \throws Degenerate_face_error for a face along the curve
-   * \throws Invalid_coordinate_error for a face along the curve
-   * \throws Invalid_mesh_error for a face along the curve
+   * \throws Degenerate_face_error if a face along the curve is degenerate
+   * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
+   * \throws Invalid_mesh_error if a face along the curve is invalid
    *
    * Complexity: linear in the number of locations and the degrees of the vertices among them.
    */
@@ -226,13 +227,13 @@ private:
  * \ingroup PkgFlipGeodesicsTangents
  *
  * Returns the counterclockwise angle at a location from one direction to another. It is at least 0, and less than
- * \f$2\pi\f$ or, at a vertex, the sum of the angles there. At a border vertex, which has no full turn, it is the
- * difference of the directions.
+ * \f$2\pi\f$ or, at a vertex, the sum of the angles there. At a border vertex, around which there is no full
+ * turn, it is the difference of the angles of the directions.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
- * \throws Degenerate_face_error for a face of the location
- * \throws Invalid_coordinate_error for a face of the location
- * \throws Invalid_mesh_error for a face of the location
+ * \throws Degenerate_face_error if a face of the location is degenerate
+ * \throws Invalid_coordinate_error if a face of the location has an invalid coordinate
+ * \throws Invalid_mesh_error if a face of the location is invalid
  * \throws Invalid_parameter_error if an angle is not finite, or a halfedge neither bounds a face that contains the
  *         location nor starts there
  *
@@ -351,9 +352,9 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
- * \throws Degenerate_face_error for a face along the curve
- * \throws Invalid_coordinate_error for a face along the curve
- * \throws Invalid_mesh_error for a face along the curve
+ * \throws Degenerate_face_error if a face along the curve is degenerate
+ * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
+ * \throws Invalid_mesh_error if a face along the curve is invalid
  *
  * Complexity: linear in the number of locations of the curve, and for each sample logarithmic in this number. Meshes
  * other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
@@ -386,7 +387,7 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * second.
  *
  * The angle is at least 0, and less than \f$2\pi\f$ or, at a vertex, the sum of the angles there. At a border vertex,
- * which has no full turn, it is negative if the second curve starts clockwise from the first.
+ * around which there is no full turn, it is negative if the second curve starts clockwise from the first.
  *
  * \param mesh a triangle mesh
  * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts that start at

@@ -489,7 +489,8 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
   if(is_stopped_by_visitor(result.report))
     return result;
   if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
-    throw Degenerate_face_error("paths pass through vertices that degenerate faces fold onto one point", {});
+    throw Degenerate_face_error(
+        "paths pass through several vertices that coincide once degenerate faces are contracted", {});
   if(result.report.longer > 0)
     result.report.verdict = Verdict::UNDECIDED;
   write(tree, Value_collector<typename Triangulation::Mesh_vertex, Value>{&result.values});
@@ -781,9 +782,9 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *
  * Sources are vertices, points anywhere on the surface, and curves; different kinds can be mixed. The distances are
  * computed with a `Geodesic_distance_field`. Two fallbacks handle difficult input:
- * - If the field encounters a face so flat that rays can be lost in it, or if rounding errors may have changed a
- *   distance by more than 1e-10 of its value, a search with outward-rounded bounds follows, provided that all sources
- *   are vertices.
+ * - If the field encounters a face so close to degenerate that rays can be lost in it, or if rounding errors may have
+ *   changed a distance by more than 1e-10 of its value, a search with outward-rounded bounds follows, provided that all
+ *   sources are vertices.
  * - If the bounds of the search are too far apart as well, or the field exceeds its limit, a tree of geodesics is grown
  *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was not passed in a range. Its paths are
  *   replaced wherever shorter ones are found (`make_shortest()`).
@@ -832,7 +833,7 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *
  * \throws Vertex_out_of_range_error if a source is not a vertex of the mesh
  * \throws Invalid_location_error if a source is not a point of the mesh
- * \throws Invalid_curve_error for a curve, as `Geodesic_distance_field::add_curve()` does
+ * \throws Invalid_curve_error as `Geodesic_distance_field::add_curve()` does
  * \throws Degenerate_face_error as `geodesic_path()` does
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does

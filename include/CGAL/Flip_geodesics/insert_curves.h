@@ -183,8 +183,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * A curve is the output of a function of this package, or a polyline drawn by a user. It may be open, or closed, in
  * which case its last point must repeat the first. A curve may cross itself and other curves, lie on edges, pass
- * vertices, and overlap with others. The crossing of two curves inside a face becomes one new vertex, which is decided
- * exactly by a constrained Delaunay triangulation in the plane of each face.
+ * vertices, and overlap with others. Each crossing of two curves inside a face becomes one new vertex. Whether
+ * curves cross is decided exactly, by a constrained Delaunay triangulation in the plane of each face.
  *
  * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. Of the
  * parts of a divided face or split edge, one keeps its descriptor; the other parts are new. New vertices on an edge lie
@@ -235,7 +235,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *     \cgalParamDefault{`Default_curve_insertion_visitor<TriangleMesh>`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{snapping_tolerance}
- *     \cgalParamDescription{the barycentric coordinate up to which a point is moved to an edge or a vertex}
+ *     \cgalParamDescription{the threshold up to which a barycentric coordinate counts as zero, so that the point is
+ *                            moved to an edge or a vertex}
  *     \cgalParamType{a number, at least 0 and below 1/3}
  *     \cgalParamDefault{10<sup>-12</sup>}
  *   \cgalParamNEnd

@@ -159,7 +159,8 @@ template <class... Tags, class... NamedParameters>
 decltype(auto) options_of(const NamedParameters&... np)
 {
   static_assert(Has_names_of<Joined<NamedParameters...>, Tags...>::value,
-                "the function does not have one of these named parameters; its page lists those that it has");
+                "the function does not accept at least one of these named parameters; its reference page lists those "
+                "that it accepts");
   return joined(np...);
 }
 

@@ -206,8 +206,9 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
  * Adds the seams of a texture as a network: the edges whose two faces have different texture coordinates at one or both
  * ends.
  *
- * Curves end at vertices at which one or more than two seams meet, in particular at seams that end inside the surface
- * or on its border; border edges are not seams. If the function or `texture` throws, the network is left empty.
+ * A curve ends at each vertex that is incident to exactly one seam edge or to more than two, and hence wherever a seam
+ * ends inside the surface or on its border. Border edges are not seams. If the function or `texture` throws, the
+ * network is left empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation

@@ -217,7 +217,7 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   of them as possible keep their orientation in each component. Faces are cut apart at edges with more than two
  *   faces, at points where they share only a vertex, and at edges between orientations that cannot be made consistent.
  * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself
- *   if no coordinate differs by more than the tolerance. Shorter edges collapse.
+ *   if no coordinate differs by more than the tolerance. Edges shorter than the tolerance collapse.
  * - Coincident borders are stitched with `CGAL::Polygon_mesh_processing::stitch_borders()`; their coordinates are
  *   bitwise identical. If more than two border edges coincide, two edges of the same component are stitched, and the
  *   others are not. Borders remain open if stitching would create two edges with the same two vertices.
@@ -231,8 +231,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * No point is moved unless a tolerance is given, and no new points are created. The vertex at position `i` of
  * `vertices(mesh)` comes from point `i`, regardless of the repairs. Vertices of points that were merged or lost their
  * faces are isolated and have no copies; `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes them.
- * Copies of split vertices follow. Faces are in the order of the polygons from which they come. A soup without defects
- * therefore yields the same mesh and an empty report. The result depends only on the input.
+ * Copies of split vertices come after these vertices. Faces are in the order of the polygons from which they come. A
+ * soup without defects therefore yields the same mesh and an empty report. The result depends only on the input.
  *
  * \tparam PointRange a range of points of a \cgal kernel. If its number type is `double`, the predicates of
  *         `CGAL::Exact_predicates_inexact_constructions_kernel` are used; otherwise those of the kernel itself, which
@@ -271,7 +271,7 @@ Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const Poly
                                             const NamedParameters&... np)
 {
   const auto& options = internal::options_of<internal_np::vertex_point_t, internal_np::snapping_tolerance_t>(np...);
-  CGAL_precondition_msg(num_vertices(mesh) == 0, "the mesh is not empty");
+  CGAL_precondition_msg(num_vertices(mesh) == 0, "the output mesh must be empty");
   const double tolerance = CGAL::to_double(
       parameters::choose_parameter(parameters::get_parameter(options, internal_np::snapping_tolerance), 0.0));
   CGAL_precondition_msg(0 <= tolerance && tolerance < 1, "the weld tolerance must be at least 0 and less than 1");

@@ -40,7 +40,7 @@ enum class Refinement_status {
   BOUNDS_REACHED,       ///< all faces are within the bounds, or are exempt
   BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or skipped; see `Refinement_report`
   VERTEX_LIMIT,         ///< `Refinement_options::maximum_insertions` vertices were inserted
-  STOPPED_BY_VISITOR    ///< the triangulation may not even be Delaunay
+  STOPPED_BY_VISITOR    ///< the visitor ended the refinement; the triangulation need not be Delaunay
 };
 
 /// \ingroup PkgFlipGeodesicsDelaunay

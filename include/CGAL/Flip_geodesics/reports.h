@@ -48,7 +48,8 @@ inline const char* to_string(Verdict verdict)
 }
 
 /// \ingroup PkgFlipGeodesicsProving
-/// Returns whether a verdict confirms the claim: `PROVEN`, `PROBABLE`, `WITHIN_ROUNDING` or `WITHIN_TOLERANCE`.
+/// Returns whether a verdict confirms the claim, that is, whether it is `PROVEN`, `PROBABLE`, `WITHIN_ROUNDING` or
+/// `WITHIN_TOLERANCE`.
 inline bool is_confirmed(Verdict verdict)
 {
   return verdict != Verdict::BENT_SEGMENT && verdict != Verdict::BENT_JOINT && verdict != Verdict::UNDECIDED;

@@ -393,10 +393,10 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \throws Insertion_error as `shortest_path()` does
  *
  * Complexity: \cgalBigO{m \log m} for the \f$m\f$ vertices of the covering that are visited, plus the time of
- * `shortest_path()` for each path. The visited vertices lie on the edge paths of the first `number` classes, or where a
- * path of another class that is at most as long as the last result may pass. The covering is laid out in stages, each
- * larger than the previous one by at least half, so that the time is roughly proportional to the limit if the limit is
- * reached.
+ * `shortest_path()` for each path. The search visits the vertices on the edge paths of the first `number` classes, and
+ * those through which a path of another class could pass without being longer than the last result. The covering is
+ * laid out in stages, each larger than the previous one by at least half, so that the time is roughly proportional to
+ * the limit if the limit is reached.
  *
  * Shortest edge paths are searched in the universal covering of the surface, in which each class of paths has its own
  * end point. A part of the covering is laid out, and a shortest path to each of these end points is computed there as

@@ -71,9 +71,9 @@ Surface_location surface_location(
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the location of a face and barycentric coordinates, a `CGAL::Polygon_mesh_processing::Face_location`. The
- * coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`, and are rounded to double, even
- * from exact number types.
+ * Converts a `CGAL::Polygon_mesh_processing::Face_location`, that is, a face and barycentric coordinates, to a
+ * `Surface_location`. The coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`, and are
+ * rounded to double, even from exact number types.
  *
  * Points are snapped here and only here: coordinates of at most `snap` count as exactly zero. Points that were located
  * with rounding errors, with a coordinate of -5.6e-17 for instance, thus lie on the intended edge or vertex.
@@ -81,7 +81,8 @@ Surface_location surface_location(
  * \param triangulation the triangulation
  * \param mesh the mesh of the triangulation
  * \param location the face and the coordinates
- * \param snap a barycentric coordinate, not negative and below 1/3; by default 1e-12
+ * \param snap the threshold up to which a barycentric coordinate counts as zero: at least 0 and less than 1/3, by
+ *        default 1e-12
  * \throws Invalid_location_error if the face is null or does not belong to the mesh, a coordinate is less than `-snap`
  *         or NaN, or the three coordinates do not sum to one within 1e-6
  *
@@ -236,8 +237,8 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
  * calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
- * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is more than 1e140 times
- *         as long as another one
+ * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is more than 1e140
+ *         times as long as another one
  * \throws Invalid_mesh_error if a face is not a triangle
  *
  * Complexity: linear in the number of faces of the mesh.

@@ -48,9 +48,8 @@ namespace Flip_geodesics {
  * \code
  * const Logarithmic_map<Triangulation> logarithm(triangulation, mesh, source);
  * const Polar_coordinates p = logarithm(target);
- * Geodesic_tracer<Triangulation>(triangulation).trace(source, Surface_direction{logarithm.halfedge(), p.angle}, p.radius,
- *                                             CGAL::Emptyset_iterator());
- * \endcode
+ * Geodesic_tracer<Triangulation>(triangulation).trace(source, Surface_direction{logarithm.halfedge(), p.angle},
+ *                                             p.radius, CGAL::Emptyset_iterator()); \endcode
  *
  * This code arrives at the target unless the shortest path bends at a vertex, as straightest geodesics never do. A
  * `Geodesic_distance_field` finds the edges that the path crosses. These edges are unfolded into a plane, starting at
@@ -434,7 +433,7 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Transports a tangent vector along a curve, parallel in the sense of the Levi-Civita connection.
+ * Computes the parallel transport of a tangent vector along a curve, with respect to the Levi-Civita connection.
  *
  * \param mesh a triangle mesh
  * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s such that any two consecutive
@@ -444,14 +443,16 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  *        `trace_geodesic()`
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
  *        which only the work limit is used
- * \return the direction at the end of the curve in the same form, from a halfedge by the rule of `Surface_direction`
+ * \return the direction at the end of the curve in the same form, measured from the halfedge that is described at
+ * `Surface_direction`
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
- * \throws Invalid_parameter_error if the angle is not finite, or the halfedge is not a side of a face of the start
- * \throws Degenerate_face_error for a face along the curve
- * \throws Invalid_coordinate_error for a face along the curve
- * \throws Invalid_mesh_error for a face along the curve
+ * \throws Invalid_parameter_error if the angle is not finite, or the halfedge is not a side of a face that contains the
+ * start
+ * \throws Degenerate_face_error if a face along the curve is degenerate
+ * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
+ * \throws Invalid_mesh_error if a face along the curve is invalid
  *
  * Complexity: linear in the number of locations and the degrees of the vertices among them. Meshes other than
  * `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
@@ -477,12 +478,13 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Transports a tangent vector in space along a curve, parallel in the sense of the Levi-Civita connection.
+ * Computes the parallel transport of a tangent vector in space along a curve, with respect to the Levi-Civita
+ * connection.
  *
  * The vector is projected to the plane of the face of the first location. The result lies in the plane of the face of
- * the last location, and has the length of the projection. At a vertex, vectors may point out of the face: they are
- * turned out of its plane by the angle on the surface, which is unambiguous if the angles at the vertex sum to
- * \f$2\pi\f$.
+ * the last location, and has the length of the projection. At a vertex, a vector may point out of the corner of its
+ * face. Its direction is then the one at the same angle on the surface, which is unambiguous if the angles at the
+ * vertex sum to \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
  * \param curve a range as for the overload with an angle, of locations in faces, since vectors lie in the planes of
@@ -494,9 +496,9 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Invalid_parameter_error if a coordinate of the vector is not finite
- * \throws Degenerate_face_error for a face along the curve
- * \throws Invalid_coordinate_error for a face along the curve
- * \throws Invalid_mesh_error for a face along the curve
+ * \throws Degenerate_face_error if a face along the curve is degenerate
+ * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
+ * \throws Invalid_mesh_error if a face along the curve is invalid
  *
  * Complexity: linear in the number of locations and the degrees of the vertices among them. Meshes other than
  * `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.

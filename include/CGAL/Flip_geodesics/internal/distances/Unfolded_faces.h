@@ -362,7 +362,9 @@ private:
     const Precise_halfedge side = precise_input_halfedge(m_triangulation, here.halfedge);
     const Precise_halfedge turn = precise_input_halfedge(m_triangulation, before.halfedge);
     if(!(side.error <= Number_rounding<Number>::unit && turn.error <= Number_rounding<Number>::unit))
-      throw Degenerate_face_error("the sides of a face are too long or too short to bound their rounding errors", {});
+      throw Degenerate_face_error("a face has a side that is so long or so short that its rounding error cannot be "
+                                  "bounded; scale or repair the mesh",
+                                  {});
     m_sides[static_cast<std::size_t>(number)] = {
         Number(side.length), -Number(turn.next.x), Number(turn.next.y), here.halfedge, here.tail, true};
   }

@@ -132,8 +132,8 @@ auto compute_on_surface(Surfaces&& surfaces, const Compute& compute)
 
 [[noreturn]] inline void throw_no_surface_left(Vertex_index v)
 {
-  throw Degenerate_face_error("at vertex " + std::to_string(v.idx()) +
-                                  " degenerate faces share a zero-length edge, and no surface remains",
+  throw Degenerate_face_error("no surface remains at vertex " + std::to_string(v.idx()) +
+                                  " after the contraction of degenerate faces that share a zero-length edge",
                               {static_cast<std::size_t>(v.idx())});
 }
 
@@ -392,7 +392,8 @@ template <class Triangulation>
 void note_contraction(const Triangulation& triangulation, Shortening_report& report)
 {
   if(are_curves_folded(triangulation, report))
-    throw Degenerate_face_error("a curve passes through vertices that degenerate faces fold onto one point", {});
+    throw Degenerate_face_error(
+        "a curve passes through several vertices that coincide once degenerate faces are contracted", {});
   for(Curve_report& curve : report.curves)
     curve.are_zero_edges_contracted = triangulation.input().is_contracted();
 }

@@ -300,7 +300,7 @@ private:
 
   void flip(Halfedge_index h)
   {
-    CGAL_assertion_msg(!m_network.is_occupied(h), "a free wedge contains no segment end");
+    CGAL_assertion_msg(!m_network.is_occupied(h), "a free wedge must not contain a segment end");
     m_triangulation.flip(h);
     ++m_state.flips;
     m_visitor.on_flip(m_triangulation, h);
@@ -435,8 +435,8 @@ private:
                                   m_triangulation.memory_of_records()});
   }
 
-  // Applies a predicate's decision on a candidate, which is kept for another run if it was rejected. Returns whether the
-  // candidate was accepted.
+  // Applies a predicate's decision on a candidate, which is kept for another run if it was rejected. Returns whether
+  // the candidate was accepted.
   bool obey(Stop_decision decision, const Queued_wedge& candidate, Curve_index curve)
   {
     if(decision == Stop_decision::CONTINUE)

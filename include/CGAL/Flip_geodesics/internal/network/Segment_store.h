@@ -79,13 +79,13 @@ struct Bundle_place
 
 /*
  * The segments of a network on halfedges of a triangulation, its curves as chains of segments and, for each edge, its
- * bundle: the overlapping segments on the edge from left to right as seen along its first halfedge. The leftmost segment
- * of each bundle is stored by the place of the edge. The triangulation only records that the edge is held.
+ * bundle: the overlapping segments on the edge from left to right as seen along its first halfedge. The leftmost
+ * segment of each bundle is stored by the place of the edge. The triangulation only records that the edge is held.
  *
- * Invariant, preserved by each public function: a bundle consists of exactly the segments on its edge, each once, and an
- * edge is held once if and only if its bundle has segments; the segments of a curve form a chain from the first to the
- * last one, which is cyclic if the curve is closed; and an angle known to be straight is that of the joint between a
- * segment and its current successor. The network ensures that chains are connected in the triangulation and do not
+ * Invariant, preserved by each public function: a bundle consists of exactly the segments on its edge, each once, and
+ * an edge is held once if and only if its bundle has segments; the segments of a curve form a chain from the first to
+ * the last one, which is cyclic if the curve is closed; and an angle known to be straight is that of the joint between
+ * a segment and its current successor. The network ensures that chains are connected in the triangulation and do not
  * cross.
  *
  * Ids are never reused. The direction of a halfedge relative to its edge is practically random, so that choices that
@@ -874,7 +874,7 @@ template <class Triangulation, class HalfedgeRange>
 void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfedges, bool is_closed)
 {
   static_assert(is_range_of<HalfedgeRange, Halfedge_index>,
-                "the curve must be a range of Halfedge_index, the halfedges of the triangulation");
+                "the curve must be a range of halfedges of the triangulation, of type Halfedge_index");
   std::size_t position = 0;
   Halfedge_index first = null_index, last = null_index;
   for(Halfedge_index h : halfedges) {

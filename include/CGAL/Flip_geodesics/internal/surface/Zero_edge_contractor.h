@@ -309,8 +309,8 @@ private:
     for(auto member = first; member != last; ++member)
       if(m_result.outgoing[member->second] == null_index)
         return member->second;
-    throw Degenerate_face_error("more umbrellas of the surface than coincident vertices meet at vertex " +
-                                    std::to_string(v.idx()),
+    throw Degenerate_face_error("contraction yields more umbrellas at vertex " + std::to_string(v.idx()) +
+                                    " than coincident vertices exist for them",
                                 {static_cast<std::size_t>(v.idx())});
   }
 

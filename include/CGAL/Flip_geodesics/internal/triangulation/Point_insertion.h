@@ -244,8 +244,8 @@ private:
   {
     if(!(miss < largest_point_miss))
       throw Insertion_error("a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
-                                " cannot be located in the triangulation, because rounding errors have made its flips "
-                                "wrong; use the default traits",
+                                " cannot be located in the triangulation, because rounding errors have caused "
+                                "incorrect flips; use the default traits",
                             {static_cast<std::size_t>(point.halfedge.idx())});
     return nearest;
   }
