@@ -49,7 +49,7 @@ public:
   /// Returns the current length of a curve, or 0 if it has contracted.
   double length(Curve_index curve) const;
 
-  /// Returns the original length of a curve, to which stop predicates refer.
+  /// Returns the initial length of a curve, to which stop predicates refer.
   double initial_length(Curve_index curve) const;
 
   /// Calls `function(s)` for each segment of a curve, in order.
@@ -69,7 +69,7 @@ public:
   /// Returns the curve that contains a segment.
   Curve_index curve(Segment_index segment) const;
 
-  /// Returns the next segment of the curve: `null_index` at the end of a path, the segment itself in a loop of one
+  /// Returns the next segment of the curve: `null_index` at the end of a path, and the segment itself in a loop of one
   /// segment.
   Segment_index next(Segment_index segment) const;
 
@@ -92,13 +92,13 @@ public:
   std::pair<Segment_end, Segment_end> ends(const Joint& joint) const;
 
   /// Returns the next segment end clockwise around the same vertex, possibly the given end itself after a full turn.
-  /// The result is `Segment_end::is_none()` if the border of the surface, or an edge that only other networks hold,
-  /// comes first.
+  /// The member `Segment_end::is_none()` of the result returns `true` if the border of the surface, or an edge that is
+  /// held only by other networks, comes first.
   Segment_end next_clockwise(const Segment_end& end) const;
 
-  /// Returns whether the two ends lie on one edge next to each other, with no face between them on the joint's side.
-  /// The wedge of such a joint has the angle zero. A wedge that extends around the whole vertex also has the same edge
-  /// on both sides, but a positive angle.
+  /// Returns whether the two ends are adjacent on one edge, with no face between them on the joint's side. The wedge of
+  /// such a joint has angle zero. A wedge that extends around the whole vertex also has the same edge on both sides,
+  /// but its angle is positive.
   bool is_turning_back(const Joint& joint) const;
 
   /// @}

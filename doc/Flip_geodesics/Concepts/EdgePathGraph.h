@@ -8,8 +8,8 @@
  * wedges of joints, and the operations that move a joint.
  *
  * A model must never reuse the index of a segment, since indices remain in a queue while segments are created and
- * removed. A model must hold an edge of the triangulation once if at least one segment lies on the edge, and otherwise
- * not at all.
+ * removed. A model must place exactly one hold on each edge of the triangulation on which at least one segment lies,
+ * and none on other edges.
  *
  * The angle of a wedge is constant as long as its joint exists, since `shorten()` does not flip occupied edges. The set
  * of segment ends in the wedge can change, however. Therefore `shorten()` queues each free wedge once, ordered by its
@@ -58,8 +58,8 @@ public:
 
   /// Returns the state of the wedge of a joint and its angle. The state is `Wedge_state::FREE` if and only if the joint
   /// is not fixed, the second of its ends is `next_clockwise()` of the first, and the angle between them is less than
-  /// \f$\pi\f$. The second condition implies that neither a border nor an edge held by another network lies in
-  /// between. Corners beyond the angle \f$\pi\f$ need not be examined.
+  /// \f$\pi\f$. The second condition implies that neither a border nor an edge held by another network lies between the
+  /// two ends. Once the angle has reached \f$\pi\f$, further corners need not be examined.
   Wedge wedge(const Joint& joint) const;
 
   /// @}
@@ -73,12 +73,12 @@ public:
   /// its edge, on the side of the wedge. The arc is empty if and only if the joint turns back. A closed curve that
   /// consists of these two segments contracts if the arc is empty.
   ///
-  /// The function appends to `affected` both sides of each joint that contains a new segment, or that is new because an
-  /// empty arc has joined its two segments. It also appends each joint whose two ends have become adjacent around a
-  /// vertex because ends between them were removed. Additional joints are allowed, since wedges that are not free are
-  /// discarded. A side may be omitted if its angle is known to be at least \f$\pi\f$. This holds for the side of the
-  /// wedge between two new segments. It also holds for the other side at either end of the arc if its angle was at
-  /// least \f$\pi\f$ before, since this angle has grown.
+  /// The function appends to `affected` both sides of each new joint: a joint that contains a new segment, or whose two
+  /// segments have become consecutive because the arc is empty. It also appends each joint whose two ends have become
+  /// adjacent around a vertex because the ends between them were removed. It may append further joints, since wedges
+  /// that are not free are discarded. A side may be omitted if its angle is known to be at least \f$\pi\f$. This holds
+  /// for the side of the wedge at a joint between two new segments. At a joint at either end of the arc, it also holds
+  /// for the other side if the angle there was at least \f$\pi\f$ before the move, since this angle has grown.
   ///
   /// \return the first new segment in the direction of the curve, `null_index` if the arc is empty
   /// \pre The two segments differ, no edge inside the wedge is held, the arc bounds the faces of the wedge, and no
@@ -96,7 +96,7 @@ public:
   /// `restore_loop()` requires.
   Bundle_place bundle_place(Segment_index segment) const;
 
-  /// Replaces the present segments of a closed curve by the single segment that it consisted of when `place` was
+  /// Replaces the present segments of a closed curve by a single segment, of which the curve consisted when `place` was
   /// recorded.
   /// \return that segment, with a new index
   /// \pre All flips since then have been rolled back, and no other curve has changed.

@@ -53,12 +53,13 @@ public:
   /// rows, from 0 to 1. If this member is missing, progress is not reported.
   void on_progress(double fraction);
 
-  /// Observes that the edge of halfedge `h` was flipped. It is called before the step moves its curve. The flips of a
-  /// rejected step are rolled back without a call, which `triangulation.log_position()` reveals.
+  /// Is called after the edge of halfedge `h` has been flipped, and before the step moves its curve. The flips of a
+  /// rejected step are rolled back without a call of this member; the rollback is visible only from
+  /// `triangulation.log_position()`.
   template <class Triangulation>
   void on_flip(const Triangulation& triangulation, Halfedge_index h);
 
-  /// Observes that a step has shortened a curve. The compound step for a loop of one segment counts as one step.
+  /// Is called after a step has shortened a curve. The compound step for a loop of one segment counts as one step.
   template <class Network>
   void after_flip_out(const Network& network, Curve_index curve);
 };

@@ -11,8 +11,9 @@
  *
  * In the region in which the field is finite, it must be continuous across edges and vertices, and should be
  * 1-Lipschitz: the values at two points should differ by at most the length of any path on the surface between them, up
- * to rounding errors. If a field has larger slopes, both functions still work, but the bounds that they state need not
- * hold. Sources may have offsets; negative ones are allowed, although `Geodesic_distance_field` does not accept them.
+ * to rounding errors. If a field has larger slopes, both functions still work, but the bounds stated in their
+ * documentation need not hold. Sources may have offsets; negative ones are allowed, although `Geodesic_distance_field`
+ * does not accept them.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Interpolated_distances<TriangleMesh\,VertexDistanceMap>}

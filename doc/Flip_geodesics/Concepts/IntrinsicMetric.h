@@ -4,8 +4,8 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces, regardless of
- * their source. A model must be cheap to copy, since a triangulation keeps a copy.
+ * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces, independently
+ * of how these are defined. A model must be cheap to copy, since a triangulation keeps a copy.
  *
  * The argument `mesh` of the members is the mesh returned by `Intrinsic_triangulation::input()`, which is numbered by
  * consecutive integers.
@@ -55,7 +55,7 @@ public:
   /// Returns the data of vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const;
 
-  /// Returns a lower bound of the length of all paths on the surface between two vertices, across faces as well as
+  /// Returns a lower bound on the lengths of all paths on the surface between two vertices, across faces as well as
   /// along edges. Bounds and verdicts of shortest paths depend on it. The bound from a vertex to itself must be 0, and
   /// the bounds from the two ends of an edge to the same vertex must differ by at most the weight of the edge.
   double distance_lower_bound(const Place& p, const Place& q) const;

@@ -76,7 +76,7 @@ public:
   Halfedge_index counterclockwise(Halfedge_index h) const;
   /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Halfedge_index outgoing(Vertex_index v) const;
-  /// Prefetches the face on the left of `h`, which will be read soon. An empty function is valid.
+  /// Prefetches the face on the left of `h` because it will be read soon. The function may be empty.
   void prefetch_face(Halfedge_index h) const;
 
   /// @}
@@ -107,8 +107,7 @@ public:
   void flip(Halfedge_index h);
   /// Returns the end of the log, which grows with each flip.
   Log_position log_position() const;
-  /// Rolls back flips in reverse order until the log ends at `position`. The result is bitwise identical to the former
-  /// state.
+  /// Rolls back flips in reverse order until the log ends at `position`. The former state is restored bitwise.
   void rollback(Log_position position);
   /// Returns the size of the flip records in bytes, for `Memory_stop_predicate`.
   std::size_t memory_of_records() const;
@@ -125,9 +124,9 @@ public:
   void hold(Edge_index e);
   /// Releases a hold. \pre `holds(e) > 0`
   void release(Edge_index e);
-  /// Returns the number of holds on all edges.
+  /// Returns the total number of holds on all edges.
   std::size_t number_of_holds() const;
-  /// Returns an upper bound of `Walker::edge_place()` for all edges that a walker has visited.
+  /// Returns an upper bound on `Walker::edge_place()` over all edges that a walker has visited.
   std::size_t number_of_edge_places() const;
 
   /// @}

@@ -41,9 +41,9 @@ public:
   /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`,
   /// `bool is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped
   /// halfedge. For an insertion, `number` is the number of the inserted vertex, counted from 0. If `is_on_edge()`, the
-  /// vertex was inserted on the edge of `h`, otherwise into its face; `gap()` is the number of edges in the edge
-  /// sequence of `h` at that time that were crossed before the input face of the vertex. Any other entry states that
-  /// the face of `h` was recomputed from the input.
+  /// vertex was inserted on the edge of `h`, otherwise into its face; `gap()` is the number of edges in the former edge
+  /// sequence of `h` that are crossed before the input face that contains the vertex. Any other entry states that the
+  /// face of `h` was recomputed from the input.
   typedef unspecified_type Flip_record;
 
   /// @}
@@ -66,16 +66,17 @@ public:
   Index crossings(Edge_index e) const;
 
   /// Returns the input edges that a halfedge crosses, from its tail to its head. Algorithms that accept models of
-  /// `IntrinsicTriangulation` treat a class with this member as a model of the present concept: they report that
-  /// coordinates are rounded, and measure finished curves.
+  /// `IntrinsicTriangulation` treat a class with this member as a model of the present concept: they report whether
+  /// coordinates were rounded, and measure finished curves.
   Edge_sequence edge_sequence(Halfedge_index h) const;
 
-  /// Returns the number of input edges that start strictly inside the wedge from halfedge `from` clockwise to halfedge
-  /// `to` of one vertex. If `from == to`, the wedge is the full turn. At an inserted vertex on an input edge, that edge
-  /// starts twice. \pre the wedge does not contain a border
+  /// Returns the number of input edges that start at the common tail of `from` and `to`, strictly inside the wedge
+  /// clockwise from `from` to `to`. If `from == to`, the wedge is the full turn. At an inserted vertex on an input
+  /// edge, this edge counts as two edges that start there. \pre the wedge does not contain a border
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const;
 
-  /// Returns a number that changes whenever the edge changes, and is 0 for an input edge that was never flipped.
+  /// Returns a number that changes whenever the edge changes and that is 0 for an input edge that has never been
+  /// flipped.
   Index version(Edge_index e) const;
 
   /// Returns an entry of the log. \pre `i` is less than `log_position()`
@@ -101,8 +102,9 @@ public:
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split);
 
-  /// Splits the edge of `h` at a point, which by definition lies on the edge. `gap` is the number of edges in the edge
-  /// sequence of `h` that are crossed before the input face that contains the point.
+  /// Splits the edge of `h` at a point that counts as a point of the edge, even if rounding errors move it off the
+  /// edge. `gap` is the number of edges in the edge sequence of `h` that are crossed before the input face that
+  /// contains the point.
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   template <class OnSplit>

@@ -4,9 +4,9 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulationTraits` describes the arithmetic of an intrinsic triangulation: the data that is
- * stored per halfedge, its change by a flip, and the comparison of angles. The rest of the package does not compute
- * with geometry in any other way, so the number type can be exchanged through this one template argument.
+ * The concept `IntrinsicTriangulationTraits` describes the arithmetic of an intrinsic triangulation: the data that are
+ * stored per halfedge, their change by a flip, and the comparison of angles. The rest of the package performs geometric
+ * computations only through a model, so the number type can be exchanged through this one template argument.
  *
  * A model must be default constructible and copyable; a triangulation keeps a copy. Functors may refer to the traits
  * object that returned them, but must not rely on a state of their own, since a functor is requested for each call.
@@ -52,7 +52,7 @@ public:
   typedef unspecified_type Flipped_geometry;
 
   /// `CGAL::Tag_true` if predicates can be wrong because the geometry of halfedges drifts away from that of the input
-  /// with the number of flips. In this case `shorten()` rolls back steps that lengthen a curve, measures finished
+  /// as the number of flips grows. In this case `shorten()` rolls back steps that lengthen a curve, measures finished
   /// curves on the input, and continues if they are bent. `CGAL::Tag_false` if every certain result of
   /// `Compare_turn_with_straight` is correct; `shorten()` then relies on these results.
   typedef unspecified_type Has_drift;
@@ -68,8 +68,8 @@ public:
   ///
   /// A further overload, `Face_geometry operator()(const std::array<std::array<double, 3>, 3>& sides) const`, is
   /// optional: the face whose halfedges have these vectors in space. If it exists, `Embedded_metric` calls it instead
-  /// for points with exact rational coordinates; each coordinate of a vector is then the exact difference of those of
-  /// two points, rounded once.
+  /// for points with exact rational coordinates; each coordinate of a vector is then the exact difference of the
+  /// corresponding coordinates of two points, rounded once.
   typedef unspecified_type Construct_face_3;
 
   /// `Face_geometry operator()(double a, double b, double c) const`: the face whose halfedges have these lengths, in
@@ -102,13 +102,13 @@ public:
   /// An angle that is not `SMALLER` counts as straight and is neither shortened nor flipped. If the result is uncertain
   /// and `Has_drift` is `CGAL::Tag_false`, the triangulation determines the result by exact arithmetic on the input.
   /// Otherwise `CGAL::Uncertain_conversion_exception` is thrown; a model may also throw this exception itself. The
-  /// functor is called after each corner, and a turn that is not `SMALLER` is not extended further. Angles above
-  /// \f$2\pi\f$ therefore need not be distinguished from small ones.
+  /// functor is called after each corner, and a turn that is not `SMALLER` is not extended further. The functor
+  /// therefore need not distinguish angles above \f$2\pi\f$ from small angles.
   typedef unspecified_type Compare_turn_with_straight;
 
   /// `double operator()(const Turn& turn) const`: returns a key that increases with the angle of a turn below
-  /// \f$\pi\f$ and is 0 for the rotation by zero. The key orders the queue, so that its rounding affects only the order
-  /// of steps. `Angle_stop_predicate` requires that the key of an angle \f$\alpha\f$ is
+  /// \f$\pi\f$ and is 0 for the rotation by zero. The key only determines the order in the queue, so its rounding error
+  /// affects only the order of steps. `Angle_stop_predicate` requires that the key of an angle \f$\alpha\f$ is
   /// \f$1 - \cos\alpha / (|\cos\alpha| + \sin\alpha)\f$.
   typedef unspecified_type Turn_key;
 
@@ -125,9 +125,9 @@ public:
 
   /// `Uncertain<bool> operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: returns whether
   /// the angles opposite to the edge between the faces `(h, hn, hp)` and `(t, tn, tp)`, at the heads of `hn` and `tn`,
-  /// add up to at most \f$\pi\f$. Equality, that is, four points on a circle, counts as Delaunay. A model that rounds
-  /// treats an excess below a tolerance as equality; the tolerance must be well above its errors, so that Lawson's
-  /// algorithm terminates. If the result is uncertain and `Has_drift` is `CGAL::Tag_false`, the triangulation
+  /// add up to at most \f$\pi\f$. Equality, that is, four points on a circle, counts as Delaunay. A model with rounding
+  /// errors treats an excess below a tolerance as equality; the tolerance must be well above its errors, so that
+  /// Lawson's algorithm terminates. If the result is uncertain and `Has_drift` is `CGAL::Tag_false`, the triangulation
   /// determines the result by exact arithmetic on the input. Only `Intrinsic_triangulation::is_locally_delaunay()`
   /// calls it.
   typedef unspecified_type Is_locally_delaunay;
@@ -147,7 +147,7 @@ public:
 
   /// @}
   /// \name Operations
-  /// One for each functor type.
+  /// There is one operation for each functor type.
   /// @{
 
   /// Returns a functor of type `Construct_face_3`.
@@ -179,7 +179,7 @@ public:
 
   /// Optional. `Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& w)
   /// const`: the triangle of three points in a face. Each `w[i]` consists of nonnegative weights of the tails of `h`,
-  /// `hn` and `hp`, whose sum need not be 1. It is called for the parts of an input face that is divided at points. If
+  /// `hn` and `hp`, whose sum need not be 1. It is called for each part of an input face that is divided at points. If
   /// the type is missing or `void`, such parts are computed by `Construct_face_2`, with rounding errors.
   typedef unspecified_type Construct_subface;
 
@@ -190,8 +190,8 @@ public:
   /// \name Work limit
   /// @{
 
-  /// Returns the work limit for one sign that is uncertain for the traits and that the triangulation determines by
-  /// exact arithmetic, in the unit of
+  /// Returns the work limit for the computation of one sign that the traits leave uncertain and the triangulation
+  /// determines by exact arithmetic, in the unit of
   /// `CGAL::Flip_geodesics::Certified_intrinsic_triangulation_traits::sign_work_limit()`. Required only if `Has_drift`
   /// is `CGAL::Tag_false`.
   std::uint64_t sign_work_limit() const;

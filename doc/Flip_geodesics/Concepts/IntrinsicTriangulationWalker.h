@@ -19,7 +19,7 @@ public:
   Halfedge_index index() const;
   /// Returns the position of the edge.
   Place place() const;
-  /// Returns whether the walker has no halfedge because it met the border.
+  /// Returns whether the walker has reached the border and therefore has no halfedge.
   bool is_none() const;
 
   /// Returns the vertex at which the halfedge starts.
@@ -35,13 +35,13 @@ public:
 
   /// Returns the length of the edge.
   double length() const;
-  /// Prefetches the face on the left, which will be read soon.
+  /// Prefetches the face on the left because it will be read soon.
   void prefetch_face() const;
   /// Adds to `turn` the corner on the right at the tail, and returns `clockwise()`. At the border, `turn` is unchanged.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
-  /// Returns a constant number that is unique to the edge and can index arrays of edge data. It is the number of
-  /// the edge, or a number that is small for edges that were used early, which keeps such arrays short.
+  /// Returns a number that is unique to the edge, never changes, and can serve as an index into arrays of edge data. It
+  /// is the number of the edge, or a number that is small if the edge was used early, which keeps such arrays short.
   std::size_t edge_place() const;
   /// Returns whether the edge is held.
   bool is_held() const;

@@ -17,8 +17,8 @@
 class RefinementVisitor
 {
 public:
-  /// Observes that vertex `v` was inserted into a face or on an edge, and that the edges around it were flipped. It is
-  /// not called for an insertion that is rolled back.
+  /// Is called after vertex `v` has been inserted into a face or on an edge and the edges around it have been flipped.
+  /// It is not called for an insertion that is rolled back.
   template <class Triangulation>
   void on_insertion(const Triangulation& triangulation, Vertex_index v);
 };

@@ -26,11 +26,11 @@ namespace Flip_geodesics {
  * defines. Coordinates and edge lengths are used exactly if they are doubles or their number type is exact and
  * rational, such as that of `Exact_predicates_exact_constructions_kernel`; otherwise they are rounded to doubles.
  *
- * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. If a sign is
- * within the bound, the filter fails, and the triangulation unfolds the input faces. It first uses doubles with an
- * a-priori bound, and exact predicates of points if the faces lie in one plane, then 50 digits with a bound, and
- * finally exact arithmetic in the field of the roots of the areas of the faces. Zeros are therefore proven, and
- * flipping terminates.
+ * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound on their relative error. If the bound
+ * does not determine a sign, the filter fails, and the triangulation unfolds the input faces. It first uses doubles
+ * with an a-priori error bound, and exact predicates on points if the faces lie in one plane, then numbers of 50 digits
+ * with an error bound, and finally exact arithmetic in the field of the roots of the areas of the faces. Zeros are
+ * therefore proven, and flipping terminates.
  *
  * Arithmetic with many independent roots can take too long and is subject to a work limit; see `sign_work_limit()`. A
  * sign that has not been determined when the limit is reached is assumed to be zero and counted in
@@ -72,11 +72,12 @@ public:
    * Returns the work limit for computing one sign by exact arithmetic with roots, counted in products of two 64-bit
    * words; an operation with short integers counts as 32 such products. A product of two numbers with \f$r\f$
    * independent roots takes \f$4^r\f$ products of integers. The previous stages take time linear in the number of
-   * faces, except for sums of roots over developable regions with parallel rulings, which have the default limit.
+   * faces, except for sums of roots over developable regions with parallel rulings, which are subject to the default
+   * limit.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 
-  /// Stores the vector of a halfedge in the frame of its face, and a bound of its error relative to its length.
+  /// Stores the vector of a halfedge in the frame of its face, and a bound on its error relative to its length.
   struct Halfedge_geometry
   {
     double x;     ///< a coordinate, in the unit of the mesh
@@ -87,7 +88,7 @@ public:
   /// The geometry of a face, in the order of its halfedges.
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
-  /// Stores the rotation over a fan of corners, with a bound of its error relative to its magnitude.
+  /// Stores the rotation over a fan of corners, with a bound on its error relative to its magnitude.
   struct Turn
   {
     double x = 1;                           ///< the real part; the argument of the number is the angle
@@ -106,8 +107,8 @@ public:
     Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
   };
 
-  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, with the error of a
-  /// layout.
+  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, and stores the error
+  /// bound of a layout.
   class Construct_face_3
   {
   public:
@@ -124,8 +125,8 @@ public:
     }
   };
 
-  /// Constructs a face from lengths as `Intrinsic_triangulation_traits::Construct_face_from_lengths` does, with the
-  /// error of a layout.
+  /// Constructs a face from lengths as `Intrinsic_triangulation_traits::Construct_face_from_lengths` does, and stores
+  /// the error bound of a layout.
   class Construct_face_from_lengths
   {
   public:
@@ -145,7 +146,7 @@ public:
     }
   };
 
-  /// Constructs a face from vectors as `Intrinsic_triangulation_traits::Construct_face_2` does, with the error.
+  /// Constructs a face from vectors as `Intrinsic_triangulation_traits::Construct_face_2` does, and stores the error.
   class Construct_face_2
   {
   public:
@@ -156,8 +157,8 @@ public:
     }
   };
 
-  /// Extends a turn as `Intrinsic_triangulation_traits::Extend_turn` does, with the error; the comparison may be
-  /// uncertain.
+  /// Extends a turn as `Intrinsic_triangulation_traits::Extend_turn` does, and updates its error bound; the comparison
+  /// may be uncertain.
   class Extend_turn
   {
   public:
@@ -220,8 +221,8 @@ public:
     }
   };
 
-  /// Computes a number in [0, 2] that increases with the turn, below \f$\pi\f$; the limits are reached by rounding
-  /// only.
+  /// Computes a number in [0, 2] that increases with the angle of a turn below \f$\pi\f$; only rounding can produce the
+  /// limits themselves.
   class Turn_key
   {
   public:
@@ -229,7 +230,7 @@ public:
     double operator()(const Turn& turn) const { return 1 - turn.x / norm_bound(turn.x, turn.y); }
   };
 
-  /// Flips an edge as `Intrinsic_triangulation_traits::Flip` does, with the errors.
+  /// Flips an edge as `Intrinsic_triangulation_traits::Flip` does, and updates the error bounds.
   class Flip
   {
   public:

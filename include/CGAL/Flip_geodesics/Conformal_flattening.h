@@ -118,8 +118,8 @@ private:
  * there, so that both sides of a seam have the same length. The scale factors of vertices at which the cut ends, such
  * as cone points, are free.
  *
- * The factors minimize a convex function, whose minimum is found by Newton's method with the cotangent Laplacian, at
- * the cost of a few sparse factorizations. Faces that temporarily violate the triangle inequality are treated as
+ * The factors minimize a convex function, whose minimum is found by Newton's method with the cotangent Laplacian. This
+ * requires a few sparse factorizations. Faces that temporarily violate the triangle inequality are treated as
  * degenerate, as in the paper. If such a face remains at the end, an exception is thrown; in that case, flip the
  * triangulation to Delaunay or refine it.
  *

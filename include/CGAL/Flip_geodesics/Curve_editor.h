@@ -39,20 +39,20 @@ struct Move_report
  * Represents an editable curve through points of the surface: its end points, waypoints or control points can be moved.
  *
  * Each geodesic segment, from one point to the next, is shortened independently, as by `geodesics_through()`, so
- * segments may cross. When a point moves, each adjoining segment is deformed continuously with it: the new segment is
- * obtained by shortening the concatenation of the old segment and the path of the move. The other segments are bitwise
- * unchanged, and `undo()` undoes moves.
+ * segments may cross. When a point moves, each segment at this point is deformed continuously with it: the new segment
+ * is obtained by shortening the concatenation of the old segment and the path of the move. The other segments are
+ * bitwise unchanged, and `undo()` undoes moves.
  *
  * A segment is stored as the sequence of edges that it crosses. The time of a move depends only on the segments at the
- * point and not on previous moves; it is roughly the time to extract these segments, times the number of rows of
- * vertices that they sweep. The segment is unfolded, shortened with a funnel algorithm, and certified as by
- * `certify()`, regardless of the traits. Only if that fails are edges flipped, as by `shorten()`, and the flips are
- * undone.
+ * moved point and not on previous moves; it is roughly the time to extract these segments, multiplied by the number of
+ * rows of vertices over which they sweep. The segment is unfolded, shortened with a funnel algorithm, and certified as
+ * by `certify()`, regardless of the traits. Only if this fails are edges flipped, as by `shorten()`; these flips are
+ * then undone.
  *
  * Guarantee: a segment is a bitwise reproducible function of its end points and its edge sequence, and does not depend
  * on the moves that led to it. If a homotopy class has only one geodesic, as on surfaces whose vertices have angles of
- * \f$2\pi\f$ or more, the moves matter only through the class. On other surfaces a class can contain several geodesics,
- * and a segment remains at the geodesic to which it was shortened.
+ * \f$2\pi\f$ or more, the moves affect the result only through the class. On other surfaces a class can contain several
+ * geodesics, and a segment remains at the geodesic to which it was shortened.
  *
  * The invariant is that each segment starts at the end of the previous one and is a geodesic if `verdict()` confirms
  * it, and that the triangulation is unchanged.
@@ -73,8 +73,8 @@ public:
    *
    * \param triangulation a triangulation of the input without flips and curves. It must outlive the editor, and is
    *        unchanged after each call
-   * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts, of
-   *        which no two consecutive ones coincide; a closed curve does not repeat the first
+   * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts, such
+   *        that no two consecutive points coincide; a closed curve does not repeat the first point
    * \param np the named parameter `is_closed`, a `bool`: whether a segment leads from the last point to the first;
    *        `false` by default
    * \throws Invalid_curve_error if there are fewer than two points, or two consecutive ones coincide
@@ -139,9 +139,9 @@ public:
       sum += leg.length;
     return sum;
   }
-  /// Returns the verdict on a segment, with exact arithmetic on the input coordinates. If a segment is not a geodesic,
-  /// it requires flips and crosses itself, or it exceeds the precision of the traits. Nothing is certified if
-  /// coordinates or lengths of the mesh had to be rounded.
+  /// Returns the verdict on a segment, obtained by exact arithmetic on the input coordinates. A segment can fail to be
+  /// a geodesic only if it requires flips and crosses itself, or if it exceeds the precision of the traits. Nothing is
+  /// certified if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// Returns the verdict on the curve, which is the worst one of its segments.
   Verdict verdict() const
@@ -151,7 +151,7 @@ public:
       worst = (std::max)(worst, verdict(leg));
     return worst;
   }
-  /// Returns how the filter failures of the predicates in all certificates were resolved.
+  /// Returns statistics of the filter failures of predicates in all certificates, and of how they were resolved.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
   /// @}
@@ -163,8 +163,8 @@ public:
    *
    * If both positions lie in one face, the path of the move is a straight line; otherwise it is a short edge path
    * between vertices of their faces. The successive positions of a pen thus determine the homotopy class of its path if
-   * they are closer together than the size of the features that it passes. If an exception is thrown, the curve is
-   * unchanged.
+   * they are closer together than the size of the features that the path passes. If an exception is thrown, the curve
+   * is unchanged.
    *
    * \param i the number of the point
    * \param to the new position

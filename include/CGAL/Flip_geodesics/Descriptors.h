@@ -71,7 +71,7 @@ public:
   /// Returns the text that is printed before the number.
   static constexpr const char* letter() { return Element::letter; }
 
-  /// Advances to the next number.
+  /// Increments the number.
   Descriptor& operator++()
   {
     ++m_number;
@@ -140,8 +140,8 @@ using Vertex_copy_index = Descriptor<Element_kind::Vertex_copy>;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// Identifies an edge of a triangulation. The descriptor stores the halfedge from which it was constructed, which does
-/// not affect comparisons. The `source()` and `target()` of an edge returned by a traversal are therefore the current
-/// vertex of the traversal and the vertex to which the edge leads.
+/// not affect comparisons. The `source()` of an edge returned by a traversal is therefore the current vertex of the
+/// traversal, and the `target()` is the vertex to which the edge leads.
 class Edge_index
 {
 public:
@@ -167,7 +167,7 @@ public:
   /// Returns the halfedge from which the descriptor was constructed.
   constexpr Halfedge_index halfedge() const { return m_halfedge; }
 
-  /// Advances to the next number.
+  /// Increments the number.
   Edge_index& operator++() { return *this = Edge_index(idx() + 1); }
 
   /// \cond
@@ -290,9 +290,9 @@ namespace Flip_geodesics {
  * this edge sequence determines the edge: the edge is the straight line in the unfolded faces.
  *
  * Three cases are possible. If the edge lies along the input halfedge `along`, or along a part of it, it crosses
- * nothing. If it lies inside the input face of the halfedge `face`, it crosses nothing either; such an edge ends at an
- * inserted vertex. Otherwise, `crossed` contains the crossed input halfedges, each as a side of the face that is left
- * through it, and `along` and `face` are `null_index`.
+ * nothing. If it lies inside the input face of the halfedge `face`, it crosses nothing either; such an edge has an
+ * inserted vertex as an end. Otherwise, `crossed` contains the crossed input halfedges, each as a side of the face that
+ * the edge leaves there, and `along` and `face` are `null_index`.
  */
 struct Edge_sequence
 {

@@ -140,7 +140,7 @@ public:
 
   /*!
    * Returns the faces around which the field turns. On a closed surface, the sum of the indices is `symmetry` times the
-   * Euler characteristic. Linear in the size of the mesh.
+   * Euler characteristic. Takes time linear in the size of the mesh.
    */
   std::vector<Singularity> singularities() const
   {

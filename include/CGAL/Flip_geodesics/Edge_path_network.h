@@ -45,14 +45,14 @@ namespace Flip_geodesics {
  *
  * The network satisfies an invariant that `is_valid()` checks. Curves are chains, and each bundle contains exactly the
  * segments on its edge. Around each vertex, the ends connected by free joints form a non-crossing matching; all other
- * ends, and the border, lie in one of its regions.
+ * ends, and the border, lie in one region of the matching.
  *
  * Segment ids are assigned once and never reused, so an id in a queue cannot refer to another segment later.
  *
  * Several networks can have curves in one triangulation. A network holds the edges under its curves, and a held edge is
  * not flipped. Curves of other networks are therefore obstacles: they do not move, and a wedge that contains one of
  * their edges is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges, but have no order on
- * such edges, and each of them can leave such an edge to either side. Curves that must not cross have to belong to the
+ * such edges, so each of them can leave such an edge to either side. Curves that must not cross have to belong to the
  * same network.
  *
  * \attention The network refers to its triangulation, which must not be destroyed or moved while the network has
@@ -71,7 +71,7 @@ public:
   using Triangulation = Triangulation_;      ///< the type of the triangulation
   using Turn = typename Triangulation::Turn; ///< a rotation around a vertex, of the traits of the triangulation
 
-  /// Describes a wedge as far as it has been inspected.
+  /// Describes the inspected part of a wedge.
   struct Wedge
   {
     Wedge_state state; ///< what the wedge contains
@@ -141,8 +141,8 @@ public:
     return curve;
   }
 
-  /// Fixes every node at vertex `v` that a curve currently passes: the node keeps its position, and other curves cannot
-  /// cross it. Linear in the number of segment ids.
+  /// Fixes every node that a curve currently has at vertex `v`: the node keeps its position, and other curves cannot
+  /// move across it. Takes time linear in the number of segment ids.
   void fix_nodes_at(Vertex_index v)
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
@@ -179,7 +179,8 @@ public:
   /// Sets the initial length of a curve to its current length, for instance after a drawn polyline has been added.
   void reset_initial_length(Curve_index curve) { set_initial_length(curve, length(curve)); }
 
-  /// Sets the initial length of a curve that had already been shortened when it was added.
+  /// Sets the initial length of a curve to a given value, for a curve that had already been shortened when it was
+  /// added.
   void set_initial_length(Curve_index curve, double length) { m_segments.set_initial_length(curve, length); }
 
   /// Reorders the segments on edge `e`. \pre `order` is a permutation of `bundle(e)`
@@ -229,7 +230,7 @@ public:
   /// Returns whether the curve has contracted to a point.
   bool is_contracted(Curve_index curve) const { return first_segment(curve) == null_index; }
 
-  /// Returns the length of a curve when it was added, unless another initial length has been set.
+  /// Returns the initial length of a curve: its length when it was added, unless another initial length has been set.
   double initial_length(Curve_index curve) const { return m_segments.initial_length(curve); }
 
   /// Returns the length of a curve, summed over its segments.
@@ -261,7 +262,7 @@ public:
 
   /// Returns whether `s` is currently a segment of a curve. Ids of replaced segments become invalid and are not reused.
   bool is_alive(Segment_index s) const { return m_segments.is_alive(s); }
-  /// Returns the halfedge of segment `s`, or `null_index` if the segment does not exist any longer.
+  /// Returns the halfedge of segment `s`, or `null_index` if the segment no longer exists.
   Halfedge_index halfedge(Segment_index s) const { return m_segments.halfedge(s); }
   /// Returns the curve of segment `s`.
   Curve_index curve(Segment_index s) const { return m_segments.curve(s); }
@@ -325,7 +326,8 @@ public:
     return result;
   }
 
-  /// Returns whether the two ends of a joint are adjacent on one halfedge, so that the joint turns back on itself.
+  /// Returns whether the two ends of a joint are adjacent on one halfedge, in which case the curve turns back at the
+  /// joint.
   bool is_turning_back(const Joint& joint) const
   {
     const auto [a, b] = ends(joint);
@@ -483,8 +485,8 @@ struct Internals<Edge_path_network<Triangulation>>
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the chain of halfedges of the triangulation through given vertices, with one edge between consecutive
- * vertices.
+ * Returns the chain of halfedges of the triangulation through given vertices, of which any two consecutive ones must
+ * share an edge.
  *
  * \param triangulation a triangulation
  * \param vertices a range of vertex indices; a closed curve does not repeat the first
@@ -659,10 +661,11 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
  *
  * Adds the network that is formed by the marked edges of the input mesh.
  *
- * Vertices at which one or more than two marked edges meet become fixed ends, and each chain between such vertices
- * becomes a curve. A loop without such a vertex becomes a closed curve. Open curves come first: each begins with the
- * smaller of the two halfedges on it that leave its ends, and the curves are ordered by these halfedges. Closed curves
- * follow, ordered by their smallest edges. If the function throws, a network that was empty before is empty afterwards.
+ * Vertices that are incident to exactly one marked edge or to more than two become fixed ends, and each chain between
+ * such vertices becomes a curve. A loop without such a vertex becomes a closed curve. Open curves come first. Of the
+ * two halfedges with which a curve leaves its ends, the smaller is its first one, and the curves are ordered by their
+ * first halfedges. Closed curves follow, ordered by their smallest edges. If the function throws, a network that was
+ * empty before is empty afterwards.
  *
  * \param network the network
  * \param mesh the mesh of the triangulation
@@ -736,24 +739,25 @@ Order_conflict order_if_possible(Network& network)
  * Otherwise the curves cross in every order; examples are two curves that part on opposite sides at the ends of a
  * common chain of edges, and a curve that goes around an annulus twice before it closes.
  *
- * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. The
- * end of a path or a fixed node does not determine an order, but all such ends at a vertex, and the border, must lie on
- * one side of each curve that passes through the vertex. An order that is undetermined at both ends follows from the
- * orders of other segments on the same edges, or else is chosen: the segment that was added first lies on the left, as
- * seen in its direction, or against its direction if its curve has turned back an odd number of times before. Copies of
- * a curve that does not turn back therefore lie to its right.
+ * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. A
+ * chain that ends at the end of a path or at a fixed node does not determine an order there, but all such ends at a
+ * vertex, and the border, must lie on one side of each curve that passes through the vertex. An order that is
+ * undetermined at both ends of the chain follows from the orders of other segments on the same edges, or else is
+ * chosen: the segment that was added first lies on the left, as seen in its direction, or against its direction if its
+ * curve has turned back an odd number of times before. Copies of a curve that does not turn back therefore lie to its
+ * right.
  *
  * \param network an `Edge_path_network`
  * \throws Crossing_curves_error if curves cross in every order. The element is a vertex at which they cross, or one of
  *         several vertices that together make an order impossible
  * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
- *         repeatedly and their choices interlock; the elements are the vertices of a shared edge. After either
- *         exception the curves are unchanged, but the order of their segments may have changed
+ *         repeatedly and the choices of their orders depend on each other; the elements are the vertices of a shared
+ *         edge. After either exception the curves are unchanged, but the order of their segments may have changed
  *
  * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the degrees of the vertices that they pass. If edges have
  * several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time, half a
- * second per million pairs, and \cgalBigO{p} memory. If the choices described above are inconsistent, the time is
- * \f$p\f$ times the maximal number of segments on one edge.
+ * second per million pairs, and \cgalBigO{p} memory. If the choices described above are inconsistent and must be
+ * revised, the time is proportional to \f$p\f$ times the maximal number of segments on one edge.
  */
 template <class Network>
 void order_overlapping_curves(Network& network)

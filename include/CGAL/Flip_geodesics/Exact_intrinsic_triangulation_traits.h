@@ -43,15 +43,15 @@ namespace Flip_geodesics {
  * | rounded, such as `boost::multiprecision::cpp_bin_float_100`, `double` | up to `angle_tolerance()` | any mesh |
  *
  * A mesh has one radicand \f$d\f$ if the area of each face is a rational multiple of \f$\sqrt d\f$; `common_radicand()`
- * computes it. It is 1 in the plane and on boxes parallel to the axes, and 3 on regular tetrahedra and octahedra. If
- * the area of a face is not such a multiple, `Inexact_root_error` is thrown when the face is accessed.
+ * computes it. It is 1 in the plane and on boxes parallel to the axes, and 3 on regular tetrahedra and octahedra.
+ * `Inexact_root_error` is thrown when a face is accessed whose area is not such a multiple.
  *
  * With exact numbers, faces store squared lengths and areas: with one root per input face, namely that of its squared
  * area, all numbers belong to one field, and flips do not require roots. With rounded numbers and intervals, faces
  * store vectors in their frames instead, because squared lengths and areas would drift apart.
  *
- * Heap-allocating number types make the construction of a triangulation linear in the size of the mesh, and exact
- * numbers grow with flips; the user manual lists the cost of each number type.
+ * With number types that allocate heap memory, the construction of a triangulation takes time linear in the size of the
+ * mesh. Exact numbers grow with the number of flips; the user manual lists the cost of each number type.
  * `Certified_intrinsic_triangulation_traits` combine exact predicates with speed.
  *
  * \tparam NT a field number type: a model of `RealEmbeddable` and `FieldWithSqrt`, or of `Field` with the functor
@@ -94,7 +94,8 @@ class Exact_intrinsic_triangulation_traits
 
 public:
   using FT = NT; ///< the type of squared lengths
-  /// Rounded numbers drift, even if this is not noticeable with 100 digits. Intervals bound their error.
+  /// `Tag_true` for rounded numbers, which drift even if this is not noticeable with 100 digits; `Tag_false` for
+  /// intervals, which bound their error.
   using Has_drift = Boolean_tag<is_rounded>;
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
   /// The type of radicands: `NT` or, for `Sqrt_extension<NT, ROOT>`, `ROOT`.
@@ -125,12 +126,12 @@ public:
     static_assert(has_radicand, "the number type has square roots and does not need a radicand");
   }
 
-  /// Returns the work limit for signs that the traits do not determine, which does not occur with these traits; see
+  /// Returns the work limit for signs that the traits do not determine. These traits determine all signs; see
   /// `IntrinsicTriangulationTraits::sign_work_limit()`.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
   /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight. It is
-  /// zero unless `NT` rounds. In that case half of the digits are reserved for errors, which results in about 1e-9 for
+  /// zero unless `NT` rounds. In that case half of the digits are reserved for errors, so the angle is about 1e-9 for
   /// `double` and 1e-51 for 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
@@ -400,7 +401,7 @@ public:
     }
   };
 
-  /// Determines whether a number is too inaccurate, which is possible only for intervals.
+  /// Determines whether the geometry of a halfedge is too inaccurate, which is possible only with intervals.
   class Is_inaccurate
   {
   public:

@@ -88,11 +88,11 @@ inline auto extent(Flip_geodesics::Distance_field_extent extent)
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// Limits the computation of a distance field.
+/// Specifies the limits up to which a distance field is computed.
 struct Distance_field_limits
 {
   double radius = std::numeric_limits<double>::infinity(); ///< the largest distance that is needed
-  std::vector<Surface_location> targets; ///< if not empty, only distances up to that of the farthest target are needed
+  std::vector<Surface_location> targets; ///< if not empty, distances are computed up to that of the farthest target
   Window_limit windows;                  ///< the number of windows after which the computation is aborted
 };
 
@@ -102,12 +102,12 @@ struct Distance_field_report
 {
   Distance_field_status status = Distance_field_status::COMPLETE; ///< why the computation ended
   std::size_t windows = 0;                                        ///< the total number of windows created
-  /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, and distances may
-  /// be too long.
+  /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, so that distances
+  /// are too long.
   bool has_flat_face = false;
-  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of its value. Errors grow
-  /// with the number of faces that paths cross, and with the number of edges that are long compared with the distance.
-  /// The bound is conservative: most errors are far smaller.
+  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of its value. The errors grow
+  /// with the number of faces that paths cross, and with the number of those edges that are long compared with the
+  /// distance. The bound is conservative: most errors are far smaller.
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if each distance up to `Geodesic_distance_field::reach()` exceeds the length of a shortest path
   /// by at most 1e-10 of the distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if
@@ -198,8 +198,9 @@ public:
    * \pre nothing has been computed
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times as long as the
-   *         sides of a face of the point, so that the rounding errors of the distances exceed the size of the face
+   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times the length of the
+   *         sides of a face of the point, because the rounding errors of the distances would then exceed the size of
+   *         the face
    * \throws Degenerate_face_error if the face of the point is degenerate, unless the point is a vertex without offset
    * \throws Invalid_mesh_error if the face of the point is invalid, unless the point is a vertex without offset
    */
@@ -297,9 +298,9 @@ public:
    * \throws Invalid_location_error if a target is not a point of the surface
    * \throws Invalid_parameter_error if the radius is negative or not a number
    *
-   * Complexity: linear in the number of windows, plus the number of edges of the front in each round. Smooth meshes of
-   * up to some ten thousand faces have 10 to 25 windows per face, a number that grows like \f$\sqrt{n}\f$ with the
-   * number \f$n\f$ of faces. The worst case is \cgalBigO{n^2} windows in total.
+   * Complexity: linear in the number of windows, plus the number of edges of the front in each round. On smooth meshes
+   * of up to some ten thousand faces, the field has 10 to 25 windows per face; this number grows like \f$\sqrt{n}\f$
+   * with the number \f$n\f$ of faces. The worst case is \cgalBigO{n^2} windows in total.
    */
   template <class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   Distance_field_report compute(const NamedParameters&... np)

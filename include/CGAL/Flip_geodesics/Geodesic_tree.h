@@ -43,7 +43,7 @@ enum Distance_parameter { distance_parameter };
 namespace parameters {
 
 /// \ingroup PkgFlipGeodesicsParameters
-/// Sets the length of the longest path that a tree of geodesics needs to have.
+/// Sets the length up to which a tree of geodesics must contain paths.
 inline auto max_distance(double distance)
 {
   return Named_function_parameters<double, Flip_geodesics::internal::Distance_parameter>(distance);
@@ -64,8 +64,9 @@ struct Geodesic_tree_report
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
   std::size_t reopened = 0;  ///< the number of times a vertex was reached again by a shorter path
-  /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite
-  /// if no path passes a vertex, and also for traits without drift, for which the measurement is unnecessary.
+  /// The smallest angle, in radians, on a side of a path at a vertex that the path passes, measured from the input. It
+  /// is infinite if no path passes a vertex, and also for traits without drift, for which the measurement is
+  /// unnecessary.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 
@@ -76,11 +77,11 @@ struct Geodesic_tree_report
  * path consists of edges of one intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
- * has an angle of at least \f$\pi\f$ on either side where it leaves the tree. Otherwise the edges inside the wedge with
- * the smaller angle are flipped, which makes a shorter path possible, and the search continues. Such a wedge never
- * contains an edge of the tree, since the paths through its apex are straight. In contrast to \cgalCite{SC20}, an
- * accepted vertex is reopened if a new edge gives a shorter path to it. The finished tree is therefore a shortest path
- * tree of the edge graph of the final triangulation.
+ * forms an angle of at least \f$\pi\f$ on both sides at the vertex at which it leaves the tree. Otherwise the edges
+ * inside the wedge with the smaller angle are flipped, which makes a shorter path possible, and the search continues.
+ * Such a wedge never contains an edge of the tree, since the paths through its apex are straight. In contrast to
+ * \cgalCite{SC20}, an accepted vertex is reopened if a new edge gives a shorter path to it. The finished tree is
+ * therefore a shortest path tree of the edge graph of the final triangulation.
  *
  * The paths are locally shortest and do not cross. Most of them are globally shortest; `make_shortest()` replaces the
  * others.
@@ -116,13 +117,13 @@ public:
    *
    * \param source a vertex of the triangulation, as a `Vertex_index`, or a point of any type that `surface_location()`
    *        accepts, which becomes a vertex as by `Intrinsic_triangulation::insert()`. Other points to which paths are
-   *        needed have to be inserted beforehand
+   *        required must be inserted before the call
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{max_distance}
    *     \cgalParamDescription{the length of the longest path that is needed. A vertex within this distance is missed if
-   *       the search reaches it only through neighbors that are farther away, so choose a slightly larger value if all
+   *       the search reaches it only through neighbors that are farther away. Choose a slightly larger value if all
    *       vertices within a distance are required}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{infinity}
@@ -181,11 +182,12 @@ public:
     return is_reached(v) ? m_labels.distance(v) : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns the last halfedge of the path to `v`, which ends there, or `null_index` for the source and if `v` is not
-  /// reached.
+  /// Returns the last halfedge of the path to `v`, whose head is `v`. The result is `null_index` if `v` is the source
+  /// or is not reached.
   Halfedge_index incoming(Vertex_index v) const { return is_reached(v) ? m_labels.incoming(v) : null_index; }
 
-  /// Returns the halfedges of the path from the source to `v`; empty for the source and if `v` is not reached.
+  /// Returns the halfedges of the path from the source to `v`. The result is empty if `v` is the source or is not
+  /// reached.
   std::vector<Halfedge_index> path(Vertex_index v) const
   {
     std::vector<Halfedge_index> result;
@@ -231,10 +233,11 @@ public:
   /*!
    * Replaces paths by other paths, as `make_shortest()` does.
    *
-   * The tree then grows to the vertices that were detached and not attached again, and to those that new edges reach by
-   * shorter paths.
+   * The tree then grows to the vertices that were detached and not attached again, and to vertices to which new edges
+   * give shorter paths.
    *
-   * \param function is called with a `Grafts&`, and may flip edges that are not in the tree at that time
+   * \param function the function object that is called with a `Grafts&`; it may flip edges that are not in the tree at
+   *        that time
    * \return the report on the growth of the tree so far, including `grow()`; flips of `function` are not counted
    * \pre `grow()` was not stopped
    *
@@ -580,7 +583,7 @@ public:
   double total_angle = 0;    ///< the sum of the face angles around the source, \f$2\pi\f$ if the surface is flat there
   bool is_on_border = false; ///< whether the source lies on the border
 
-  /// Constructs a map for a given number of vertices that have no paths.
+  /// Constructs a map for a given number of vertices, none of which has a path yet.
   explicit Vertex_logarithmic_map(Index number_of_vertices)
     : m_coordinates(static_cast<std::size_t>(number_of_vertices))
   {
@@ -596,8 +599,8 @@ public:
 
   /*!
    * Returns the coordinates of vertex `v` in the plane. The angles around an interior source are scaled to a sum of
-   * \f$2\pi\f$, as is common; the angles around a source on the border are not scaled. The result is the origin for the
-   * source, and NaN if no path exists.
+   * \f$2\pi\f$, as usual; the angles around a source on the border are not scaled. The result is the origin if `v` is
+   * the source, and NaN if no path to `v` exists.
    */
   std::array<double, 2> in_plane(Vertex_index v) const
   {
@@ -647,13 +650,13 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
  * The directions are angles on the surface, counterclockwise from an input edge, in \f$[0, \mathtt{total\_angle})\f$.
  * They are measured with the input coordinates, so that errors do not accumulate over flips. If a path passes a vertex
  * whose angles sum to more than \f$2\pi\f$, all vertices whose paths pass that vertex have the same angle. The map is
- * discontinuous across the cut locus, the points that shortest paths reach from two sides, and at paths of the tree
- * that are not shortest, which `make_shortest()` replaces.
+ * discontinuous across the cut locus, that is, the set of points that shortest paths reach from two sides. It is also
+ * discontinuous at paths of the tree that are not shortest, which `make_shortest()` replaces.
  *
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it must start at the source. By default it is the first input
- *        halfedge of the vertex. The parameter is ignored on the border, where angles are measured from the border, and
- *        at an inserted vertex, where they are measured from the halfedge of its `location()`
+ *        halfedge of the vertex. The parameter is ignored for a source on the border, where angles are measured from
+ *        the border, and for an inserted source, where they are measured from the halfedge of its `location()`
  * \return the polar coordinates of all vertices
  * \throws Invalid_location_error if `zero` does not start at the source
  *

@@ -208,7 +208,7 @@ public:
   Index number_of_vertices() const { return m_halfedges.number_of_vertices(); }
   /// Returns the number of halfedges, twice the number of edges.
   Index number_of_halfedges() const { return 2 * number_of_edges(); }
-  /// Returns the number of edges of the input and of inserted points, which flips do not change.
+  /// Returns the number of edges: those of the input, followed by those created by insertions. Flips do not change it.
   Index number_of_edges() const { return m_halfedges.number_of_edges(); }
 
   /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if that vertex is not valid.
@@ -314,10 +314,12 @@ public:
   void hold(Edge_index e) { m_halfedges.hold(m_halfedges.taken(internal::first_side(e))); }
   /// Removes a hold on edge `e`. \pre `holds(e) > 0`
   void release(Edge_index e) { m_halfedges.release(m_halfedges.slot(internal::first_side(e))); }
-  /// Returns the number of holds on all edges, which is 0 if and only if no network has a segment in the triangulation.
+  /// Returns the total number of holds on all edges, which is 0 if and only if no network has a segment in the
+  /// triangulation.
   std::size_t number_of_holds() const { return m_halfedges.number_of_holds(); }
 
-  /// Returns an upper bound of `Walker::edge_place()`, which grows with the number of edges that have been accessed.
+  /// Returns an upper bound on `Walker::edge_place()`; the bound grows with the number of edges that have been
+  /// accessed.
   std::size_t number_of_edge_places() const { return m_halfedges.number_of_edge_places(); }
 
   /// @}
@@ -326,9 +328,9 @@ public:
   bool is_valid() const { return is_valid(internal::default_validity_tolerance); }
 
   /*!
-   * Returns whether the invariant holds for all accessed elements: the links of faces, the closedness of their vectors,
-   * and the equal lengths of the two sides of an edge, up to `tolerance` relative to the longest edge of the face.
-   * Linear in the size of the mesh.
+   * Returns whether the invariant holds for all accessed elements: the faces are linked correctly, the vectors of each
+   * face sum to zero, and the two sides of an edge have equal lengths, up to `tolerance` relative to the longest edge
+   * of the face. Linear in the size of the mesh.
    */
   bool is_valid(double tolerance) const
   {
@@ -367,14 +369,14 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsMetrics
-/// The default metric of a mesh, which is that of its own points.
+/// The default metric of a mesh, which is defined by its own points.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
 
 #ifdef DOXYGEN_RUNNING
 /// \ingroup PkgFlipGeodesicsTraits
-/// The traits for a metric unless others are given: `Certified_intrinsic_triangulation_traits` of the metric's kernel,
+/// The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the metric's kernel,
 /// or, for a user-defined metric without `squared_length()`, `Intrinsic_triangulation_traits` in double.
 template <class Metric>
 using Default_traits = unspecified_type;
@@ -389,8 +391,8 @@ using Default_traits = std::conditional_t<internal::has_exact_faces<Metric>,
 /// Specifies how a triangulation treats degenerate edges.
 enum class Zero_length_edges {
   REFUSE, ///< a face with a degenerate edge throws `Degenerate_face_error` when it is accessed
-  /// vertices that degenerate edges connect, or that degenerate faces fold onto one point, become one vertex; faces
-  /// with a degenerate edge and folded faces are removed
+  /// the ends of a degenerate edge become one vertex, and so do the vertices opposite to the common edge of two
+  /// degenerate faces if they coincide; faces with a degenerate edge and such pairs of faces are removed
   CONTRACT
 };
 
@@ -415,9 +417,9 @@ enum class Zero_length_edges {
  * of an edge have the same length, and the normal coordinates of the edges are consistent with the input edges.
  *
  * Several threads may call `const` members concurrently if the mesh and its points can be read concurrently, although
- * these members copy faces of the input and cache derived data. Only the choice of the halfedge that `outgoing()`
- * returns can depend on the faces read before. While one thread calls another member, changes a network in the
- * triangulation or moves the hold of a walker, no other thread may use the triangulation.
+ * these members copy faces of the input and cache derived data. Only the halfedge that `outgoing()` chooses can depend
+ * on which faces have been accessed before. While one thread calls another member, changes a network in the
+ * triangulation, or adds or releases a hold through a walker, no other thread may use the triangulation.
  *
  * \cgalModels{IntrinsicTriangulationOfMesh}
  *
@@ -475,16 +477,16 @@ public:
   /*!
    * Constructs the triangulation of a mesh with a metric, and rejects or contracts degenerate edges.
    *
-   * If edges are contracted, the input of the triangulation is the contracted surface. Coincident vertices have the
-   * index of one of them, and the others are isolated; the edges on both sides of degenerate faces become one edge.
-   * `index()` returns the corresponding elements, or `null_index` for a halfedge that has vanished, and
+   * If edges are contracted, the input of the triangulation is the contracted surface. Of several coincident vertices,
+   * one represents all of them, and the others are isolated; the edges on both sides of degenerate faces become one
+   * edge. `index()` returns the corresponding elements, or `null_index` for a halfedge that has vanished, and
    * `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the surface meet only at a
    * point, each has its own vertex, and no curve leads from one of these vertices to another. If the mesh has no
    * degenerate edges, the result is the same as without contraction. Contraction takes time linear in the size of the
    * mesh.
    *
    * \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
-   * \throws Degenerate_face_error if a face has one zero-length edge and two of different lengths
+   * \throws Degenerate_face_error if a face has one zero-length edge and two edges of different lengths
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
                           Zero_length_edges zero_length_edges)
@@ -493,9 +495,9 @@ public:
   }
 
   /*!
-   * Moves a triangulation without copying data proportional to its size. Networks, walkers, trees and shorteners that
-   * refer to `other` still do so, and can only be destroyed; a network with curves cannot even be destroyed, but an
-   * `Edge_path_network` can be moved along by one of its constructors. `other` can be assigned to and destroyed.
+   * Moves a triangulation in constant time. Networks, walkers, trees and shorteners that refer to `other` still refer
+   * to it afterwards and can only be destroyed. A network with curves cannot even be destroyed, but a constructor of
+   * `Edge_path_network` can move it to the new triangulation. `other` can be assigned to and destroyed.
    */
   Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
   /// Moves a triangulation as the move constructor does.
@@ -527,14 +529,14 @@ public:
     return comparison.make_certain() != SMALLER;
   }
 
-  /// Returns how filter failures of the traits have been resolved since construction.
+  /// Returns statistics of the filter failures of the traits since construction, and of how they were resolved.
   Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
 
   /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$. \pre both faces
   /// exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
-  /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$, where a walker
-  /// gives the halfedge. \pre both faces exist
+  /// Returns whether the angle at the head of a halfedge, given by a walker, in the two faces of its edge is at least
+  /// \f$\pi\f$. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const
   {
     Turn turn;
@@ -639,7 +641,7 @@ public:
 
   /*!
    * Returns the location of vertex `v` on the input in a canonical form. An input vertex is given by a halfedge that
-   * starts there, with weights (1, 0, 0); a point of an edge by the first halfedge of the edge that is not on the
+   * starts there, with weights (1, 0, 0); a point on an edge by the first halfedge of the edge that is not on the
    * border, with third weight zero; and a point inside a face by the halfedge of the face with the lowest number.
    * \pre `v` is not isolated
    */
@@ -655,9 +657,9 @@ public:
    *
    * The position of the point with respect to the input faces and the edge sequences is determined exactly. The point
    * lies in the face or on the edge that is split, and the edge sequences of the new edges are correct, even if the
-   * geometry is rounded. Only with inexact predicates is it possible that no face contains the point, which is then
-   * inserted on the nearest edge, provided that rounding errors explain the distance. `rollback()` removes the vertex
-   * again.
+   * geometry is rounded. Only with inexact predicates is it possible that no face contains the point. In this case the
+   * point is inserted on the nearest edge if rounding errors can explain its distance from this edge. `rollback()`
+   * removes the vertex again.
    *
    * \param location any point of the surface
    * \return the new vertex, or the existing one at the point
@@ -695,13 +697,13 @@ public:
   }
 
   /*!
-   * Splits the edge of `h` at a point that lies on it up to rounding errors; by definition, the point lies on the edge
-   * from then on.
+   * Splits the edge of `h` at a point that lies on it up to rounding errors; from then on, the point counts as a point
+   * of the edge.
    *
    * \param h a side of the edge
    * \param gap the position along the edge of the input face that contains the point: the number of edges in
    *        `edge_sequence(h)` that are crossed before this face
-   * \param location a point of that face, not on its boundary unless the edge lies on the boundary
+   * \param location a point of that face; it may lie on the boundary of the face only if the edge lies on the boundary
    * \param on_split as for `insert()`
    * \return the new vertex
    * \throws Insertion_error as `insert()` does
@@ -754,7 +756,7 @@ public:
    * numbers, in time linear in the degree of the tail of the edge and in the number of triangles through which the
    * crossed edges are followed until each separates from the next. If points have been inserted, or if flips have
    * replaced all input edges at both ends, the sequence is derived from the flip log instead, in time linear in the
-   * total length of the sequences of all earlier edges from which the edge descends and that are not stored.
+   * total length of those sequences that are not stored, of all earlier edges from which the edge descends.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 
@@ -763,9 +765,9 @@ public:
   Index version(Edge_index e) const { return store().version(store().slot(internal::first_side(e))); }
 
   /*!
-   * Returns the number of input edges that start strictly inside the wedge from halfedge `from` clockwise to halfedge
-   * `to` of one vertex; `from == to` means a full turn. Linear in the degree of the wedge. \pre the wedge does not
-   * contain the border
+   * Returns the number of input edges that start at the common tail of `from` and `to`, strictly inside the wedge
+   * clockwise from `from` to `to`; `from == to` means a full turn. Linear in the degree of the wedge. \pre the wedge
+   * does not contain the border
    */
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
   {

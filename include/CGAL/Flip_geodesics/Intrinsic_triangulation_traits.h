@@ -87,9 +87,9 @@ public:
  * The fast model of `IntrinsicTriangulationTraits`, which computes with doubles: each halfedge stores its vector, two
  * doubles, in a frame of its own face. A flip costs one complex division and no square root.
  *
- * Predicates are evaluated up to `angle_tolerance()`: a wedge whose angle is below \f$\pi\f$ by less than this counts
- * as straight, in the wedge test and in the flip test alike. In addition, `shorten()` measures the finished curves on
- * the input.
+ * Predicates are evaluated up to `angle_tolerance()`: a wedge whose angle is less than \f$\pi\f$ by no more than this
+ * tolerance counts as straight, in the wedge test as well as in the flip test. In addition, `shorten()` measures the
+ * finished curves on the input.
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *
@@ -123,8 +123,8 @@ public:
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
   /*!
-   * Lays out a face given by its three points. Each vector is computed from its own differences and dot products, since
-   * closing the triangle instead would lose the small angles of needles.
+   * Lays out a face given by its three points. Each vector is computed from its own differences and dot products. If
+   * the third vector were computed as minus the sum of the other two, the small angles of needles would be lost.
    */
   class Construct_face_3
   {
@@ -240,8 +240,8 @@ public:
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.is_straight ? LARGER : SMALLER; }
   };
 
-  /// Computes a number in [0, 2] that increases with the turn, below \f$\pi\f$; the limits are reached by rounding
-  /// only.
+  /// Computes a number in [0, 2] that increases with the angle of a turn below \f$\pi\f$; only rounding can produce the
+  /// limits themselves.
   class Turn_key
   {
   public:

@@ -92,8 +92,9 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
  * otherwise. All loops of a component pass through its base point. They are the shortest edge loops through the base
- * point that generate the fundamental group, and also the homology, since a greedy choice is optimal for both
- * \cgalCite{EW05}. A different base point leads to a different basis. Lengths are those of the metric.
+ * point that generate the fundamental group. They are also the shortest ones that generate the homology, since a greedy
+ * choice is optimal for both \cgalCite{EW05}. A different base point leads to a different basis. Lengths are those of
+ * the metric.
  *
  * The class reads only the input, so it remains valid when the triangulation is flipped, and does not change the
  * triangulation. Construction takes \cgalBigO{n \log n} time and linear memory.
@@ -159,8 +160,8 @@ public:
       forget_all();
   }
 
-  /// Returns whether this is a basis, that is, whether the construction was not stopped by a visitor. Otherwise only
-  /// the numbers of loops and components, which are zero, may be queried.
+  /// Returns whether the construction was completed. If a visitor stopped it, only the numbers of loops and components
+  /// may be queried; both are zero.
   bool is_complete() const { return m_is_complete; }
 
   /// \name Loops
@@ -191,8 +192,8 @@ public:
   /// \name Components
   /// @{
 
-  /// Returns the components that have faces: first those of the given base points, in the order of these, then the
-  /// others in the order of their first vertices.
+  /// Returns the components that have faces: first those of the given base points, in the order of the base points,
+  /// then the others in the order of their first vertices.
   const std::vector<Component>& components() const { return m_components; }
 
   /// Returns the position of the component of a vertex in `components()`, or -1 for an isolated vertex. \pre `v` is an
@@ -209,10 +210,12 @@ public:
    *
    * \param halfedges a range of `Input_halfedge_index` that forms a closed chain; an empty one has class zero. A
    *        halfedge `h` of the mesh corresponds to `triangulation.input().index(h)`. A `Halfedge_index` refers to the
-   *        intrinsic triangulation and cannot be converted; such a curve must be passed as a curve of a network
+   *        intrinsic triangulation and cannot be converted; a curve of such halfedges must be passed as a curve of a
+   *        network
    * \throws Invalid_curve_error if the chain is not closed
    *
-   * Complexity: linear in the length of the chain, times at most the sum of the genus and the number of borders.
+   * Complexity: linear in the length of the chain, with a factor of at most the sum of the genus and the number of
+   * borders.
    */
   template <class HalfedgeRange>
   Homology_class homology_class(const HalfedgeRange& halfedges) const
@@ -230,7 +233,7 @@ public:
    * Returns the homology class of a curve of a network over this input, regardless of flips and insertions; zero if the
    * curve has contracted.
    * \throws Invalid_curve_error if the curve does not end where it starts
-   * \pre the triangulation of the network has the same input
+   * \pre the triangulation of the network has the same input as this basis
    */
   template <class Network>
   Homology_class homology_class(const Network& network, Curve_index curve) const
@@ -243,7 +246,8 @@ public:
    *
    * The problem is solved exactly in the fundamental group: by reduction in the free group if the component has a
    * border, by counting on a torus, and by Dehn's algorithm \cgalCite{LS77} on other closed surfaces. A curve of
-   * homology class zero need not be contractible; a curve that separates two handles is not.
+   * homology class zero need not be contractible: a curve that separates two handles has class zero, but is not
+   * contractible.
    *
    * \param halfedges a range of `Input_halfedge_index` that forms a closed chain, as for `homology_class()`
    * \throws Invalid_curve_error if the chain is not closed
@@ -430,19 +434,20 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  *
  * Computes a homology basis of handle loops and tunnel loops of a surface that bounds a solid \cgalCite{DFW13}.
  *
- * A handle loop bounds a surface inside the solid, like the meridian of a torus; a tunnel loop bounds a surface
- * outside. Each component of genus \f$g\f$ has \f$g\f$ loops of either kind, independently of the other components. All
+ * A handle loop, such as the meridian of a torus, bounds a surface inside the solid; a tunnel loop bounds a surface
+ * outside. Each component of genus \f$g\f$ has \f$g\f$ loops of each kind, independently of the other components. All
  * loops together form a basis of the homology with integer coefficients.
  *
- * Which classes bound a surface inside or outside is decided exactly, by linking numbers of loops that are pushed off
- * the surface and counted in a projection. Each candidate consists of an edge and two paths of a tree of shortest
- * paths, from a base point or from a point near a handle. Among the candidates that bound such a surface, the shortest
- * ones are chosen that can be extended, together with the loops already chosen, to a basis. If the candidates do not
- * suffice, as on a knotted tube, several loops of a `Loop_basis` are combined, and the result may pass edges more than
- * once and cross itself. Since the points near the handles depend on the numbering of the mesh, the same mesh with a
- * different numbering can have different loops, whose lengths differ by a few percent.
+ * Which classes bound a surface inside or outside is decided exactly, from the linking numbers of loops that are pushed
+ * off the surface; these numbers are computed by counting crossings in a projection. Each candidate consists of an edge
+ * and the two paths to its ends in a tree of shortest paths, which starts at a base point or at a point near a handle.
+ * Among the candidates that bound such a surface, the shortest ones are chosen that can be extended, together with the
+ * loops already chosen, to a basis. If the candidates do not suffice, as on a knotted tube, several loops of a
+ * `Loop_basis` are combined, and the resulting loops may pass edges more than once and cross themselves. Since the
+ * points near the handles depend on the numbering of the mesh, the same mesh with a different numbering can have
+ * different loops, whose lengths differ by a few percent.
  *
- * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; its input is read
+ * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; only its input is read
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin

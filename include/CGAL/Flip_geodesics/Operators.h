@@ -38,13 +38,13 @@ namespace Flip_geodesics {
  * The operators depend only on edge lengths. Flips change the discretization but not the continuous operators, and a
  * Delaunay triangulation improves the approximation.
  *
- * Rows and columns: vertex \f$v\f$ of the triangulation has number \f$v\f$; face \f$f\f$ is the \f$f\f$-th face that
- * `intrinsic_faces()` writes, which is `faces()[f]`. A vector in face \f$f\f$ has the coordinates \f$2f\f$ and
- * \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of the face and whose second axis
- * points to its left.
+ * The rows and columns of the matrices are numbered as follows. Vertex \f$v\f$ of the triangulation has number \f$v\f$;
+ * face \f$f\f$ is the \f$f\f$-th face that `intrinsic_faces()` writes, which is `faces()[f]`. A vector in face \f$f\f$
+ * has the coordinates \f$2f\f$ and \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of
+ * the face and whose second axis points to its left.
  *
- * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \cgalBigO{m} time and space. They are snapshots, which
- * later flips of the triangulation do not affect.
+ * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \cgalBigO{m} time and space. They are snapshots: later
+ * flips of the triangulation do not affect them.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; the results are the same
@@ -188,13 +188,13 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Defines directions at the vertices of an intrinsic triangulation, as the angle of each halfedge counterclockwise from
- * the reference direction at its tail, in radians.
+ * Defines directions at the vertices of an intrinsic triangulation, by the angle of each halfedge, measured
+ * counterclockwise from the reference direction at its tail, in radians.
  *
  * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}. At
  * the border they are not scaled, and the reference is the first halfedge counterclockwise from the border. The object
- * is a snapshot, which later flips of the triangulation do not affect. Construction takes time linear in the size of
- * the mesh.
+ * is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the size of the
+ * mesh.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -296,8 +296,9 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Solves the Poisson problem \f$-\Delta u = \rho\f$ with \f$u\f$ given at some vertices, for instance along geodesics
- * \cgalCite{SC20,section 6.4 and Figure 26}, and no flow across the rest of the border.
+ * Solves the Poisson problem \f$-\Delta u = \rho\f$, where \f$u\f$ is given at some vertices, for instance along
+ * geodesics \cgalCite{SC20,section 6.4 and Figure 26}, and the derivative of \f$u\f$ across the rest of the border is
+ * zero.
  *
  * The problem is discretized by linear finite elements with the cotangent Laplacian. The matrix is factorized once
  * (sparse Cholesky) for any number of right-hand sides.
@@ -316,8 +317,8 @@ public:
    * \param operators the operators of the triangulation, which are used only during construction
    * \param given the vertices at which values are given, in any order and possibly repeated
    * \throws Vertex_out_of_range_error if an index is not that of a vertex
-   * \throws Singular_problem_error if a component with faces has no vertex in `given`; `elements()` is a vertex of the
-   *         component
+   * \throws Singular_problem_error if a component with faces has no vertex in `given`; `elements()` contains a vertex
+   *         of the component
    */
   Dirichlet_problem(const Operators_& operators, const std::vector<Vertex_index>& given)
     : m_is_given(internal::marked_vertices(operators.number_of_vertices(), given))

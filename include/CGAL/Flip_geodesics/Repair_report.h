@@ -15,11 +15,11 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsRepair
-/// Lists the repairs made by `polygon_soup_to_triangle_mesh()`, each of which is counted in a `Repair_report`.
+/// Lists the kinds of repairs made by `polygon_soup_to_triangle_mesh()`, which a `Repair_report` counts.
 enum class Repair {
   POINTS_NOT_FINITE,        ///< points with a NaN or infinite coordinate, which do not become vertices
   POINTS_WELDED,            ///< points moved to another point within the tolerance
-  POLYGONS_WITHOUT_POINTS,  ///< polygons removed because they contain such a point or an invalid index
+  POLYGONS_WITHOUT_POINTS,  ///< polygons removed because they contain a point that is not finite or an invalid index
   POLYGONS_COLLAPSED,       ///< polygons removed because they have fewer than three distinct corners
   CORNERS_REPEATED,         ///< corners removed because they coincide with the previous corner
   POLYGONS_SPLIT,           ///< polygons split because they pass a point twice
@@ -39,7 +39,7 @@ enum class Repair {
 constexpr std::size_t number_of_repairs = static_cast<std::size_t>(Repair::POINTS_LEFT) + 1;
 
 /// \ingroup PkgFlipGeodesicsRepair
-/// Describes in words how often a repair was made, such as "2 points merged into ...".
+/// Returns a phrase that states how often a repair was made, such as "2 points merged into ...".
 inline std::string describe(Repair repair, std::size_t count)
 {
   const auto counted = [count](const char* one, const char* several, const char* what) {
@@ -129,12 +129,12 @@ public:
     return std::all_of(m_record.counts.begin(), m_record.counts.end(), [](std::size_t count) { return count == 0; });
   }
 
-  /// Returns the number of border edges that nearly coincide with other border edges and remain open: no coordinate of
-  /// their ends differs by more than 1e-6 of the longest side of the bounding box of the borders.
+  /// Returns the number of border edges that remain open although they nearly coincide with other border edges, that
+  /// is, the coordinates of their ends differ by at most 1e-6 of the longest side of the bounding box of the borders.
   std::size_t number_of_near_border_edges() const { return m_record.near_border_edges; }
 
-  /// Returns the largest distance between nearly coincident border edges, relative to the longest side of that box; a
-  /// larger weld tolerance makes them coincide.
+  /// Returns the largest distance between nearly coincident border edges, relative to the longest side of the bounding
+  /// box of the borders. With a weld tolerance larger than this distance, such edges coincide.
   double distance_of_near_border_edges() const { return m_record.near_border_distance; }
 
   /// Returns the repairs in words: one line for each repair, and one for border edges that nearly coincide, without
@@ -156,14 +156,14 @@ public:
   /// Returns the number of polygons of the soup.
   std::size_t number_of_polygons() const { return m_record.number_of_polygons; }
 
-  /// Returns the point that gives a vertex of the mesh its position.
+  /// Returns the number of the point at which a vertex of the mesh lies.
   std::size_t point_of_vertex(std::size_t vertex) const { return m_record.point_of_vertex[vertex]; }
 
-  /// Returns the polygon from which a face of the mesh comes.
+  /// Returns the number of the polygon from which a face of the mesh comes.
   std::size_t polygon_of_face(std::size_t face) const { return m_record.polygon_of_face[face]; }
 
-  /// Returns the vertices with faces that come from a point: several if it was split, the vertex of another point if it
-  /// was merged into that point, and none if it has no faces.
+  /// Returns the vertices that come from a point and have faces: several vertices if the point was split, the vertex of
+  /// another point if the point was merged into it, and none if the point has no faces.
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
   /// Returns the triangles that come from a polygon; none if it was removed, or became part of a neighbor by flips.

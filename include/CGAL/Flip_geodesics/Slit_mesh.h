@@ -130,9 +130,9 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * Represents a mesh that is slit along some of its edges: a view of the mesh in which these edges are borders on both
  * sides. Paths can run along slits but not cross them. Only a list of the vertices and edges of the mesh is copied.
  *
- * A vertex that lies inside a slit, or at which slits meet or a slit meets the border, has several copies, one for each
- * sector of faces. The end of a slit inside the surface is a single vertex. An edge of a slit becomes two edges. Faces
- * are those of the mesh.
+ * A vertex has several copies, one for each sector of faces, if it lies inside a slit, or if several slits or a slit
+ * and the border meet there. The end of a slit inside the surface is a single vertex. An edge of a slit becomes two
+ * edges. Faces are those of the mesh.
  *
  * A descriptor stores the corresponding descriptor of the mesh and converts to it. A vertex of the mesh converts to its
  * first copy.
@@ -212,7 +212,7 @@ public:
   {
     Mesh_edge edge;                                  ///< the edge of the mesh
     Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the one on this side
-    bool is_at_slit = false;                         ///< whether it is one of the two edges at a slit
+    bool is_at_slit = false;                         ///< whether it is one of the two copies of an edge at a slit
     bool is_outer = false; ///< whether the edge was obtained from its halfedge on the border of a slit
 
     /// Returns the edge of the mesh.

@@ -42,18 +42,18 @@ struct Surface_location
  *
  * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from it.
  *
- * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is a side
- * of a face that contains the location, or starts there. The free functions pass both as a `std::pair` of a halfedge of
- * the mesh and an angle. A function that chooses the halfedge itself takes the halfedge of the location, or the twin if
- * that halfedge is on the border. For a `Face_location`, the halfedge of the location is `halfedge(face, mesh)`; for a
- * vertex, it starts there. Only two functions choose differently: a `Trace_report` refers to the side over which the
- * geodesic has entered its last face, and `logarithmic_map()` of a tree, at the border and at inserted vertices, to a
- * direction that its documentation states.
+ * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is either
+ * a side of a face that contains the location, or starts at the location. The free functions pass both as a `std::pair`
+ * of a halfedge of the mesh and an angle. A function that chooses the halfedge itself uses the halfedge of the
+ * location, or its twin if that halfedge is on the border. For a `Face_location`, the halfedge of the location is
+ * `halfedge(face, mesh)`; for a vertex, it starts there. There are only two exceptions: a `Trace_report` refers to the
+ * side through which the geodesic has entered its last face, and `logarithmic_map()` of a tree refers, if the source
+ * lies on the border or was inserted, to a direction that its documentation specifies.
  */
 struct Surface_direction
 {
-  Input_halfedge_index halfedge = null_index; ///< a side of a face that contains the location, or a halfedge that
-                                              ///< starts there
+  Input_halfedge_index halfedge =
+      null_index;   ///< a side of a face that contains the location, or a halfedge that starts there
   double angle = 0; ///< measured counterclockwise from the halfedge, in radians; at a vertex over all incident faces
 };
 
@@ -62,7 +62,7 @@ struct Surface_direction
 enum class Location_kind { VERTEX, EDGE, FACE };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Returns the kind of a location, which depends on the weights that are zero.
+/// Returns the kind of a location, which is determined by the weights that are zero.
 inline Location_kind kind(const Surface_location& location)
 {
   const auto zeros = std::count(location.weights.begin(), location.weights.end(), 0.0);
@@ -187,12 +187,12 @@ struct Surface_point
   Vertex_index a; ///< the input vertex with the weight \f$1-t-u\f$
   Vertex_index b; ///< the input vertex with the weight \f$t\f$; at a vertex, `a`
   double t;       ///< the weight of `b`
-  /// On an edge: the crossed input halfedge, as a side of the face from which the curve comes, or on which an inserted
-  /// point lies; inside a face: one of the halfedges of the face; otherwise null.
+  /// On an edge: the crossed input halfedge, as a side of the face from which the curve comes, or the input halfedge on
+  /// which an inserted point lies; inside a face: one of the halfedges of the face; otherwise null.
   Input_halfedge_index halfedge;
   Vertex_index c = null_index;      ///< inside a face: the third vertex of the face; otherwise null
   double u = 0;                     ///< the weight of `c`; 0 unless inside a face
-  Vertex_index vertex = null_index; ///< the vertex of the triangulation at this point; null where an edge is crossed
+  Vertex_index vertex = null_index; ///< the vertex of the triangulation at this point; null if an edge is crossed here
 
   /// Returns whether the point is at a vertex of the input.
   bool is_vertex() const { return a == b; }

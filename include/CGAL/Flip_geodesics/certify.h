@@ -26,11 +26,11 @@ struct Straightness
 {
   /// The largest angle, in radians, by which a segment leaves the strip of input faces that it should cross.
   double largest_bend = 0;
-  /// The smallest angle, in radians, at an unblocked side of a joint; infinite without such sides.
+  /// The smallest angle, in radians, at an unblocked side of a joint; infinite if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-8, far
-  /// above the error of the measurement.
+  /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-8,
+  /// which is far above the error of the measurement.
   static constexpr double tolerance() { return internal::reported_bend; }
   /// Returns the smallest angle, in radians, at which a side of a joint counts as straight: \f$\pi\f$ minus
   /// `tolerance()`.
@@ -65,7 +65,7 @@ struct Curve_certificate
  * The sequence of input edges that a segment crosses is unfolded from the input coordinates, and the angles at the
  * joints are summed over input faces. Only integers are taken from the results of the flips, so rounding errors of the
  * flips have no influence. The unfolding uses doubles, with an error of some units in the last place per face. The idea
- * of such a check is from \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
+ * of such a check is due to \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
  *
  * A meter becomes invalid when the triangulation changes.
  *
@@ -138,7 +138,7 @@ public:
   /*!
    * Recomputes the faces in the wedge at a side of a joint from the input, so that the angles of the triangulation
    * agree with those of the input; in needles, drift may have made them inaccurate.
-   * \return whether every corner of the faces is between 0 and \f$\pi\f$; if not, the flips themselves were wrong
+   * \return whether every corner of the faces is between 0 and \f$\pi\f$; if not, incorrect flips have been made
    */
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
   {
@@ -194,7 +194,7 @@ private:
 struct Network_certificate
 {
   std::vector<Curve_certificate> curves; ///< one per curve of the network, by its index
-  Decision_statistics statistics;        ///< how filter failures were resolved
+  Decision_statistics statistics;        ///< the filter failures, and how they were resolved
 
   /// Returns whether all curves are locally shortest, that is, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const

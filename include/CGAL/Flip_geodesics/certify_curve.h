@@ -37,8 +37,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// The type of a surface point of a curve from another source, in the forms used by other packages: a vertex; a
-/// halfedge and a position on it, from 0 at its source to 1 at its target; or a
+/// The type of a surface point of a curve that was not computed by this package, in the forms used by other packages: a
+/// vertex; a halfedge and a position on it, from 0 at its source to 1 at its target; or a
 /// `CGAL::Polygon_mesh_processing::Face_location`.
 template <class TriangleMesh>
 using Given_place =
@@ -60,10 +60,10 @@ struct Given_curve_certificate
   /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. At a joint, it
   /// is \f$\pi\f$ minus the angle on one side. In a segment, it is the angle by which the shortest path with the same
   /// end points and the same crossed edges turns at the end of one of these edges. If a straight segment touches a
-  /// vertex, it is \f$2\pi\f$ minus the angles of the vertex.
+  /// vertex, it is \f$2\pi\f$ minus the sum of the angles at the vertex.
   double bend = 0;
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
-  /// The number of the point at the bend: that of the passed vertex, or of the first crossed edge that ends in
+  /// The number of the point at the bend: the number of the passed vertex, or of the first crossed edge that ends at
   /// `vertex`.
   std::size_t number = 0;
   Side side = Side::LEFT; ///< the side of a bent joint; in a segment, the side on which `vertex` lies
@@ -71,9 +71,9 @@ struct Given_curve_certificate
   /// at the source of the halfedge and 1 at its target; if the edge is given by a location, the halfedge is the one in
   /// the given face. The rounding error is one unit in the last place times the length of the segment, divided by the
   /// length of the edge and by the sine of the angle at which the edge is crossed. The entry is 0 for points that are
-  /// not crossed edges. Empty if the curve is bent.
+  /// not crossed edges. The vector is empty if the curve is bent.
   std::vector<double> places;
-  Decision_statistics statistics; ///< how filter failures were resolved
+  Decision_statistics statistics; ///< the filter failures, and how they were resolved
 
   /// Returns whether the curve is locally shortest, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return is_confirmed(verdict); }
@@ -310,21 +310,22 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Certifies that a curve from any source is locally shortest.
+ * Certifies that a given curve, however it was computed, is locally shortest.
  *
- * Each segment, from one end or passed vertex to the next, must be the straight line across its crossed edges, and the
- * angle on each side of a passed vertex that does not contain the border must be at least \f$\pi\f$. The segments are
+ * Each segment, from one end or passed vertex to the next, must be the straight line across its crossed edges. At each
+ * passed vertex, the angle on each side that does not contain the border must be at least \f$\pi\f$. The segments are
  * determined by their end points and edge sequences. The given positions on crossed edges are therefore ignored, and
  * the exact positions are returned.
  *
- * An end inside a face or on an edge is exactly the point with the given weights divided by their sum; on an edge these
- * are 1 - t, rounded, and t. Ends are not snapped. The end points of an open curve are not subject to any condition.
+ * An end inside a face or on an edge is exactly the point with the given weights divided by their sum; if an end is
+ * given by a position t on a halfedge, these weights are 1 - t, rounded, and t. Ends are not snapped. The end points of
+ * an open curve are not subject to any condition.
  *
  * \param mesh a triangle mesh
  * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
  *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last are the ends. Every other point
  *        is a passed vertex or a crossed edge, the latter given by a location with one weight of zero or by either
- *        halfedge of the edge. A segment that crosses nothing lies on the edge, or in the face, that contains both its
+ *        halfedge of the edge. A segment without crossed edges lies on the edge, or in the face, that contains both its
  *        ends
  * \param np the named parameter `is_closed`, a `bool`: whether the curve continues from the last point to the first,
  *        which must then be a vertex and must not be repeated; `false` by default. Also `vertex_point_map` or `metric`,
@@ -332,7 +333,7 @@ private:
  * \return the certificate of the curve
  * \throws Invalid_curve_error if the points do not form such a curve: there are too few, two consecutive ones are
  *         equal, one between the ends lies inside a face, or an edge is on the border or not adjacent to the point
- *         before it. The element is the number of a point
+ *         before it. `elements()` contains the number of a point
  * \throws Invalid_location_error if weights of an end are negative, NaN, too small or too large
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated
  * \throws Degenerate_face_error as `geodesic_path()` does

@@ -29,11 +29,11 @@ namespace Flip_geodesics {
  *
  * Computes the parallel transport of tangent vectors along curves, with respect to the Levi-Civita connection.
  *
- * Within a face a vector does not change, and across an edge it does not change if both faces are unfolded into a
- * plane. At a vertex on the curve, the vector keeps its angle to the curve, after the angles around the vertex have
- * been scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}, except on the border. The tangent of a straightest geodesic is
- * therefore transported to its tangent. Along a loop that does not contain a vertex, a vector is rotated by the
- * holonomy of the loop, the sum of the angle defects of the enclosed vertices.
+ * A vector is constant within a face, and remains constant across an edge if both faces are unfolded into a plane. At a
+ * vertex on the curve, the vector keeps its angle to the curve. For this purpose, the angles around an interior vertex
+ * are scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}; at a border vertex they are not scaled. The tangent of a
+ * straightest geodesic is therefore transported to its tangent. Along a loop that does not contain a vertex, a vector
+ * is rotated by the holonomy of the loop, the sum of the angle defects of the enclosed vertices.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -133,8 +133,8 @@ public:
   const std::vector<Surface_location>& locations() const { return m_sleeve.places(); }
 
   /*!
-   * Returns the number \f$i\f$ of the piece that contains the point at a length from the start. The piece leads from
-   * `locations()[i]` to `locations()[i + 1]`; at a common point of two pieces, the number of the second one is
+   * Returns the number \f$i\f$ of the piece that contains the point at a given length from the start. The piece leads
+   * from `locations()[i]` to `locations()[i + 1]`; at a common point of two pieces, the number of the second one is
    * returned.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
@@ -148,8 +148,8 @@ public:
   }
 
   /*!
-   * Returns the location at a length from the start, in the face in which the curve continues or, at its end, in the
-   * face in which it arrives. Logarithmic in the number of locations.
+   * Returns the location at a given length from the start, in the face in which the curve continues or, at its end, in
+   * the face in which it arrives. Logarithmic in the number of locations.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
    */
@@ -169,8 +169,8 @@ public:
   }
 
   /*!
-   * Returns the direction in which the curve continues at a length from the start, measured from the halfedge of
-   * `location(length)`. At the end, the direction in which the curve arrives is extended.
+   * Returns the direction in which the curve continues at a given length from the start, measured from the halfedge of
+   * `location(length)`. At the end, the result is the direction in which the curve arrives.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
    * \throws Invalid_curve_error if the curve is a point

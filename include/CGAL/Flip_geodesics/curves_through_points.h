@@ -46,12 +46,12 @@ enum class Spline_kind {
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Computes a chain of geodesic B&eacute;zier curves on the surface \cgalCite{MCV08}, \cgalCite{SC20,section 6.2}, by de
- * Casteljau's algorithm with geodesics instead of straight lines. In the plane, the points where pieces meet are
- * exactly those of the B&eacute;zier curve, up to rounding errors.
+ * Casteljau's algorithm with geodesics instead of straight lines. In the plane, the points at which pieces meet lie
+ * exactly on the B&eacute;zier curve, up to rounding errors.
  *
  * Each geodesic segment of a control polygon is shortened independently, in a triangulation that is restored for the
- * next one. Segments may therefore cross, pass over control points and over one another, and the control polygon may
- * cross itself. A segment of the next level is obtained by shortening a path that leads from the midpoint of one
+ * next one. Segments may therefore pass through control points, overlap, and cross one another, so the control polygon
+ * may cross itself. A segment of the next level is obtained by shortening a path that leads from the midpoint of one
  * segment over the control point to the midpoint of the next, so that the curve stays in the homotopy class of the
  * polygon. `add_curve_along()` turns the pieces of the finished curve into a curve of a network, and thus into edges of
  * a triangulation.
@@ -91,7 +91,7 @@ public:
 
   /*!
    * Constructs a spline from a control polygon whose segments are already geodesics, such as those of a `Curve_editor`.
-   * In this way the curve stays in the homotopy class of the polygon while control points are dragged.
+   * With segments of an editor, the curve stays in the homotopy class of the polygon while control points are dragged.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
@@ -141,8 +141,8 @@ public:
 
   /*!
    * Subdivides the pieces until a round changes the length of the control polygon by less than `tolerance` times that
-   * length, at most `most_rounds` times. Each round shortens the polygon by about a quarter of the previous change, so
-   * the remaining change is about a third of the last one.
+   * length, at most `most_rounds` times. The change in each round is about a quarter of the change in the previous one,
+   * so the total remaining change is about a third of the last change.
    * \return the number of rounds
    * \throws Insertion_error as `refine()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -162,7 +162,7 @@ public:
   }
 
   /*!
-   * Connects the points where pieces meet, which lie on the curve, by geodesics along the control polygons of the
+   * Connects the points at which pieces meet, which lie on the curve, by geodesics along the control polygons of the
    * pieces.
    * \return one polyline per piece, from its start to its end, through the points at which it crosses edges
    * \throws Insertion_error as `refine()` does
@@ -325,7 +325,7 @@ private:
  * A curve through two points is a shortest edge path. A curve through more points consists of geodesic segments, each
  * obtained by shortening such a path separately, so that the curve passes the other points on the same sides as the
  * geodesic; the edges that the segments cross are flipped. A segment that crosses a curve of the network remains an
- * edge path, and `order_overlapping_curves()` detects whether the curves cross. The initial length is that of the edge
+ * edge path; `order_overlapping_curves()` then detects whether the curves cross. The initial length is that of the edge
  * paths.
  *
  * \param network the network
@@ -546,8 +546,8 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
  *
  * \param mesh a triangle mesh
  * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, which are pairs
- *        of a face and barycentric coordinates, of `Surface_location`s, or of points in space. `surface_location()`
- *        describes how points are snapped, and which point of the mesh represents a point in space
+ *        of a face and barycentric coordinates, of `Surface_location`s, or of points in space. The documentation of
+ *        `surface_location()` describes how points are snapped, and which point of the mesh represents a point in space
  * \param out an output iterator that receives the points of the path, in the form described at `geodesic_path()`
  * \param np an optional sequence of named parameters as for `geodesic_path()`, where the stop predicate is applied to
  *        each geodesic segment between two points, and `greatest_point_distance`, the greatest distance from the
@@ -606,8 +606,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * themselves.
  *
  * \param mesh a triangle mesh
- * \param control_points a range of at least two points, as for `geodesic_path_through()`. A point that is repeated has
- * a greater weight and attracts the curve
+ * \param control_points a range of at least two points, as for `geodesic_path_through()`. A repeated point has a
+ *        greater weight and attracts the curve
  * \param kind the type of the spline, a `Spline_kind`
  * \param out an output iterator that receives the points of the curve, in the form described at `geodesic_path()`
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
@@ -615,7 +615,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the number of times that the pieces are halved}
+ *     \cgalParamDescription{the number of times that every piece is subdivided at its midpoint}
  *     \cgalParamType{an integer from 0 to 30}
  *     \cgalParamDefault{5}
  *   \cgalParamNEnd

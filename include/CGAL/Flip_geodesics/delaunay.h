@@ -83,7 +83,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor whose `go_further()` is called before each edge, and whose `on_flip()` is called
- *       after each flip. If it throws an exception, the triangulation is valid}
+ *       after each flip. If it throws an exception, the triangulation remains valid}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd

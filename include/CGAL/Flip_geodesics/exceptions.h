@@ -82,10 +82,10 @@ enum class Degeneracy_remedy {
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a face has a degenerate edge, or lengths that violate the triangle inequality, or if degenerate faces
-/// at a degenerate edge leave no surface when the edge is contracted. `elements()` are the vertices of the edge or
-/// face. It is also thrown if a path cannot be followed through almost degenerate faces because of rounding errors; in
-/// this case `elements()` is empty.
+/// Is thrown if a face has a degenerate edge, or lengths that violate the triangle inequality, or if no surface remains
+/// at a degenerate edge when it is contracted together with the degenerate faces at this edge. `elements()` are the
+/// vertices of the edge or face. It is also thrown if a path cannot be followed through almost degenerate faces because
+/// of rounding errors; in this case `elements()` is empty.
 class Degenerate_face_error : public Error
 {
 public:
@@ -167,8 +167,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a location is not a point of the surface: its face or halfedge does not belong to the mesh, or its
-/// weights are negative, NaN, all zero, or do not sum to one although they should. `elements()` is the halfedge if it
-/// exists.
+/// weights are negative, NaN, all zero, or do not sum to one although this is required. `elements()` is the halfedge if
+/// it exists.
 class Invalid_location_error : public Error
 {
 public:
@@ -212,8 +212,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if an edge under a curve of a network, or of a network other than the one being changed, would have to be
-/// flipped or split. In this case nothing has been changed.
+/// Is thrown if an edge would have to be flipped or split although a curve of a network lies on it; if a network is
+/// being changed, only the curves of other networks count. In this case nothing has been changed.
 class Occupied_triangulation_error : public Error
 {
 public:

@@ -59,8 +59,8 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
  * Extracts curves of a network as curves on the input mesh, by unfolding the edge sequences of their segments. The
  * crossed edges and their order are exact; the positions of the crossings are rounded to double.
  *
- * If a curve passes a vertex within rounding, consecutive points on the edges of the vertex may coincide there in
- * space. The edges then determine on which side the curve passes, and `Surface_point::t` is not zero.
+ * If the distance of a curve from a vertex is within rounding errors, consecutive points on the edges of the vertex may
+ * coincide in space. The edges then determine on which side the curve passes, and `Surface_point::t` is not zero.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
@@ -149,8 +149,9 @@ public:
   }
 
   /*!
-   * Writes a curve as `Curve_point`s, which contain all of this data, or as `Curve_place`s if the metric has no points.
-   * The tangent is the direction of the straight piece in the next face, even if its two points nearly coincide.
+   * Writes a curve as `Curve_point`s, which contain the points in space, the face locations, the crossed halfedges and
+   * the tangents, or as `Curve_place`s if the metric has no points. The tangent is the direction of the straight piece
+   * in the next face, even if its two points nearly coincide.
    */
   template <class OutputIterator>
   OutputIterator curve_points(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)

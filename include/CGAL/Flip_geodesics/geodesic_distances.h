@@ -65,9 +65,9 @@ struct Distances_report
   std::size_t flips = 0;            ///< the number of flips that inserted shortest paths
   /// `WITHIN_TOLERANCE` if the figures are exact up to rounding errors, and no shortest path is shorter than the one
   /// found by more than 1e-10 of its length. `UNDECIDED` otherwise, that is, if the search was aborted or stopped, or
-  /// encountered a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. Near faces whose height
-  /// is at most 1e-10 of their base, or if rounding errors may be that large, the figures are confirmed only by a
-  /// search with outward-rounded bounds.
+  /// encountered a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. If the search
+  /// encounters a face whose height is at most 1e-10 of its base, or if rounding errors may exceed this tolerance, the
+  /// figures are confirmed only by a search with outward-rounded bounds.
   Verdict verdict = Verdict::UNDECIDED;
   /// Whether the paths are locally shortest, including those that were not replaced, as reported by
   /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
@@ -786,8 +786,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *   changed a distance by more than 1e-10 of its value, a search with outward-rounded bounds follows, provided that all
  *   sources are vertices.
  * - If the bounds of the search are too far apart as well, or the field exceeds its limit, a tree of geodesics is grown
- *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was not passed in a range. Its paths are
- *   replaced wherever shorter ones are found (`make_shortest()`).
+ *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was passed by itself and not in a range.
+ *   Its paths are replaced wherever shorter ones are found (`make_shortest()`).
  *
  * \param mesh a triangle mesh
  * \param sources one source that is not a curve, or a range of sources, which are numbered by their positions; if the

@@ -332,8 +332,8 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the halfedges of the loop from the vertex back to it, where a part at the vertex may be traversed back and
- *         forth; empty if no such loop exists, as on a sphere
+ * \return the halfedges of the loop from the vertex back to it; the loop may traverse a part at the vertex back and
+ *         forth. The result is empty if no such loop exists, as on a sphere
  * \throws Vertex_out_of_range_error if `v` is not a vertex of the input
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Invalid_coordinate_error as `Loop_basis` does
@@ -356,13 +356,13 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  * Computes the shortest edge loop of a given kind on a surface.
  *
  * Such a loop passes through a vertex of every network that cuts the surface into disks. Therefore only loops through
- * vertices of a cut graph are searched, each search reaching up to half the length of the best loop so far. Parameters
- * and exceptions are those of the overload with a vertex.
+ * vertices of a cut graph are searched, and each search extends up to half the length of the shortest loop found so
+ * far. Parameters and exceptions are those of the overload with a vertex.
  *
  * \return the halfedges of the loop; empty if no such loop exists
  *
- * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders, with \f$c\f$ vertices of the
- * cut graph, and at most \f$m\f$ vertices nearer to one of them than half the length of the loops found during the
+ * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders, where the cut graph has \f$c\f$
+ * vertices, and at most \f$m\f$ vertices lie nearer to one of these than half the length of the loops found during the
  * search.
  */
 template <class Triangulation, class... NamedParameters>

@@ -34,7 +34,7 @@ namespace Flip_geodesics {
 /// States why the search for a mean ended.
 enum class Mean_status {
   CONVERGED, ///< the weighted vectors to the points cancel out, up to the tolerance
-  /// no step along the mean vector decreases the sum of squares, as can happen at a vertex at which shortest paths
+  /// no step along the mean vector decreases the sum of squares, which can happen at a vertex at which shortest paths
   /// bend, on the border, or at a point at which shortest paths arrive from two sides
   STUCK,
   ITERATION_LIMIT ///< the maximal number of steps has been tried
@@ -75,8 +75,8 @@ struct Mean_limits
  * points.
  *
  * The logarithmic map provides the vectors from the current point to the given points. The search continues from the
- * current point along a straightest geodesic in the direction of the weighted mean of the vectors; if the sum
- * increases, the step is halved repeatedly. In the plane, one step suffices.
+ * current point along a straightest geodesic in the direction of the weighted mean of the vectors; if this step
+ * increases the sum, it is halved repeatedly. In the plane, one step suffices.
  *
  * The result is a local minimum. It is unique if the points are close together relative to the curvature. On a mesh of
  * needles, the vectors may be less precise than the tolerance, and the status may then depend on the numbering of the
@@ -131,7 +131,8 @@ public:
       weight /= sum;
   }
 
-  /// Returns the point with the largest weight, or the first of several, at which the search starts by default.
+  /// Returns the point at which the search starts by default: the point with the largest weight, or the first of
+  /// several such points.
   const Surface_location& heaviest() const
   {
     const auto i = (std::max_element)(m_weights.begin(), m_weights.end()) - m_weights.begin();
@@ -157,8 +158,8 @@ public:
    *         is the number of the point
    * \throws Invalid_location_error if the start or a given location is not a point of the surface
    * \throws Invalid_parameter_error if the tolerance is negative or NaN
-   * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, and at a vertex all of whose angles are
-   *         0, which has no directions
+   * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, and if all angles at a vertex are 0, so
+   *         that no directions exist there
    * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
    * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
    *
@@ -303,7 +304,7 @@ struct Geodesic_mean_result
  * \ingroup PkgFlipGeodesicsTangents
  *
  * Computes a Karcher (Riemannian) mean \cgalCite{K77} of weighted points: a point with the least weighted sum of
- * squared distances from them. The search starts at the point with the largest weight; see `Geodesic_mean`.
+ * squared distances from the given points. The search starts at the point with the largest weight; see `Geodesic_mean`.
  *
  * \param mesh a triangle mesh
  * \param points a range of vertices, `CGAL::Polygon_mesh_processing::Face_location`s or points in space

@@ -39,7 +39,7 @@ struct Geodesic_result
 
   double length() const { return report.length(); }            ///< returns the length of the curve
   Shortening_status status() const { return report.status(); } ///< returns how the shortening ended
-  Verdict verdict() const { return report.verdict(); }         ///< returns what is certified
+  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on the curve
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -52,7 +52,7 @@ struct Geodesics_result
 
   double length() const { return report.length(); }            ///< returns the total length of the curves
   Shortening_status status() const { return report.status(); } ///< returns the combined status of all curves
-  Verdict verdict() const { return report.verdict(); }         ///< returns what is certified
+  Verdict verdict() const { return report.verdict(); }         ///< returns the combined verdict on all curves
 
   std::size_t number_of_curves() const { return report.curves.size(); } ///< returns the number of curves
   /// Returns the length of curve `i`.
@@ -76,7 +76,8 @@ struct Geodesics_result
  * may be shorter, and the path from `target` to `source` may differ; see `shortest_path()`.
  *
  * If the two vertices coincide, the path has length zero, the status `Shortening_status::CONTRACTED` and the verdict
- * `Verdict::PROVEN`, and is written as its two end points. The end points of a degenerate edge coincide in this sense.
+ * `Verdict::PROVEN`, and the output consists of its two end points. The end points of a degenerate edge coincide in
+ * this sense.
  *
  * The following holds for all functions that compute curves on a mesh. If a degenerate edge is encountered, all such
  * edges are contracted and the curve is computed again. The result is then a geodesic of the contracted surface, and

@@ -52,7 +52,7 @@ struct Geodesic_path_result
 
   double length() const { return report.length(); }            ///< returns the length of the path
   Shortening_status status() const { return report.status(); } ///< returns how the shortening ended
-  Verdict verdict() const { return report.verdict(); }         ///< returns what is certified
+  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on the path
 };
 
 namespace internal {
@@ -223,8 +223,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes many geodesics on one mesh, each as `geodesic_path()` does, with one triangulation per thread for all of
- * them.
+ * Computes many geodesics on one mesh, each as `geodesic_path()` does, with a single triangulation per thread.
  *
  * The results depend neither on the number of threads nor on the other pairs. If an exception such as
  * `Disconnected_endpoints_error` is thrown for a pair, it is stored as the result of the pair, and the other paths are

@@ -105,7 +105,8 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * - The vertices of an isoline lie on the true curve up to rounding errors. Between them the isoline is nowhere farther
  *   than \f$t\f$ from the true curve, and the distance there differs from the level by at most \f$t\f$.
  * - Points nearer than the level minus \f$t\f$ lie on its left, and points farther than the level plus \f$t\f$ on its
- *   right. Only parts of either side on which the distance deviates from the level by at most \f$t\f$ may be missed.
+ *   right. A part of either side can be missed only if the distance deviates from the level by at most \f$t\f$
+ *   everywhere in it.
  *
  * Faces that may contain a level are divided until their parts are as small as the tolerance. The bounds hold because
  * distances are 1-Lipschitz. An isoline keeps all its points on edges of the mesh, which are computed once, but inside
@@ -115,7 +116,7 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *
  * A level may equal the distance of a vertex or of a whole area; points at the level count as farther. If the field
  * becomes infinite inside the surface, because it is limited, the points beyond count as farther as well. A face whose
- * three vertices have infinite distances is assumed to have no finite ones.
+ * three vertices have infinite distances is assumed to contain no point with a finite distance.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`
@@ -145,10 +146,10 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of isoline as long as the
- * tolerance. An isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more for a length
- * \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are indexed
- * first, in \cgalBigO{n \log n}.
+ * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of an isoline whose length
+ * equals the tolerance. An isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more
+ * for a length \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are
+ * indexed first, in \cgalBigO{n \log n}.
  *
  * \sa `voronoi_boundaries()`
  */
@@ -280,10 +281,10 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  *
  * A boundary is closed, or ends at junctions of three regions or on the border of the mesh. A point at which more than
  * three regions meet is represented by several junctions within the tolerance. The vertices of a boundary lie on the
- * true boundary up to rounding errors, and between them it is nowhere farther than the tolerance from the true one. A
- * junction and the vertices beside it may be off by some hundredths of the tolerance. As with `isolines()`, the number
- * of vertices inside faces grows like the inverse square root of the tolerance. Points that are not reached by any
- * source form a region with the source `Voronoi_boundary::none`.
+ * true boundary up to rounding errors, and between them the boundary is nowhere farther than the tolerance from the
+ * true boundary. A junction and the vertices next to it may deviate from their true positions by some hundredths of the
+ * tolerance. As with `isolines()`, the number of vertices inside faces grows like the inverse square root of the
+ * tolerance. Points that are not reached by any source form a region with the source `Voronoi_boundary::none`.
  *
  * Faces in which the nearest source changes are divided until their parts are as small as the tolerance. Faces in which
  * the field guarantees a single nearest source, by `GeodesicDistanceField::has_one_source()`, are not divided, so a
@@ -305,8 +306,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex, about fifty times for each piece of boundary as long as the
- * tolerance, and a few times \f$s / t\f$ in the faces that no boundary crosses.
+ * Complexity: the field is evaluated once per vertex, about fifty times for each piece of a boundary whose length
+ * equals the tolerance, and a few times \f$s / t\f$ in the faces that no boundary crosses.
  *
  * \sa `isolines()`
  */

@@ -48,7 +48,7 @@ class Planar_sine;
  * \ingroup PkgFlipGeodesicsCurves
  *
  * Represents a mesh by consecutive numbers. It is the input type of triangulations and the argument of metrics. It is a
- * class rather than a concept, since a metric and all triangulations with it must identify elements by the same
+ * class rather than a concept, since a metric and all triangulations that use it must identify elements by the same
  * numbers.
  *
  * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge with number `e` in
@@ -191,7 +191,7 @@ public:
     }
   }
 
-  /// Returns a lower bound of the distance on the surface: the distance in space.
+  /// Returns a lower bound on the distance on the surface: the distance in space.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(is_rational)
@@ -366,8 +366,8 @@ public:
 
   /// Constructs the metric of given lengths.
   /// \param mesh the mesh, which must outlive the metric
-  /// \param lengths the lengths of its edges, which are read whenever they are needed; in any unit, each between 1e-70
-  ///        and 1e70
+  /// \param lengths the lengths of its edges in any unit, each between 1e-70 and 1e70; they are read whenever they are
+  ///        needed
   Edge_length_metric(const TriangleMesh& mesh, EdgeLengthMap lengths)
     : m_mesh(&mesh)
     , m_lengths(lengths)
@@ -553,7 +553,7 @@ public:
   using Kernel = typename Base::Kernel;   ///< the kernel of the other metric
   using Point_3 = typename Base::Point_3; ///< the point type of the other metric, `void` if it has none
 
-  /// Adds nothing, so that lengths and faces are those of the other metric.
+  /// Constructs a metric that adds nothing to the other metric, so that lengths and faces are unchanged.
   explicit Mollified_metric(const Metric& metric)
     : Base(metric)
   {
@@ -685,7 +685,7 @@ private:
  * Weights given at vertices are linear along edges. The length of an edge is that of the other metric, times the mean
  * of the weights of its two ends. Faces with these lengths are flat again. If the weight changes little over a face,
  * this is the conformal change of the metric by the weight, up to terms of second order. Weights given for edges are
- * the factors of their lengths.
+ * factors by which their lengths are multiplied.
  *
  * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
  * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each

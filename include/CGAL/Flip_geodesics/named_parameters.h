@@ -56,7 +56,7 @@ struct Default_shortening_visitor
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of windows that a search for shortest paths may create, each of about 60 bytes, and the number of
+/// Limits the number of windows that a search for shortest paths may create (about 60 bytes each), and the number of
 /// edges along which rays may start from vertices. The search is aborted when either limit is exceeded.
 class Window_limit
 {

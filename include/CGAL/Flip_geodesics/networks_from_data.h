@@ -150,8 +150,8 @@ private:
  * Adds the edges between faces of different regions as a network: the boundaries of a segmentation
  * \cgalCite{SC20,section 6.1}. The border of the mesh is not a boundary of a region, but boundaries can end there.
  *
- * With fixed junctions, each curve leads from one vertex to another at which one or more than two such edges meet, or
- * is closed if it has no such vertex, as with `add_marked_edges()`. With free junctions, each edge carries two
+ * With fixed junctions, as with `add_marked_edges()`, the curves end at the vertices that are incident to exactly one
+ * such edge or to more than two; a curve without such a vertex is closed. With free junctions, each edge carries two
  * segments, one for each adjacent region, with the region on the left; the segments form closed curves and paths from
  * border to border. The junctions can then move, and a gap that does not belong to a region opens between the curves of
  * three regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy class among the
@@ -285,9 +285,9 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * Adds a polyline anywhere on the mesh to a network, as a curve whose nodes are fixed at all its points
  * \cgalCite{SC20,Figure 9}.
  *
- * The points become vertices, and the segments become edges of the triangulation, by flips of edges in their input
- * faces; a segment that passes a vertex consists of several edges. The curve therefore coincides with the polyline.
- * `Edge_path_network::free_nodes()` allows the curve to be shortened.
+ * The points become vertices of the triangulation, and the segments become edges, by flips of edges in the input faces
+ * that contain them; a segment that passes a vertex consists of several edges. The curve therefore coincides with the
+ * polyline. `Edge_path_network::free_nodes()` allows the curve to be shortened.
  *
  * Which edges a segment crosses is decided exactly, from the weights of the points. Polylines may be added one after
  * another. They may meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross at these

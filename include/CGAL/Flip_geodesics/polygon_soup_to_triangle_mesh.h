@@ -209,30 +209,34 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * degenerate faces.
  *
  * The following repairs are made if they are necessary, and are counted in the report; see `Repair`:
- * - Points with coordinates that are not finite are removed, together with the polygons that contain them or an invalid
- *   index. Corners that coincide with the previous corner are removed, and polygons that pass a point twice are split.
+ * - Points with coordinates that are not finite are removed, together with the polygons that contain them. Polygons
+ *   that contain an invalid index are removed as well. Corners that coincide with the previous corner are removed, and
+ *   polygons that pass a point twice are split.
  * - Polygons with more than three corners are triangulated.
  * - Triangles with the same corners as another triangle are removed.
  * - Triangles are oriented consistently with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, such that as many
  *   of them as possible keep their orientation in each component. Faces are cut apart at edges with more than two
- *   faces, at points where they share only a vertex, and at edges between orientations that cannot be made consistent.
- * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself
- *   if no coordinate differs by more than the tolerance. Edges shorter than the tolerance collapse.
- * - Coincident borders are stitched with `CGAL::Polygon_mesh_processing::stitch_borders()`; their coordinates are
- *   bitwise identical. If more than two border edges coincide, two edges of the same component are stitched, and the
- *   others are not. Borders remain open if stitching would create two edges with the same two vertices.
+ *   faces, at points at which they share only a vertex, and at edges across which the orientations cannot be made
+ *   consistent.
+ * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself,
+ *   provided that no coordinate differs by more than the tolerance. Edges shorter than the tolerance collapse.
+ * - Borders whose coordinates are bitwise identical are stitched with
+ *   `CGAL::Polygon_mesh_processing::stitch_borders()`. If more than two border edges coincide, two edges of the same
+ *   component are stitched, and the others are not. Borders remain open if stitching would create two edges with the
+ *   same two vertices.
  * - Triangles whose corners are collinear according to exact predicates are removed by a flip of their longest edge,
  *   which does not change the surface. If this is impossible, they are deleted, which leaves a slit inside the surface.
  *
- * The steps are repeated until none of them changes the triangles, so the repair of a result has no effect. The report
- * also contains the number of border edges that nearly coincide with others and would be stitched if a tolerance were
- * given.
+ * The steps are repeated until none of them changes the triangles, so repairing the result again has no effect. The
+ * report also contains the number of border edges that nearly coincide with others and would be stitched if a tolerance
+ * were given.
  *
  * No point is moved unless a tolerance is given, and no new points are created. The vertex at position `i` of
  * `vertices(mesh)` comes from point `i`, regardless of the repairs. Vertices of points that were merged or lost their
  * faces are isolated and have no copies; `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes them.
  * Copies of split vertices come after these vertices. Faces are in the order of the polygons from which they come. A
- * soup without defects therefore yields the same mesh and an empty report. The result depends only on the input.
+ * soup without defects therefore yields a mesh with the same elements in the same order, and an empty report. The
+ * result depends only on the input.
  *
  * \tparam PointRange a range of points of a \cgal kernel. If its number type is `double`, the predicates of
  *         `CGAL::Exact_predicates_inexact_constructions_kernel` are used; otherwise those of the kernel itself, which
@@ -241,7 +245,7 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * \tparam TriangleMesh a model of `MutableFaceGraph` that lists vertices and faces in the order in which they are added
  * \param points the points
  * \param polygons the corners of each polygon
- * \param mesh the resulting mesh. An isolated vertex of a point that is not finite is given the position of another
+ * \param mesh the resulting mesh. The isolated vertex of a point that is not finite receives the position of another
  *        point
  * \param np an optional sequence of named parameters among those listed below
  *
@@ -263,8 +267,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * \throws Invalid_mesh_error if the soup has no polygons, or no triangle remains; the message states the reason, and
  *         `mesh` is empty
  *
- * Complexity: about the time of sorting the corners a few times. Polygons with many corners take the time of a
- * triangulation in the plane, and the orientation by \cgal takes up to the square of the degree of a vertex.
+ * Complexity: about that of sorting the corners a few times. Polygons with many corners take the time of a
+ * triangulation in the plane, and the orientation by \cgal takes time that can be quadratic in the degree of a vertex.
  */
 template <class PointRange, class PolygonRange, class TriangleMesh, class... NamedParameters>
 Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const PolygonRange& polygons, TriangleMesh& mesh,

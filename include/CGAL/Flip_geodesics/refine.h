@@ -25,8 +25,8 @@ namespace Flip_geodesics {
 /// Specifies the bounds and limits of `refine()`.
 struct Refinement_options
 {
-  /// the lower bound for the angles of all faces, in degrees; 0 means no bound. At most 30, above which the process
-  /// rarely terminates
+  /// the lower bound for the angles of all faces, in degrees; 0 means no bound. At most 30, since the process rarely
+  /// terminates with larger bounds
   double smallest_angle = 25;
   /// the upper bound for the lengths of all edges, at least 1e-70, in the unit of the mesh
   double longest_edge = std::numeric_limits<double>::infinity();
@@ -38,7 +38,7 @@ struct Refinement_options
 /// States how a refinement ended.
 enum class Refinement_status {
   BOUNDS_REACHED,       ///< all faces are within the bounds, or are exempt
-  BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or skipped; see `Refinement_report`
+  BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or given up; see `Refinement_report`
   VERTEX_LIMIT,         ///< `Refinement_options::maximum_insertions` vertices were inserted
   STOPPED_BY_VISITOR    ///< the visitor ended the refinement; the triangulation need not be Delaunay
 };
@@ -138,13 +138,13 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * Refines a triangulation until no angle is too small and no edge is too long.
  *
- * The triangulation is first flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, the
- * worst face first, each followed by flips \cgalCite{SSC19,section 4.3}. Curves and the border are constrained: if they
- * are in the way, they are split at vertices on them, and thus remain geodesics of the same length. The surface does
- * not change.
+ * The triangulation is first flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, that
+ * is, faces that violate a bound. The worst face comes first, and each insertion is followed by flips
+ * \cgalCite{SSC19,section 4.3}. Curves and the border are constrained: if they are in the way of an insertion, vertices
+ * on them split them instead, so that they remain geodesics of the same length. The surface does not change.
  *
- * \attention Since the positions of vertices on curves are rounded, `certify()` considers the curves bent there by a
- * rounding error and should be called before refinement.
+ * \attention Since the positions of vertices on curves are rounded, `certify()` finds a bend of the size of a rounding
+ * error at such a vertex. It should therefore be called before refinement.
  *
  * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point
  * inside them. They are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
@@ -156,8 +156,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * faces whose shortest side is not longer than theirs. The other faces are improved until the sum stagnates again.
  *
  * Edges that are too long are never given up. They are divided, the longest first, until no such edge is left or the
- * limit is reached. Since edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$, a
- * bound that cannot be met distributes the allowed number of vertices evenly.
+ * limit is reached. Since edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$, the
+ * allowed number of vertices is distributed evenly if a bound cannot be met.
  *
  * Two kinds of faces are exempt from the bound on angles. In one kind, the smallest angle lies between two constrained
  * edges that meet at less than 60 degrees, or at a vertex whose angles sum to less than 60 degrees; no insertion could
@@ -165,7 +165,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * vertex; an insertion there would cause another one closer to the vertex, and so on without end \cgalCite{S02}.
  *
  * \param network an `Edge_path_network` whose triangulation, a model of `IntrinsicTriangulationOfMesh`, is refined
- * \param options the bounds; the process terminates by itself in practice for angles up to about 25 degrees
+ * \param options the bounds; in practice, the process terminates by itself for bounds on angles of up to about 25
+ *        degrees
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -179,7 +180,7 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report, measured on the result
+ * \return a report on the refined triangulation
  * \throws Invalid_parameter_error if the options are out of range
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; in this case the
  *         triangulation is unchanged

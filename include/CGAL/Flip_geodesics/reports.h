@@ -69,10 +69,10 @@ inline Verdict verdict_of_distances(bool are_right)
 /// Counts how the filter failures of predicates were resolved.
 struct Decision_statistics
 {
-  std::size_t by_memory = 0;      ///< by the cached result for an angle between the same two edges; such results are
-                                  ///< not counted elsewhere
-  std::size_t by_strip = 0;       ///< by vectors of doubles, or in double-double arithmetic, with an error bound
-  std::size_t by_plane = 0;       ///< by points: all faces lie in one plane, or bend only along parallel edges
+  std::size_t by_memory = 0; ///< by the cached result for an angle between the same two edges; such results are
+                             ///< not counted elsewhere
+  std::size_t by_strip = 0;  ///< by vectors of doubles, or in double-double arithmetic, with an error bound
+  std::size_t by_plane = 0;  ///< by predicates on points: all faces lie in one plane, or bend only along parallel edges
   std::size_t by_precision = 0;   ///< in multiprecision arithmetic with 50 digits and an error bound
   std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the areas of the faces
   std::size_t zeros_by_plane = 0; ///< the number of angles in `by_plane` that were exactly straight
@@ -80,8 +80,8 @@ struct Decision_statistics
   /// The number of angles assumed to be exactly straight without proof, because 50 digits do not suffice and the work
   /// limit was reached; see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
-  /// The largest number of square roots with which a single predicate was evaluated exactly, where roots that are
-  /// rational multiples of one another count once.
+  /// The largest number of square roots with which a single predicate was evaluated exactly. Roots that are rational
+  /// multiples of one another count once.
   std::size_t most_roots = 0;
 
   /// Adds further statistics.
@@ -138,11 +138,11 @@ struct Curve_report
   /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose
   /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether degenerate edges were contracted because the curve encountered a degenerate edge or folded faces. Set by
-  /// the free functions.
+  /// Whether degenerate edges were contracted, because the curve encountered a degenerate edge, or two degenerate faces
+  /// whose vertices opposite to their common edge coincide. Set by the free functions.
   bool are_zero_edges_contracted = false;
-  /// The distances of the given points from the surface in space, in their order; 0 for points given as vertices or
-  /// locations. Set by functions that accept points; empty if all of them are given as vertices.
+  /// The distances in space of the given points from the surface, in the order of the points; 0 for points given as
+  /// vertices or locations. Set by functions that accept points; empty if all of them are given as vertices.
   std::vector<double> point_distances;
 };
 
@@ -155,8 +155,8 @@ struct Shortening_report
   /// was inserted.
   std::size_t flips = 0;
   /// The number of steps taken \cgalCite{SC20,Algorithm 1}; the compound step for a loop of one segment counts as one.
-  /// It is 0 if a path was straightened beforehand, as by functions without a stop predicate or visitor, and then
-  /// required no step.
+  /// It is 0 if a path required no step after initial straightening, which functions perform unless a stop predicate or
+  /// a visitor is given.
   std::size_t flip_outs = 0;
 
   /// Returns whether every curve of the network is locally shortest or has contracted to a point.
@@ -191,8 +191,8 @@ struct Shortening_report
   }
 
   /// Returns the verdict on the claim that the curve, or every curve, is locally shortest: that of the first curve for
-  /// which the claim is false, or else the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. A report without curves is
-  /// never confirmed.
+  /// which the claim is false or, if there is none, the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. A report without
+  /// curves is never confirmed.
   Verdict verdict() const
   {
     Verdict result = curves.empty() ? Verdict::UNDECIDED : Verdict::PROVEN;

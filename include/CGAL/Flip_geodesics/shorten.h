@@ -30,7 +30,7 @@ namespace Flip_geodesics {
  * early, the result is bitwise identical to that of a single call of `shorten()`.
  *
  * While a shortener is in use, its network and triangulation must not be changed by anything else. A shortener that has
- * thrown an exception must not be used any longer and has to be replaced by a new one.
+ * thrown an exception must not be used any longer; construct a new one instead.
  *
  * \tparam Network_ a model of `EdgePathGraph`
  */
@@ -255,8 +255,8 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * confirms it; `certify()` proves it exactly.
  *
  * \param network the curves, which are moved while the edges around them are flipped. Curves that share edges must be
- *        ordered by `order_overlapping_curves()` first. Curves that cross keep crossing, which is not visible in any
- *        status but is detected by `Edge_path_network::is_valid()`
+ *        ordered by `order_overlapping_curves()` first. Curves that cross still cross afterwards. No status indicates
+ *        this, but `Edge_path_network::is_valid()` detects it
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin

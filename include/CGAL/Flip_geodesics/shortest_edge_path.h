@@ -34,9 +34,9 @@ namespace Flip_geodesics {
  * each component of the mesh.
  *
  * Landmarks are computed once for many searches on one mesh, and guide these searches around bumps and holes. By the
- * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound of the distance
+ * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound on the distance
  * between them \cgalCite{GH05}. On most meshes this bound is larger than the distance in space, and it also exists for
- * metrics without points. `Geodesic_landmarks` provide bounds of the distances on the surface.
+ * metrics without points. `Geodesic_landmarks` provide bounds on the distances on the surface.
  *
  * The distances take 32 bytes per vertex, and can be read by several threads concurrently.
  */
@@ -53,7 +53,7 @@ public:
    * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is
    *        called, before each search and about once per thousand vertices. If it returns `false`, `is_complete()`
    *        returns `false`, and all bounds are zero
-   * \throws Invalid_coordinate_error as `Shortest_edge_path` does, for any edge
+   * \throws Invalid_coordinate_error if the length of an edge is negative or NaN
    *
    * Complexity: 17 searches over the whole mesh, \cgalBigO{n \log n}.
    */
@@ -67,14 +67,14 @@ public:
       m_rows = internal::Landmark_rows(); // all bounds are zero
   }
 
-  /// Returns whether the distances are known, that is, whether the construction was not stopped by a visitor.
+  /// Returns whether the distances are known. They are unknown if a visitor stopped the construction.
   bool is_complete() const { return m_is_complete; }
 
   /// Returns the number of vertices.
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
   /*!
-   * Returns a lower bound of the distance between two vertices.
+   * Returns a lower bound on the distance between two vertices.
    *
    * If the distances from landmarks are lengths of edge paths, every edge path between the vertices is at least as long
    * as the bound: values and differences are rounded down, and rounding errors are subtracted. If the distances were
@@ -106,13 +106,13 @@ private:
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Specifies the search for an edge path.
 enum class Search_method {
-  /// Searches for a path to be shortened, which is close to a shortest path on the surface rather than shortest along
-  /// edges (any-angle search \cgalCite{NKT10}).
+  /// an any-angle search \cgalCite{NKT10} for a path that will be shortened: the path is close to a shortest path on
+  /// the surface rather than shortest along edges.
   ///
   /// The distance of a vertex is measured along straight lines from up to two vertices back on the path to it, but is
   /// taken to be at least the length of the path divided by 1.5. Paths that zigzag along a straight line thus count as
   /// nearly straight, whereas shortest edge paths are diverted along the directions of edges. On smooth meshes,
-  /// `shorten()` then flips several times fewer edges. The bound of the remaining distance is multiplied by 1.1
+  /// `shorten()` then flips several times fewer edges. The lower bound on the remaining distance is multiplied by 1.1
   /// (weighted A*), so that paths of nearly equal length need not be compared. A vertex that is reached again by a path
   /// that is only marginally shorter keeps its position in the queue. The search visits about a third as many vertices
   /// as `A_STAR`. If the metric has no lower bound, the method is equivalent to `DIJKSTRA`.
@@ -120,7 +120,7 @@ enum class Search_method {
   /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if this
   /// bound is zero
   A_STAR,
-  DIJKSTRA ///< a shortest edge path, in all directions
+  DIJKSTRA ///< a shortest edge path, found by a search in all directions
 };
 
 namespace internal {
@@ -150,8 +150,8 @@ namespace Flip_geodesics {
  * Searches for paths along the edges of the input mesh, which are the usual initial curves. The paths are shortest, or
  * close to geodesics so that few flips are needed. Only the input is read, and the triangulation does not change.
  *
- * Labels are allocated once and distinguished by epoch, so a search takes \cgalBigO{k \log k} time for the \f$k\f$
- * vertices that it visits. Of several paths of equal length, the same one is always found.
+ * Labels are allocated once and store the number of their search instead of being reset, so a search takes \cgalBigO{k
+ * \log k} time for the \f$k\f$ vertices that it visits. Of several paths of equal length, the same one is always found.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -173,7 +173,7 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{landmarks}
    * \cgalParamDescription{landmarks that guide the search; the lower bound is then multiplied by only 1.02, since it is
-   *     nearly attained}
+   *     close to the distance}
    *     \cgalParamType{`Landmark_distances`}
    *     \cgalParamDefault{no landmarks}
    *     \cgalParamPrecondition{the landmarks were computed for this mesh, and the method is `Search_method::LOOK_BACK`}

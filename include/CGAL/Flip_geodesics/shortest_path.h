@@ -52,12 +52,12 @@ struct Shortest_path_report
 
   double first_length = 0; ///< the length of the geodesic obtained from the initial edge path
   double length = 0;       ///< the length of the result
-  /// A lower bound of the length of all paths, including rounding errors.
+  /// A lower bound on the lengths of all paths, which takes rounding errors into account.
   double lower_bound = 0;
   std::size_t windows = 0;              ///< the number of windows of the search
   Verdict verdict = Verdict::UNDECIDED; ///< the verdict on the claim that no path is shorter
-  /// Whether other paths are as short, up to 2^-42 of the length, which is about 2e-13. For a confirmed path, all of
-  /// these are found.
+  /// Whether other paths are equally short, up to a relative difference of 2^-42, which is about 2e-13. If the path is
+  /// confirmed, no such path has been missed.
   bool has_tie = false;
 
   /// Returns whether the path is a geodesic.
@@ -66,13 +66,13 @@ struct Shortest_path_report
   /// Returns whether the path is confirmed to be shortest; an unconfirmed path may still be shortest.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }
 
-  /// Returns an upper bound of the difference between the length of the path and that of a shortest path.
+  /// Returns an upper bound on the difference between the length of the path and that of a shortest path.
   double gap() const { return (std::max)(length - lower_bound, 0.0); }
 
-  /// Returns the relative difference from a shortest path that `WITHIN_TOLERANCE` allows: 1e-10.
+  /// Returns the relative difference from the length of a shortest path that `WITHIN_TOLERANCE` allows: 1e-10.
   static constexpr double tolerance() { return internal::confirmed_gap; }
 
-  /// Returns the relative difference from a shortest path that `WITHIN_ROUNDING` allows: 1e-12.
+  /// Returns the relative difference from the length of a shortest path that `WITHIN_ROUNDING` allows: 1e-12.
   static constexpr double rounding_tolerance() { return internal::proven_gap; }
 };
 
@@ -92,18 +92,18 @@ struct Shortest_path_result
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes lower bounds of the distances on a surface between all pairs of vertices by means of landmarks, which are
- * vertices that are far from one another or chosen by the caller.
+ * Computes lower bounds on the distances on a surface between all pairs of vertices by means of landmarks: vertices
+ * that are far from one another, or that the caller has chosen.
  *
  * A lower-bound propagation from each landmark assigns to each vertex a value close to its distance from the landmark.
- * The difference of the values of two vertices is a lower bound of the distance between them \cgalCite{GH05}. Landmarks
+ * The difference of the values of two vertices is a lower bound on the distance between them \cgalCite{GH05}. Landmarks
  * are computed once for many shortest paths on one mesh, and confine the searches to the regions that shortest paths
  * can enter. `Landmark_distances` do the same for paths along edges.
  *
- * The bounds hold for the mesh with its coordinates taken as given, including rounding errors, like
- * `Shortest_path_report::lower_bound`. Each component has its own landmarks, at most `number_of_landmarks()`. The
- * bounds take two bytes per landmark and vertex, and may be read by several threads concurrently. A propagation takes
- * about 400 bytes per triangle while it runs.
+ * Like `Shortest_path_report::lower_bound`, the bounds hold for the mesh with its coordinates taken as given, and take
+ * rounding errors into account. Each component has its own landmarks, at most `number_of_landmarks()`. The bounds take
+ * two bytes per landmark and vertex, and may be read by several threads concurrently. A propagation takes about 400
+ * bytes per triangle while it runs.
  */
 class Geodesic_landmarks
 {
@@ -177,20 +177,20 @@ public:
          [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
   }
 
-  /// Returns whether the bounds are known, that is, whether the construction was not stopped by a visitor.
+  /// Returns whether the bounds are known. They are unknown if a visitor stopped the construction.
   bool is_complete() const { return m_is_complete; }
 
   /// Returns the largest number of landmarks in a component.
   std::size_t number_of_landmarks() const { return m_rows.number_of_functions(); }
 
-  /// Returns a lower bound of the length of every path between two vertices. Linear in the number of landmarks.
+  /// Returns a lower bound on the lengths of all paths between two vertices. Linear in the number of landmarks.
   /// \pre `v` and `w` are vertices of the mesh
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
   /*!
    * Checks whether the landmarks can have been computed for the input of a triangulation.
    *
-   * The function compares the numbers of vertices, edges and faces, the borders, and the lengths of an edge of each
+   * The function compares the numbers of vertices, edges and faces, the borders, and the lengths of one edge of each
    * border and of `number_of_landmarks()` edges at landmarks. It thus detects a different mesh, an additional or
    * missing face, and a different metric, but not every vertex that has moved. The bounds hold only for the mesh for
    * which they were computed.
@@ -681,7 +681,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a shortest path between two vertices to an empty network, and returns a lower bound of the length of all paths.
+ * Adds a shortest path between two vertices to an empty network, and returns a lower bound on the lengths of all paths.
  *
  * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is usually within a relative
  * 1e-13 of the length. A `Verdict::PROVEN` geodesic whose length is within `Shortest_path_report::rounding_tolerance()`
@@ -739,10 +739,11 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *
  * The algorithm starts with a geodesic that is obtained by shortening an edge path, after initial straightening
  * (`add_straightened_path()`) unless a visitor must observe the whole process. A lower-bound propagation from the
- * target bounds the remaining length of paths that cross an edge. Windows are then propagated over the mesh as far as a
- * shorter path could reach \cgalCite{MMP87}, \cgalCite{CH90}, \cgalCite{XW09}. If they find one, in another homotopy
- * class, it replaces the geodesic and is inserted by flipping the edges that it crosses. On a mesh with degenerate
- * faces that prevent a confirmation, the paths of two trees of geodesics are tried as well.
+ * target bounds the remaining length of the paths that cross each edge. Windows are then propagated over the mesh as
+ * far as a shorter path could reach \cgalCite{MMP87}, \cgalCite{CH90}, \cgalCite{XW09}. If they reveal a shorter path,
+ * which lies in another homotopy class, this path replaces the geodesic and is inserted by flipping the edges that it
+ * crosses. On a mesh with degenerate faces that prevent a confirmation, the paths of two trees of geodesics are tried
+ * as well.
  *
  * \sa `shortest_path()`
  */
@@ -940,7 +941,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes landmarks, whose lower bounds of distances speed up repeated calls of `shortest_path()` on one mesh.
+ * Computes landmarks, which provide lower bounds on distances and thus speed up repeated calls of `shortest_path()` on
+ * one mesh.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` if TBB is linked, for several concurrent propagations; the
  *         results are the same

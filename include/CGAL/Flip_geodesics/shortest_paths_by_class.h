@@ -59,10 +59,10 @@ struct Path_class
   /// poorly. For ends that are not vertices, the parts of the path in their faces or edges are not included.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of `edge_path`
-  /// The length of the shortest path found in the class; infinite if the lower bound sufficed to leave the class out
-  /// and no path was computed.
+  /// The length of the shortest path found in the class; infinite if no path was computed, because the lower bound
+  /// sufficed to exclude the class.
   double length = std::numeric_limits<double>::infinity();
-  double lower_bound = 0; ///< a lower bound of the length of paths of the class, including rounding errors
+  double lower_bound = 0; ///< a lower bound on the lengths of paths of the class, with allowance for rounding errors
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -79,7 +79,7 @@ struct Paths_by_class_report
   std::size_t visited = 0;                                 ///< the number of vertices of the universal covering that
                                                            ///< were visited
 
-  /// Returns a proven lower bound of the lengths of all paths whose classes are not represented in `paths`. The bound
+  /// Returns a proven lower bound on the lengths of all paths whose classes are not represented in `paths`. The bound
   /// is infinite if every class is represented, and may be less than the length of the last path if that path is not
   /// confirmed.
   double lower_bound_of_others() const
@@ -92,9 +92,9 @@ struct Paths_by_class_report
 
   /// Returns the verdict on the claim that these are the shortest paths of all classes: each is confirmed to be
   /// shortest in its class, and no other class has a shorter one, up to `Shortest_path_report::tolerance()`. The
-  /// verdict refers to the returned paths, even if fewer were found than requested; the claim is never confirmed
-  /// without paths. With a larger limit, a further path may be found but not confirmed, so the verdict is not monotone
-  /// in the limit, although confirmed paths remain the shortest.
+  /// verdict refers to the returned paths, even if fewer were found than requested; if no path was returned, the claim
+  /// is never confirmed. With a larger limit, a further path may be found but not confirmed. A larger limit can
+  /// therefore lead to a weaker verdict, although confirmed paths remain the shortest ones.
   Verdict verdict() const
   {
     const double least = lower_bound_of_others();
@@ -351,8 +351,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * Computes the shortest homotopically distinct paths on the surface between two points: a shortest path in each of
  * `number` homotopy classes, the shortest classes first. Two such paths enclose handles or borders of the surface.
  *
- * A sphere and a disk have only one class. Obstacles create more: the mesh can be a `CGAL::Face_filtered_graph` without
- * the faces that paths must not enter. Degenerate edges are contracted if they affect the result. If both ends
+ * On a sphere or a disk, only one class exists. Obstacles create more: the mesh can be a `CGAL::Face_filtered_graph`
+ * without the faces that paths must not enter. Degenerate edges are contracted if they affect the result. If both ends
  * coincide, the first path is that point and has length zero, and the others are the shortest loops at the point, one
  * in each class.
  *

@@ -42,7 +42,7 @@ struct Shortening_step
   double curve_length_after;   ///< the length of the curve if the step is taken
   double initial_length;       ///< the initial length of the network
   double length_after;         ///< the length of the network if the step is taken
-  std::size_t memory;          ///< `Intrinsic_triangulation::memory_of_records()` with the flips of the step, in bytes
+  std::size_t memory;          ///< `Intrinsic_triangulation::memory_of_records()` including this step, in bytes
 };
 
 /// \ingroup PkgFlipGeodesicsStop
@@ -70,7 +70,8 @@ inline bool is_below_limit(double length, double ratio, double initial_length)
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Keeps the total length of the network, summed over its segments, at or above `ratio` times its initial length. To
-/// allow for rounding errors, a step that would lead closer to the limit than 2^-32 of the initial length is rejected.
+/// allow for rounding errors, a step is rejected if it would lead to a length that exceeds the limit by less than 2^-32
+/// of the initial length.
 /// \cgalModels{FlipOutStopPredicate}
 class Length_ratio_stop_predicate
 {
@@ -97,8 +98,8 @@ private:
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Keeps the length of each curve, summed over its segments, at or above `ratio` times its initial length, so that even
-/// small loops survive. To allow for rounding errors, a step that would lead closer to the limit than 2^-32 of the
-/// initial length is rejected.
+/// small loops survive. To allow for rounding errors, a step is rejected if it would lead to a length that exceeds the
+/// limit by less than 2^-32 of the initial length.
 /// \cgalModels{FlipOutStopPredicate}
 class Curve_length_ratio_stop_predicate
 {
@@ -226,7 +227,7 @@ private:
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Stops when the records of flips take more memory than a limit. The flips of one step can exceed the limit until they
-/// are rolled back, and data derived for them is kept. \cgalModels{FlipOutStopPredicate}
+/// are rolled back, and data derived from these flips are kept. \cgalModels{FlipOutStopPredicate}
 class Memory_stop_predicate
 {
 public:

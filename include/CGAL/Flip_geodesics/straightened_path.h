@@ -232,9 +232,9 @@ private:
  *
  * The face strip along the path is unfolded, the path is shortened in it with a funnel algorithm, and the strip is
  * moved to the other side of the vertices at which the path bends \cgalCite{XW07}. All of this is computed in doubles
- * and without flips. The resulting geodesic segments are then inserted by flipping the edges that they cross. In case
- * of doubt, because of degenerate faces, segments that block each other, or rounding errors, the path itself is added,
- * and nothing is flipped.
+ * and without flips. The resulting geodesic segments are then inserted by flipping the edges that they cross. If
+ * degenerate faces, segments that block each other, or rounding errors make the result doubtful, the path itself is
+ * added, and nothing is flipped.
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path, whose length becomes the initial length of the curve

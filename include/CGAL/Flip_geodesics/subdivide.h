@@ -36,9 +36,9 @@ namespace Flip_geodesics {
 struct Subdivision_vertex
 {
   Surface_point on_input;                     ///< the position of the vertex on the input mesh
-  Vertex_index intrinsic_vertex = null_index; ///< the vertex of the triangulation, or else:
+  Vertex_index intrinsic_vertex = null_index; ///< the vertex of the triangulation, or null
   Halfedge_index intrinsic_halfedge =
-      null_index;         ///< the first halfedge of the intrinsic edge that contains the vertex,
+      null_index;         ///< if that is null, the first halfedge of the intrinsic edge that contains the vertex,
   double intrinsic_t = 0; ///< and the position on that halfedge, strictly between 0 at the tail and 1 at the head
 };
 
@@ -85,8 +85,8 @@ public:
 
   /// Returns the mesh.
   const OutputMesh& mesh() const { return m_mesh; }
-  /// Returns the mesh, to be moved out or refined further. The maps back remain valid for elements of the mesh as long
-  /// as these exist.
+  /// Returns the mesh, to be moved out or refined further. The maps back to the input and to the triangulation remain
+  /// valid for each element of the mesh as long as this element exists.
   OutputMesh& mesh() { return m_mesh; }
 
   /// Returns the origin of a vertex.
@@ -116,7 +116,8 @@ public:
   Halfedge_index intrinsic_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).intrinsic; }
 
   /// Returns the halfedges of the mesh along intrinsic halfedge `h`, in its direction; empty if the edge is not in the
-  /// mesh. If the mesh is cut open along the edge, they belong to the side on the left of `h`, as seen from its faces.
+  /// mesh. If the mesh is cut open along the edge, they are the halfedges on the side of the cut that lies on the left
+  /// of `h`.
   std::vector<halfedge_descriptor> halfedges_along(Halfedge_index h) const
   {
     const std::size_t i = static_cast<std::size_t>(h.idx());

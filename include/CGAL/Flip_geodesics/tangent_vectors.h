@@ -82,7 +82,7 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{search_limit}
-   *     \cgalParamDescription{the extent to which the map is needed}
+   *     \cgalParamDescription{how far the map is computed}
    *     \cgalParamType{`Distance_field_limits`}
    *     \cgalParamDefault{no limits}
    *   \cgalParamNEnd
@@ -174,8 +174,8 @@ public:
   }
 
   /// Returns the polar coordinates of a vector in the plane of `in_plane()`, as the inverse of that function. At a
-  /// border vertex whose angles exceed \f$2\pi\f$, several angles correspond to the same vector; the one nearest to the
-  /// middle of the surface is returned.
+  /// border vertex whose angles exceed \f$2\pi\f$, several angles correspond to the same vector; of these, the one
+  /// nearest to the middle of the angular range of the surface is returned.
   Polar_coordinates from_plane(const std::array<double, 2>& vector) const
   {
     const double angle = std::atan2(vector[1], vector[0]) / m_frame.stretch();
@@ -212,7 +212,7 @@ public:
    *
    * \param location the end of the path
    * \param angle the angle of the direction, from `halfedge()`
-   * \return the direction, measured as by the rule of `Surface_direction`; the angle is NaN if no path exists
+   * \return the direction, measured by the rule of `Surface_direction`; the angle is NaN if no path exists
    * \throws Invalid_location_error if `location` is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite
    */
@@ -483,8 +483,8 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  *
  * The vector is projected to the plane of the face of the first location. The result lies in the plane of the face of
  * the last location, and has the length of the projection. At a vertex, a vector may point out of the corner of its
- * face. Its direction is then the one at the same angle on the surface, which is unambiguous if the angles at the
- * vertex sum to \f$2\pi\f$.
+ * face. The vector then represents the direction at the same angle on the surface, which is unambiguous if the angles
+ * at the vertex sum to \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
  * \param curve a range as for the overload with an angle, of locations in faces, since vectors lie in the planes of

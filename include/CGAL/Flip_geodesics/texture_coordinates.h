@@ -167,11 +167,12 @@ Value picture_place(double x, double y)
  * \cgalCite{SGW06}. The coordinates are those of the logarithmic map of a point, which is mapped to the center of the
  * image.
  *
- * The image is the unit square. Along each ray from its center, lengths are preserved; curvature stretches or
- * compresses the image in the perpendicular direction. The logarithmic map is discontinuous where shortest paths arrive
- * from two sides, and degenerates to a line behind a vertex at which these paths bend. A face there is unfolded
- * separately, along the shortest path from the center of the image to the center of the face, and its corners can have
- * coordinates different from those in adjacent faces. A face is thus never stretched across the image or reversed.
+ * In texture coordinates, the image is the unit square. Along each ray from its center, lengths are preserved;
+ * curvature stretches or compresses the image in the perpendicular direction. The logarithmic map is discontinuous
+ * where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these paths bend. A
+ * face there is unfolded separately, along the shortest path from the center of the image to the center of the face,
+ * and its corners can have coordinates different from those in adjacent faces. A face is thus never stretched across
+ * the image or reversed.
  *
  * \param mesh a triangle mesh
  * \param source the center: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space

@@ -89,7 +89,7 @@ struct Trace_report
   Input_halfedge_index halfedge;              ///< the halfedge from which the direction at the end is measured; see
                                               ///< `Geodesic_tracer::trace()`
   double angle = 0;               ///< the counterclockwise angle from this halfedge to the direction, in radians
-  Decision_statistics statistics; ///< how filter failures were resolved
+  Decision_statistics statistics; ///< the filter failures, and how they were resolved
 };
 
 namespace internal {
@@ -336,9 +336,9 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
  * Which edges are crossed, and whether a vertex is reached, is decided exactly, from the signs of real numbers that are
  * defined by the weights of the start, the direction and the input coordinates, each rounded to a double. A direction
  * given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly \f$2\pi\f$, the
- * geodesic continues as in a plane without rounding; this includes the interior of planar parts and the edges along
- * which they are folded. At other vertices, and at vertices of a degenerate face, the bisecting angle is rounded, and
- * so is the outgoing direction.
+ * geodesic continues as in a plane, without rounding. Examples are vertices inside planar regions and on the edges
+ * between two planar regions. At other vertices, and at vertices of a degenerate face, the bisecting angle is rounded,
+ * and so is the outgoing direction.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -357,12 +357,12 @@ public:
    * Traces a geodesic from a point in a given direction.
    *
    * \param source the start, a point of any type that `surface_location()` accepts. A `Face_location` is not moved to a
-   *        nearby edge or vertex, so that tracing can continue from the end of any geodesic
-   * \param direction a `Surface_direction`, whose angle at a vertex extends over all incident faces, so that a full
-   *        turn is the sum of their angles; or a `std::array<double, 2>` of coordinates in the face of the halfedge of
-   *        the start, a `Surface_location`: the coefficients of the vectors from the tail of that halfedge to its head
-   *        and to the third corner. Coordinates are not rounded, unless the start is a vertex and the direction points
-   *        out of the face, or one coefficient is 1e100 times the other
+   *        nearby edge or vertex. Tracing can therefore continue from the end of any geodesic
+   * \param direction a `Surface_direction`, whose angle extends over all incident faces if the start is a vertex, so
+   *        that a full turn is the sum of their angles; or a `std::array<double, 2>` of coordinates in the face of the
+   *        halfedge of the start, a `Surface_location`: the coefficients of the vectors from the tail of that halfedge
+   *        to its head and to the third corner. Coordinates are not rounded, unless the start is a vertex and the
+   *        direction points out of the face, or one coefficient is 1e100 times the other
    * \param length the maximal length, in the unit of the coordinates
    * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and
    *        the end; `CGAL::Emptyset_iterator()` if they are not needed
@@ -524,8 +524,8 @@ private:
  *        `geodesic_path_through()`
  * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
  *        halfedge, in radians and counterclockwise on the surface. The halfedge must be a side of a face that contains
- *        the source; at a vertex the angle extends over all incident faces. A vector is projected to the plane of the
- *        face of a `Face_location`; it may point out of that face
+ *        the source; if the source is a vertex, the angle extends over all incident faces. A vector is projected to the
+ *        plane of the face of a `Face_location`; it may point out of that face
  * \param length the maximal length, in the unit of the coordinates
  * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
  *        vertices, and its end, in the form described at `geodesic_path()`

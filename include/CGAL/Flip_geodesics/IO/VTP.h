@@ -235,13 +235,14 @@ namespace IO {
  * have an array for each `Vertex_values`. If an exception is thrown because of the data, nothing is written. The data
  * are not copied, but tubes are kept until they are written, and a mesh other than a `Surface_mesh` is numbered.
  *
- * \param destination the name of a file, which is replaced if it exists, or a stream, opened in binary mode on systems
- *        that distinguish it from text; its locale and format settings have no effect
+ * \param destination the name of a file, which is replaced if it exists, or a stream, which must be opened in binary
+ *        mode on systems that distinguish binary from text mode; the locale and the format settings of the stream have
+ *        no effect
  * \param parts the data, one or several of:
  *        - a triangle mesh, a model of `FaceListGraph`;
  *        - a range of points, with `x()`, `y()` and `z()`;
- *        - a range of polylines, which are ranges of points. Curves are counted from 0 over all ranges in the call;
- *          curves without points are omitted, but counted. A curve of one point is written as a point;
+ *        - a range of polylines, which are ranges of points. Curves are numbered from 0 across all ranges of the call;
+ *          curves without points are omitted, but receive a number. A curve of one point is written as a point;
  *        - `Tubes`, to draw curves as tubes;
  *        - `Vertex_values`, values at the vertices of the mesh;
  *        - `Colors`, to color the surface and the curves;
@@ -251,7 +252,7 @@ namespace IO {
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{a property map associating points to the vertices of the mesh}
  *     \cgalParamType{a model of `ReadablePropertyMap` with the vertices of the mesh as keys and points as values}
- *     \cgalParamDefault{the vertex point property of the mesh, which is not required if a map is given}
+ *     \cgalParamDefault{the vertex point property of the mesh, which need not exist if a map is given}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{use_binary_mode}
  *     \cgalParamDescription{whether numbers are written as little-endian bytes or as text}
@@ -265,14 +266,14 @@ namespace IO {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws File_write_error if the data are empty, the stream has failed or fails, as its state also indicates, or
- *         values at vertices are written as text and are not finite, which is always the case at points of curves and
- *         at separate points
- * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` is the vertex or the point, preceded by
- *         the curve if the point belongs to one
+ * \throws File_write_error if the data are empty; if the stream has failed or fails, which its state also indicates; or
+ *         if values at vertices are written as text and one of them is not finite, which is always the case if the data
+ *         contain curves or separate points
+ * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` contains the number of the vertex or of
+ *         the point; for a point of a curve, the number of the curve comes first
  * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed elements
- * \throws Invalid_parameter_error if values at vertices have the same name as others, or a name that contains
- *         characters other than letters, digits and underscores
+ * \throws Invalid_parameter_error if two sets of values at vertices have the same name, or a name contains characters
+ *         other than letters, digits and underscores
  *
  * Complexity: linear in the size of the data.
  */

@@ -22,7 +22,7 @@ namespace IO {
  *
  * A tube is a closed surface, oriented outwards: it has a cap at each end, or is a closed ring if the last point of the
  * curve equals the first. Around each point of the curve, it has a ring of corners in the plane that bisects the angle
- * there. If a curve bends more than its radius allows, the tube intersects itself.
+ * of the curve there. If a curve bends too sharply for the radius, the tube intersects itself.
  */
 class Tubes
 {
@@ -57,8 +57,8 @@ private:
  * \ingroup PkgFlipGeodesicsIO
  *
  * Requests that `write_PLY()`, `write_OBJ()` and `write_VTP()` write the colors that `write_GLB()` always writes. The
- * object is passed along with the data. The surface is light gray, points are black, and curve \f$i\f$ has color
- * \f$i\f$ modulo 4 of red, blue, green and brown.
+ * object is passed along with the data. The surface is light gray, points are black, and the curves are colored red,
+ * blue, green and brown in turn.
  *
  * - In PLY, vertices and edges have the properties `red`, `green` and `blue`.
  * - In VTP, cells have an array `color` of three bytes.
@@ -68,7 +68,8 @@ class Colors
 {
 public:
   /// Sets the name of the material library.
-  /// \param material_library the name of a file beside the OBJ file; if it is empty, OBJ files have no colors
+  /// \param material_library the name of a file in the directory of the OBJ file; if the name is empty, OBJ files have
+  ///        no colors
   explicit Colors(std::string material_library = {})
     : m_material_library(std::move(material_library))
   {
@@ -86,7 +87,7 @@ private:
  *
  * Passes texture coordinates of the corners of faces to `write_OBJ()` and `write_GLB()`, along with the data.
  *
- * The image is the unit square, with its first row at the top. A face has no texture if one of its corners has a
+ * The image covers the unit square, with its first row at the top. A face has no texture if one of its corners has a
  * coordinate that is not finite. Other writers ignore textures.
  *
  * \tparam CornerMap a model of `ReadablePropertyMap` with the halfedges of the mesh as keys, which represent the
@@ -124,7 +125,7 @@ template <class VertexMap>
 struct Vertex_values
 {
   /// Constructs the values from a name and a map.
-  /// \param name the name of the values in the file, which consists of letters, digits and underscores and is unique
+  /// \param name the name of the values in the file: a unique name that consists of letters, digits and underscores
   /// \param map the values at vertices
   Vertex_values(std::string name, VertexMap map)
     : name(std::move(name))

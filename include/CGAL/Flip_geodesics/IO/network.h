@@ -398,17 +398,18 @@ inline std::string checked_text(std::istream& in)
  * edges, which does not follow from the curves. Instead of the input mesh, a fingerprint of its connectivity and edge
  * lengths is written.
  *
- * The format, version 2, consists of words separated by blanks. Numbers are decimal with all digits, and indices are
- * those of the library.
+ * The format, version 2, consists of words separated by blanks. Numbers are written in decimal with all significant
+ * digits, and indices are those of the library.
  *
  *     flip_geodesics_network 2
  *     input VERTICES HALFEDGES FINGERPRINT
  *     log N              then N lines: f H, the edge of H was flipped; r H, the face of H was recomputed;
  *                        v H GAP LOCATION_HALFEDGE W0 W1 W2, a vertex was inserted into the face of H, in the input
- *                        face at a gap of its edge sequence; e and the same, one was inserted on the edge of H
+ *                        face at a gap of its edge sequence; e with the same fields, a vertex was inserted on
+ *                        the edge of H
  *     curves C END       then for each: open|closed INITIAL_LENGTH S, and S lines: ID HALFEDGE IS_HEAD_FIXED
  *     bundles K           then K lines: EDGE N ID ... ID
- *     end CHECKSUM       FNV-1a of all that comes before this line
+ *     end CHECKSUM       the FNV-1a hash of all preceding lines
  *
  * Version 1 differs only in insertions: it used `v` for both kinds, without the gap. Files of version 1 can be read if
  * no vertex was inserted.
@@ -453,8 +454,8 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * \param in the stream
  * \param network an empty network in a triangulation that has not been flipped
  * \throws File_format_error if the text is not a saved network of a known version, is damaged, or was written with
- *         traits that compute differently; if it has version 1 and inserted vertices; or if nothing can be read from
- *         the stream
+ *         traits that compute differently; if its version is 1 and it contains inserted vertices; or if nothing can be
+ *         read from the stream
  * \throws Input_mismatch_error if the network was saved for another mesh, or another metric
  * \throws Occupied_triangulation_error if another network has curves in the triangulation
  *
