@@ -362,9 +362,9 @@ private:
   void add_avoid()
   {
     const std::string on_barrier = m_command->get_name() == "shortest" ? "; no path may end on a barrier" : "";
-    add_text(
-        "--avoid", "FILE", m_options.obstacles,
-        ("read one barrier along edges per line, given by its vertices, or faces `f n n ...`" + on_barrier).c_str());
+    add_text("--avoid", "FILE", m_options.obstacles,
+             ("read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`" + on_barrier)
+                 .c_str());
   }
 
   void add_most_memory()
@@ -397,13 +397,13 @@ private:
         add_outputs("-o,--output,--mesh", "write surface and curves (.obj, .ply, .vtp, .glb), curves "
                                           "(.polylines.txt), or .json, .csv, .html; may be repeated");
     add("--tubes", "RADIUS", m_options.results.tubes, not_negative,
-        "draw curves as tubes, or as lines with 0 [1/500 of the diagonal of the bounding box]")
+        "draw curves as tubes of this radius; 0 draws lines [1/500 of the diagonal of the bounding box]")
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
-        "write points at this distance along each curve instead of its crossings with edges");
+        "write equally spaced points, at most this far apart, instead of the crossings with edges");
     add_text("--page", "FILE", m_options.results.page, "write a page for a browser: surface, curves and flips");
     add_text("--polylines", "FILE", m_options.results.polylines,
-             "write one line per point, `curve a b t x y z`, for the point (1-t) a + t b of an edge");
+             "write one line `curve a b t x y z` per point, which is (1-t) a + t b on an edge");
     add_text("--stats", "FILE", m_options.results.stats, "write one line per curve as CSV");
     add_text("--insert", "FILE", m_options.meshes.insertion,
              "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
@@ -501,7 +501,7 @@ private:
            true);
     m_group = "The triangulation";
     add("--delaunay", m_options.meshes.is_delaunay,
-        "flip all edges but those of the curves to a constrained Delaunay triangulation");
+        "flip all edges except those of the curves to obtain a constrained Delaunay triangulation");
     CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
                                     "insert vertices until no angle is smaller than this (0 to 30 degrees)");
     add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
@@ -625,7 +625,7 @@ private:
           "  flip_geodesics flatten bunny.off --output flat.obj\n"
           "  flip_geodesics flatten bunny.off --network seams.txt --output flat.glb\n"
           "  flip_geodesics flatten textured.obj --seams --output flat.obj");
-    m_group = "Curves to cut along, shortened first [the cut graph]";
+    m_group = "Curves along which the mesh is cut, after they have been shortened [the cut graph]";
     add_text("--network", "FILE", m_options.network,
              "read one path per line, given by its vertices; `o v v ...` is a loop, `! v ...` fixes vertices");
     add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");

@@ -95,10 +95,11 @@ void check_names_of_results(const Options& options)
       continue;
     for(const std::string& other : results)
       if(is_same_file(name, other))
-        throw Bad_input(name_of_result(name) + ": two results cannot be written to one file; name another one");
+        throw Bad_input(name_of_result(name) + ": two results cannot be written to one file; specify another file");
     for(const std::string& input : names_of_inputs(options))
       if(!options.is_replacing_input && !input.empty() && is_same_file(name, input) && is_plain_file(input))
-        throw Bad_input(printable(name) + ": a result would replace an input file; name another file, or add --force");
+        throw Bad_input(printable(name) +
+                        ": a result would replace an input file; specify another file, or add --force");
     results.push_back(name);
   }
   if(!options.output_format.empty() && std::none_of(results.begin(), results.end(), is_standard_output))
@@ -186,7 +187,7 @@ int run_engine(Run& run, const Metric& metric)
   }
   const std::vector<Network_request> requests = requests_of(run);
   if(requests.size() != 1 && options.meshes.is_any_wanted())
-    throw Bad_input("--insert, --cut and the command refine take one curve, or a network of several");
+    throw Bad_input("--insert, --cut and the command refine require a single curve, or one network of curves");
   std::size_t number_of_curves = 0;
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();

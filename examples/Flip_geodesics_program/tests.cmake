@@ -138,8 +138,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --most-memory 0.0001)
   flip_geodesics_add_program_test(shortest_inserted 0 "1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150 --insert
                                   shortest.off)
-  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 curve met degenerate edges.*for it\n" shortest
-                                  zero_length.off --pairs zero_length.txt)
+  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 curve encountered degenerate edges.*for it\n"
+                                  shortest zero_length.off --pairs zero_length.txt)
   flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; omit them or use --mollify"
                                   shortest zero_length.off --pairs zero_length.txt --landmarks 2)
   flip_geodesics_add_program_test(landmarks_mollified 0 "2 WITHIN_ROUNDING" shortest zero_length.off --pairs
@@ -679,9 +679,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length_field 2 "length zero; use --repair" distance zero_length.off --source 0
                                   --isolines 1)
   flip_geodesics_add_program_test(zero_length_trace 1 "length zero; use --repair" trace zero_length.off --trace 3,0,1)
-  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 curve met degenerate edges.*for it\n" path
-                                  zero_length.off --pairs zero_length.txt --kernel certified)
-  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 curves met" log zero_length.off --source 0 --map
+  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 curve encountered degenerate edges.*for it\n"
+                                  path zero_length.off --pairs zero_length.txt --kernel certified)
+  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 curves encountered" log zero_length.off --source 0 --map
                                   zero_length.csv)
   flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170[^\n]*. scale the mesh\n" path tiny.off --from 0 --to 1)
   flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" path flat.off --draw flat.polylines.txt)

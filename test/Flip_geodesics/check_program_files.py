@@ -352,7 +352,8 @@ def case_full_disk(folder):
         os.close(reader)
         _, errors = folder.run(1, *arguments, stdout=writer)
         os.close(writer)
-        check('standard output: could not be written completely; the program that reads it has ended' in errors, errors)
+        check('standard output: could not be written completely; the receiving program has terminated' in errors,
+              errors)
 
 
 def case_closed_streams(folder):

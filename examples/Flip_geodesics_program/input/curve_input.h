@@ -26,7 +26,7 @@ inline void check_chain(const Mesh& mesh, const Curve_request& curve)
 {
   const std::vector<Vertex_index>& v = curve.vertices;
   if(v.size() < 2)
-    throw Bad_input(curve.name + ": a curve needs two vertices or more; add vertices or remove the line");
+    throw Bad_input(curve.name + ": a curve requires at least two vertices; add vertices or remove the line");
   for(std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < v.size(); ++i) {
     const Vertex_index a = v[i], b = v[(i + 1) % v.size()];
     if(mesh.halfedge(mesh_vertex(a), mesh_vertex(b)) == Mesh::null_halfedge())

@@ -70,7 +70,7 @@ public:
     const auto corner = static_cast<std::size_t>(std::find_if(face.begin(), face.end(), is_at_v) - face.begin());
     if(corner == face.size())
       throw Bad_input(m_name + ": face " + std::to_string(f) +
-                      " of the mesh differs from that in the file; simplify the file");
+                      " of the mesh differs from that in the file; write the file again with lines v, vt and f only");
     return m_texture.coordinates[m_texture.corners[f][corner]];
   }
 
@@ -140,7 +140,9 @@ inline Network_request read_seams(const Input_mesh& input_mesh, const Input_text
   const Mesh& mesh = input_mesh;
   const Texture_corners corners(input);
   if(corners.number_of_faces() != input_mesh.number_of_faces_in_file())
-    throw Bad_input(input.name() + ": the mesh and the texture have different faces; simplify the file");
+    throw Bad_input(
+        input.name() +
+        ": the mesh and the texture have different faces; write the file again with lines v, vt and f only");
   const auto texture = [&](Mesh::Halfedge_index h) { return corners.at(input_mesh, mesh.face(h), mesh.target(h)); };
   data::Triangulation triangulation(mesh, data::Unit_metric(mesh, data::Lengths(1)));
   data::Network network(triangulation);

@@ -106,7 +106,8 @@ inline std::vector<Curve_request> read_drawn_curves(const Input_mesh& mesh, cons
     curves.back().name = name;
     curves.back().is_drawn = true;
     if(curves.back().points.size() < (curves.back().is_closed ? 3u : 2u))
-      words.fail("a polyline needs two points, a closed one three; add points or remove the line");
+      words.fail("a polyline requires at least two points, and a closed polyline at least three; add points or remove "
+                 "the line");
   });
   check_not_empty(curves, input);
   return curves;

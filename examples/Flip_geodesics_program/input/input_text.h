@@ -72,7 +72,7 @@ inline std::string read_bytes(std::istream& in, const std::string& name, std::si
     read = in.read(&bytes[size], block).gcount();
     bytes.resize(size + static_cast<std::size_t>(read));
     if(expected == 0 && bytes.size() > most_from_pipe)
-      throw Bad_input(name + ": does not end; use a file");
+      throw Bad_input(name + ": exceeds 1 GiB, the limit for a pipe; use a file");
   }
   if(in.bad())
     throw Bad_input(name + ": cannot be read to its end; check the disk");

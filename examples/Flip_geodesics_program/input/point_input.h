@@ -89,7 +89,7 @@ private:
     const double t = n[n.size() == 5 ? 3 : 2], u = n.size() == 5 ? n[4] : 0;
     if(!(t >= 0 && u >= 0 && t + u <= 1))
       throw Bad_input(name + ": '" + printable(word) +
-                      "' is outside; its coordinates must not be negative or sum to more than 1");
+                      "' is outside its edge or face; t and u must not be negative or sum to more than 1");
     if(const auto location = location_between(m_mesh, a, b, c, t, u))
       return *location;
     throw Bad_input(name + ": '" + printable(word) +
@@ -208,7 +208,8 @@ inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, cons
     for(std::string_view word; !(word = next_point(words)).empty();)
       curve.points.push_back(read_point(word, name));
     if(curve.points.size() < (curve.is_closed ? 3u : 2u))
-      words.fail("a curve needs two points, a closed one three; add points or remove the line");
+      words.fail(
+          "a curve requires at least two points, and a closed curve at least three; add points or remove the line");
     curves.push_back(curve);
   });
   check_not_empty(curves, input);

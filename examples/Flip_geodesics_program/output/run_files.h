@@ -59,7 +59,7 @@ inline std::string name_of_result(const std::string& name)
 /// Returns why the last write to a file has failed, and what to do. \pre no other call has set `errno` since
 inline const char* reason_of_failed_write()
 {
-  return errno == EPIPE ? "could not be written completely; the program that reads it has ended"
+  return errno == EPIPE ? "could not be written completely; the receiving program has terminated"
                         : "could not be written completely; check the free space on the disk";
 }
 

@@ -75,9 +75,10 @@ FG::Conformal_flattening<Triangulation> refined_and_flattened(const Mesh& mesh, 
     }
     bounds.longest_edge = part * size_of(mesh);
   }
-  throw Bad_input(name +
-                  ": the mesh cannot be flattened: it would be stretched too much at vertices inside; cut through its "
-                  "sharpest corners: pass a --network with curves through them, and a line `! v ...` that fixes them");
+  throw Bad_input(
+      name +
+      ": the mesh cannot be flattened: it would be stretched too much at interior vertices; cut through its "
+      "sharpest corners: pass a --network whose curves reach them, with a line `! v ...` that fixes these vertices");
 }
 
 // The corners at a vertex inside an uncut edge are one point of the plane. The positions in the two faces of the edge,

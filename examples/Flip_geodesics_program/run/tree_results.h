@@ -39,7 +39,7 @@ std::string describe_tree(const Tree& tree, std::size_t flips)
 inline std::string describe_shortest_paths(const CGAL::Flip_geodesics::Distances_report& report)
 {
   if(!report.is_confirmed())
-    return "shortest not confirmed: the search for shorter paths was aborted or met degenerate faces\n";
+    return "shortest not confirmed: the search for shorter paths was aborted or encountered degenerate faces\n";
   std::ostringstream out;
   out << "shortest " << readable(report.vertices - report.longer) << " of them, confirmed; "
       << readable(report.longer_before) << " were longer at first, by up to " << 100 * report.largest_excess_before

@@ -69,7 +69,7 @@ private:
 
   static void end_at(int signal)
   {
-    static_assert(std::atomic<int>::is_always_lock_free, "a handler stores it");
+    static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must be able to store an int atomically");
     signal_number() = 0; // made before a handler can run
     if(std::signal(signal, [](int number) { signal_number() = number; }) == SIG_IGN)
       std::signal(signal, SIG_IGN);

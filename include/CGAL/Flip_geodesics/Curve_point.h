@@ -203,9 +203,9 @@ struct Curve_form_of
                                     typename Forms::Exact_location, typename Forms::All>::type;
   static_assert(is_iterator<Output>,
                 "an output iterator is expected here; the order is mesh, ends or curves, output, named parameters");
-  static_assert(
-      !is_iterator<Output> || !std::is_void<First>::value,
-      "the output accepts neither points of the metric (edge lengths have none) nor Face_locations nor Curve_points");
+  static_assert(!is_iterator<Output> || !std::is_void<First>::value,
+                "the output accepts neither points in space (a metric of edge lengths has none) nor Face_locations nor "
+                "Curve_points");
   using type = std::conditional_t<std::is_void<First>::value, typename Forms::All, First>; // avoids a second error
                                                                                            // message
 };

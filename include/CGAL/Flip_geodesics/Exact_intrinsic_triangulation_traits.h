@@ -123,7 +123,7 @@ public:
   explicit Exact_intrinsic_triangulation_traits(const Radicand& d)
     : m_unit(d)
   {
-    static_assert(has_radicand, "the number type has square roots and does not need a radicand");
+    static_assert(has_radicand, "only a number type without square roots accepts a radicand");
   }
 
   /// Returns the work limit for signs that the traits do not determine. These traits determine all signs; see
@@ -208,7 +208,7 @@ public:
     /// Returns the face whose halfedges have the vectors `v`, each with the relative error `error`.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
-      CGAL_precondition_msg(!is_exact, "exact numbers cannot be obtained from rounded vectors");
+      CGAL_precondition_msg(!is_exact, "the number type must not be exact, since the vectors are rounded");
       if constexpr(is_exact)
         return static_cast<void>(v), static_cast<void>(error), Face_geometry();
       else

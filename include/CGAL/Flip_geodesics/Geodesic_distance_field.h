@@ -244,7 +244,7 @@ public:
     for(const Surface_location& location : internal::located_places(m_triangulation, locations))
       at.push_back(internal::canonical_location(m_triangulation.input(), location));
     if(at.empty())
-      throw Invalid_curve_error("a curve that is a source has no points");
+      throw Invalid_curve_error("a source curve has no points; pass at least one");
     std::vector<Input_halfedge_index> faces;
     for(std::size_t i = 0; i + 1 < at.size(); ++i) {
       faces.push_back(internal::common_face(m_triangulation.input(), at[i], at[i + 1]));
@@ -516,7 +516,7 @@ private:
     if(offset > internal::greatest_offset * (side.length + std::abs(side.x) + side.y))
       throw Invalid_coordinate_error(
           "the offset of a source is " + internal::written(offset) +
-          ", so much longer than the sides of its face that it cannot be added without large rounding errors");
+          ", which is so much longer than the sides of its face that it cannot be added without large rounding errors");
   }
 
   void add_point(const Surface_location& at, double offset)

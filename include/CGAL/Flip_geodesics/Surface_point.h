@@ -360,8 +360,8 @@ std::vector<Input_halfedge_index> faces_of_location(const Input_mesh& input, con
  */
 [[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
 {
-  throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face.idx()) +
-                            " were wrong because of rounding errors",
+  throw Insertion_error("rounding errors have caused incorrect flips in the face of halfedge " +
+                            std::to_string(face.idx()),
                         {static_cast<std::size_t>(face.idx())});
 }
 

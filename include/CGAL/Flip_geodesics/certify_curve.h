@@ -121,8 +121,8 @@ public:
       else if(kind(at) == Location_kind::EDGE)
         m_sequences.cross(side_of_edge(at), i);
       else
-        throw Invalid_curve_error(
-            "point " + std::to_string(i) + " of the curve, which is not an end, lies inside a face", {i});
+        throw Invalid_curve_error("point " + std::to_string(i) + " lies inside a face, but is not an end of the curve",
+                                  {i});
     }
     if(is_closed)
       m_sequences.arrive(m_first, given.size());

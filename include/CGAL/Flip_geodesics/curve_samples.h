@@ -416,7 +416,7 @@ double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first
                                b = internal::located_curve(surface, mesh, second);
   const Surface_location& p = a.locations().front();
   if(!internal::is_one_place(surface.input(), p, b.locations().front()))
-    throw Invalid_curve_error("two curves whose angle is requested start at different points");
+    throw Invalid_curve_error("the angle between two curves that start at different points is undefined");
   return angle_between(surface, p, a.direction(0), b.direction(0));
 }
 

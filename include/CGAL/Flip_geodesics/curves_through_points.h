@@ -111,7 +111,8 @@ public:
     , m_measure(triangulation)
   {
     if(legs.size() < (kind == Spline_kind::CLOSED_CUBIC_B_SPLINE ? 3u : 1u))
-      throw Invalid_curve_error("a spline needs at least one segment of its control polygon, a closed one three");
+      throw Invalid_curve_error(
+          "a spline requires at least one segment of its control polygon, and a closed spline at least three");
     for(const std::vector<Surface_location>& leg : legs)
       m_legs.push_back({internal::canonical_polyline(triangulation.input(), leg, false)});
     start(kind);
@@ -217,7 +218,7 @@ private:
   {
     const bool is_closed = kind == Spline_kind::CLOSED_CUBIC_B_SPLINE;
     if(control_points.size() < (is_closed ? 3u : 2u))
-      throw Invalid_curve_error("a spline needs at least two control points, a closed one three");
+      throw Invalid_curve_error("a spline requires at least two control points, and a closed spline at least three");
     for(std::size_t i = 0; i + (is_closed ? 0 : 1) < control_points.size(); ++i)
       m_legs.push_back({m_straightener.shortest(control_points[i], control_points[(i + 1) % control_points.size()])});
     start(kind);
@@ -446,7 +447,7 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
                             const StopPredicate& stop, Visitor&& visitor)
 {
   if(points.size() < 2)
-    throw Invalid_curve_error("a path needs two points");
+    throw Invalid_curve_error("a path requires at least two points");
   Path_straightener<Triangulation> straightener(triangulation);
   Free_legs result;
   for(std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -646,7 +647,7 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
                 "number_of_iterations() must be an integer");
   if(rounds < 0 || static_cast<std::uintmax_t>(rounds) > 30)
     throw Invalid_curve_error("number_of_iterations is " + std::to_string(rounds) +
-                              ", but the pieces of a spline can be halved 0 to 30 times");
+                              ", but the number of subdivisions of a spline must be between 0 and 30");
   const auto locate = [&](const auto& triangulation) {
     return internal::located(triangulation, mesh, control_points, options);
   };

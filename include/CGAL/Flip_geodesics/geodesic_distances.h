@@ -443,7 +443,8 @@ void write_values(const TriangleMesh& mesh, const Computed_values<Value>& comput
 {
   static_assert(is_property_map<VertexMap>());
   constexpr bool is_writable = can_put<VertexMap, Mesh_vertex<TriangleMesh>, Value>;
-  static_assert(is_writable || is_container_with_keys<VertexMap>, "a property map of such values is expected here");
+  static_assert(is_writable || is_container_with_keys<VertexMap>,
+                "the property map must accept the values that the function computes");
   if(is_stopped_by_visitor(computed.report))
     return;
   auto value = computed.values.begin();

@@ -105,7 +105,7 @@ template <class T, class Tag, class Base, class Others>
 auto put_before(const Named_function_parameters<T, Tag, Base>& np, const Others& others)
 {
   static_assert(!is_given<Others, Tag> || std::is_same<Tag, internal_np::all_default_t>::value,
-                "a named parameter is passed twice");
+                "each named parameter must be passed at most once");
   const auto& first = static_cast<const internal_np::Named_params_impl<T, Tag, Base>&>(np);
   if constexpr(std::is_same<Base, internal_np::No_property>::value) {
     return Named_function_parameters<T, Tag, Others>(first.v, others);

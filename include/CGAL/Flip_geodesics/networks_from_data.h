@@ -260,7 +260,7 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
   const auto& input = triangulation.input();
   const std::vector<Surface_location> given = internal::located_places(triangulation, polyline);
   if(given.size() < (is_closed ? 3u : 2u))
-    throw Invalid_curve_error("a polyline needs two points, a closed one three");
+    throw Invalid_curve_error("a polyline requires at least two points, and a closed polyline at least three");
   std::vector<Surface_location> result;
   for(std::size_t i = 0; i < given.size(); ++i) {
     const Surface_location p = internal::canonical_location(input, given[i]);

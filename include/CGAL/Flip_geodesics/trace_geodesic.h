@@ -387,7 +387,7 @@ public:
                                                internal::At_vertices_parameter>(np...);
     constexpr bool is_direction = std::is_convertible<Direction, Surface_direction>::value ||
                                   std::is_convertible<Direction, std::array<double, 2>>::value;
-    static_assert(is_direction, "a direction is a Surface_direction or an array of two coordinates in the face");
+    static_assert(is_direction, "the direction must be a Surface_direction or an array of two coordinates in the face");
     const auto& mesh = m_triangulation.input().uncontracted().mesh();
     if constexpr(is_direction) // avoids another error message
       return internal::traced_geodesic(m_triangulation, m_exact_faces,
@@ -579,7 +579,7 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   using Form = internal::Curve_form<Surface, OutputIterator>;
   constexpr bool is_vector = internal::is_vector_in_space<Direction>;
   static_assert(is_vector || std::is_convertible<Direction, std::pair<Halfedge, double>>::value,
-                "a direction is a pair of a halfedge and an angle, or a vector in space");
+                "the direction must be a pair of a halfedge and an angle, or a vector in space");
   static_assert(!is_vector || !internal::is_mesh_vertex<TriangleMesh, Source>,
                 "a vector in space requires a face: pass the source as a Face_location, or give the direction as a "
                 "halfedge and an angle");

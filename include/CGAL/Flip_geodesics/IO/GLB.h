@@ -167,7 +167,7 @@ private:
     piece.shape->for_each_point([&](const Figure_point& p) {
       for(int k = 0; k < 3; ++k)
         if(!(std::abs(p[k] - m_center[k]) <= (std::numeric_limits<float>::max)()))
-          throw_unusable_point(*piece.shape, i, " is too far from the center for the floats of GLB");
+          throw_unusable_point(*piece.shape, i, " is too far from the center for the single precision of GLB");
       extend(piece.least, piece.most, relative(p));
       ++i;
     });

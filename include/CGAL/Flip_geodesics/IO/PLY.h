@@ -29,7 +29,7 @@ public:
   {
     constexpr std::size_t most = (std::numeric_limits<std::int32_t>::max)();
     if(figure.number_of_points() > most || figure.shapes().size() > most)
-      throw File_write_error("a PLY file has indices for " + std::to_string(most) + " points, but " +
+      throw File_write_error("a PLY file can number at most " + std::to_string(most) + " points, but " +
                              std::to_string(figure.number_of_points()) + " were given");
     check_writable(figure);
     check_values(figure, m_is_binary);

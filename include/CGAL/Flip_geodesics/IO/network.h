@@ -51,7 +51,7 @@ public:
   void add_double(double value)
   {
     std::uint64_t bits = 0;
-    static_assert(sizeof bits == sizeof value, "doubles of 64 bits are expected");
+    static_assert(sizeof bits == sizeof value, "a double must have 64 bits");
     std::memcpy(&bits, &value, sizeof bits);
     add_integer(bits);
   }
@@ -309,7 +309,7 @@ inline Network_state read_state(Network_reader& in, std::size_t size)
     }
   }
   in.keyword("stacks");
-  state.bundles.resize(in.count("number of stacks", size));
+  state.bundles.resize(in.count("number of bundles", size));
   for(Network_state::Bundle& bundle : state.bundles) {
     bundle.edge = in.edge();
     bundle.segments.resize(in.count("size of a bundle", size));

@@ -92,8 +92,9 @@ private:
   {
     std::array<Label, block_size> labels;
   };
-  static_assert(sizeof(Block) == 64, "a block fills a cache line");
-  static_assert(std::is_trivially_default_constructible<Block>::value, "to make blocks must not write them");
+  static_assert(sizeof(Block) == 64, "a block must fill a cache line");
+  static_assert(std::is_trivially_default_constructible<Block>::value,
+                "the construction of a block must not write to it");
 
   static Index block(Vertex_index v) { return static_cast<Index>(static_cast<std::uint32_t>(v.idx()) / block_size); }
   static std::size_t position(Vertex_index v) { return static_cast<std::uint32_t>(v.idx()) % block_size; }

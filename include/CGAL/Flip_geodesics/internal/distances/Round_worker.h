@@ -378,7 +378,8 @@ public:
   template <class T>
   T* allocate(std::size_t size)
   {
-    static_assert(std::is_trivially_copyable<T>::value, "elements are not destroyed");
+    static_assert(std::is_trivially_copyable<T>::value,
+                  "elements must be trivially copyable, since they are never destroyed");
     const std::size_t bytes = (size * sizeof(T) + alignment - 1) / alignment * alignment;
     while(m_at == m_blocks.size() || m_blocks[m_at].size - m_used < bytes)
       enter_next_block(bytes);

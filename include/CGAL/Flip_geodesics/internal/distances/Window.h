@@ -129,7 +129,7 @@ struct Window
   }
 };
 
-static_assert(sizeof(Window) == 48, "a window takes more memory than it should");
+static_assert(sizeof(Window) == 48, "a window must take 48 bytes");
 
 /*
  * For each edge the windows with the shortest known paths to its points, from both sides, ordered by where they begin:

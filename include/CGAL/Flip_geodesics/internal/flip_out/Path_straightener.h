@@ -56,7 +56,7 @@ std::vector<Surface_location> canonical_polyline(const Input_mesh& input, const 
   for(const Surface_location& location : polyline)
     result.push_back(canonical_location(input, location));
   if(result.size() < (is_closed ? 3u : 2u))
-    throw Invalid_curve_error("a polyline needs two points, a closed one three");
+    throw Invalid_curve_error("a polyline requires at least two points, and a closed polyline at least three");
   if(is_closed)
     result.push_back(result.front());
   for(std::size_t i = 0; i + 1 < result.size(); ++i)

@@ -250,9 +250,9 @@ inline void check_values(const Figure& figure, bool is_binary)
     if(!is_binary)
       figure.for_each_value(i, [&](double x) {
         if(!std::isfinite(x))
-          throw File_write_error("values with the name \"" + name +
-                                 "\" are not all finite (at points without data they never are) and cannot be written "
-                                 "as text; use binary mode");
+          throw File_write_error("the values with the name \"" + name +
+                                 "\" are not all finite (at points of curves and at separate points they are NaN) "
+                                 "and cannot be written as text; use binary mode");
       });
   }
 }
@@ -419,10 +419,10 @@ template <class Number>
 void write_bytes(std::ostream& out, Number x)
 {
   static_assert(std::is_integral<Number>::value || std::numeric_limits<Number>::is_iec559,
-                "the file formats require IEEE numbers");
+                "floating-point numbers must conform to IEEE 754");
   using Wide = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
   using Bits = std::conditional_t<sizeof(Number) == 1, std::uint8_t, Wide>;
-  static_assert(sizeof(Bits) == sizeof(Number), "numbers have 8, 32 or 64 bits");
+  static_assert(sizeof(Bits) == sizeof(Number), "numbers must have 8, 32 or 64 bits");
   Bits bits;
   std::memcpy(&bits, &x, sizeof bits);
   char bytes[sizeof bits];
@@ -696,7 +696,7 @@ decltype(auto) named_parameters_of(const Parts&... parts)
   constexpr std::size_t count = (std::size_t(0) + ... + (is_named_parameters<Parts> ? 1 : 0));
   static_assert(sizeof...(Parts) > count, "there is nothing to write: pass a face graph, points or polylines");
   using Last = std::tuple_element_t<sizeof...(Parts) - 1, std::tuple<Parts...>>;
-  static_assert(count == (is_named_parameters<Last> ? 1 : 0), "named parameters come last");
+  static_assert(count == (is_named_parameters<Last> ? 1 : 0), "the named parameters must be the last argument");
   if constexpr(count == 0)
     return parameters::default_values();
   else

@@ -889,7 +889,7 @@ void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfed
     ++position;
   }
   if(first == null_index)
-    throw Invalid_curve_error("a curve has no edge");
+    throw Invalid_curve_error("a curve has no edges; pass at least one halfedge");
   if(is_closed && triangulation.head(last) != triangulation.tail(first))
     throw Invalid_curve_error("a closed curve does not end where it starts", {position});
 }

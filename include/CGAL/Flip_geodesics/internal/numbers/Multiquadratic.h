@@ -499,7 +499,7 @@ private:
   // A generous bound for the last few operations.
   static double unit()
   {
-    static_assert(Digits <= 290, "the radius is a double");
+    static_assert(Digits <= 290, "the radius must be representable as a double");
     static const double result = std::pow(10.0, 2 - static_cast<int>(Digits));
     return result;
   }

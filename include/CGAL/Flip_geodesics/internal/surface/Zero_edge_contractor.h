@@ -309,9 +309,10 @@ private:
     for(auto member = first; member != last; ++member)
       if(m_result.outgoing[member->second] == null_index)
         return member->second;
-    throw Degenerate_face_error("contraction yields more umbrellas at vertex " + std::to_string(v.idx()) +
-                                    " than coincident vertices exist for them",
-                                {static_cast<std::size_t>(v.idx())});
+    throw Degenerate_face_error(
+        "at vertex " + std::to_string(v.idx()) +
+            ", contraction yields more umbrellas than there are coincident vertices to represent them",
+        {static_cast<std::size_t>(v.idx())});
   }
 
   void collect_members(const Vertices& merged)

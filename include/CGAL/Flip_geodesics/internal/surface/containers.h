@@ -38,7 +38,8 @@ Index checked_index_bound(Count count)
 template <class T>
 struct Zero_allocator
 {
-  static_assert(alignof(T) <= alignof(std::max_align_t), "std::calloc() aligns no further");
+  static_assert(alignof(T) <= alignof(std::max_align_t),
+                "the alignment of the elements must not exceed that of std::calloc()");
 
   using value_type = T;
 

@@ -51,7 +51,7 @@ struct Traits_given
   static_assert(is_kernel<Given> || is_triangulation_traits<Given>,
                 "geom_traits() requires a kernel or a model of IntrinsicTriangulationTraits");
   static_assert(!is_kernel<Given> || !has_other_points<Given, Metric>,
-                "the kernel given as geom_traits() is not that of the mesh's points");
+                "the kernel given as geom_traits() must be the kernel of the points of the mesh");
   using type = std::conditional_t<is_triangulation_traits<Given>, Given, Default>;
 };
 

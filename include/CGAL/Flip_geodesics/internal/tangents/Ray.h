@@ -491,9 +491,9 @@ public:
   {
     check_location(input(), location);
     if(!std::isfinite(direction[0]) || !std::isfinite(direction[1]) || (direction[0] == 0 && direction[1] == 0))
-      throw Invalid_parameter_error("a direction has no length in its face, or is not finite");
+      throw Invalid_parameter_error("a direction has length zero in its face, or is not finite");
     if(input().is_border(location.halfedge))
-      throw Invalid_parameter_error("a direction is given in the face of a halfedge on the border");
+      throw Invalid_parameter_error("a direction is given in the face of a border halfedge, which has no face");
     Ray_start start = {location, normalized(direction), false, 0};
     if(kind(location) != Location_kind::VERTEX)
       return start;

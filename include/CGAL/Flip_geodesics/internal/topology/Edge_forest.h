@@ -139,7 +139,7 @@ public:
         if(m_component[v] < 0 && input.outgoing(v) != null_index && (are_all_roots || is_preferred(v)))
           grow(v, search, policy);
     if(policy.number_of_steps() != static_cast<std::size_t>(input.number_of_halfedges()))
-      throw Invalid_mesh_error("umbrellas of the surface meet only at a vertex");
+      throw Invalid_mesh_error("two umbrellas of the surface meet only at a vertex");
   }
 
   /* Grows the trees without joined edges. */

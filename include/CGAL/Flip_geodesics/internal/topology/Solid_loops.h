@@ -334,7 +334,7 @@ private:
     for(double x : result)
       if(!(std::abs(x) < greatest_length))
         throw Invalid_coordinate_error("a coordinate of vertex " + std::to_string(v.idx()) +
-                                           " is not a number below 1e70",
+                                           " is not a number between -1e70 and 1e70",
                                        {static_cast<std::size_t>(v.idx())});
     return result;
   }

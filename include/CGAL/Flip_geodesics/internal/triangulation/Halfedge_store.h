@@ -101,7 +101,7 @@ struct Halfedge_record
   /* \pre known and not on the border */
   Slot next() const
   {
-    CGAL_precondition_msg(encoded_next > 0, "the next halfedge of a border halfedge is undefined");
+    CGAL_precondition_msg(encoded_next > 0, "the halfedge must not be on the border");
     return static_cast<Slot>(encoded_next);
   }
   void set_next(Slot s) { encoded_next = static_cast<Index>(s); }
@@ -222,7 +222,7 @@ public:
   /* \pre the edge is held */
   void release(Slot s)
   {
-    CGAL_precondition_msg(holds(s) > 0, "an edge that is not held is released");
+    CGAL_precondition_msg(holds(s) > 0, "only a held edge can be released");
     --second_side(s).of_edge[0];
     --m_number_of_holds;
   }
@@ -536,7 +536,7 @@ public:
     Halfedge_record &at_h = halfedges.known(s), &at_t = halfedges.known(t); // now both faces are known
     const Slot hn = at_h.next(), tn = at_t.next();
     CGAL_precondition_msg(hn != t && tn != s, "an edge at a vertex of degree 1 cannot be flipped");
-    CGAL_precondition_msg(halfedges.holds(s) == 0, "a curve lies on the edge that is flipped");
+    CGAL_precondition_msg(halfedges.holds(s) == 0, "an edge under a curve cannot be flipped");
     Halfedge_record &at_hn = halfedges[hn], &at_tn = halfedges[tn];
     const Slot hp = at_hn.next(), tp = at_tn.next();
     Halfedge_record &at_hp = halfedges[hp], &at_tp = halfedges[tp];

@@ -392,7 +392,7 @@ private:
     while(m_triangulation.number_of_edges() > number_left) {
       const Edge_index e(m_triangulation.number_of_edges() - 1);
       CGAL_precondition_msg(m_triangulation.holds(e) == 0,
-                            "a curve lies on an edge that is removed together with an inserted point");
+                            "an edge under a curve cannot be removed together with an inserted point");
       m_history.forget(e, m_triangulation.version(e));
       m_halfedges.remove_last_edge();
     }
@@ -630,7 +630,7 @@ private:
     } else {
       const auto geometry = fresh_face(m_triangulation, sides[0], Traits::Has_drift::value ? largest_angle_drift : 0);
       if(!geometry)
-        fail("the flips of the triangulation were wrong because of rounding errors");
+        fail("rounding errors have caused incorrect flips in the triangulation");
       return *geometry;
     }
   }
