@@ -197,7 +197,7 @@ public:
    * \return a report on the recomputed segments
    * \pre `i < number_of_points()`
    * \throws Invalid_curve_error if the path starts elsewhere, or two consecutive locations have no common face, in
-   *         which case `elements()` contains the position in the path; also as `move()` does
+   *         which case `elements()` contains the position in the path; also in the cases listed for `move()`
    * \throws Invalid_location_error as `move()` does
    * \throws Occupied_triangulation_error as `move()` does
    * \throws Crossing_curves_error as `move()` does

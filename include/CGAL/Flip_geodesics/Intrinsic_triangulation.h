@@ -535,7 +535,7 @@ public:
   /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$. \pre both faces
   /// exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
-  /// Returns whether the angle at the head of a halfedge, given by a walker, in the two faces of its edge is at least
+  /// Returns whether the angle at the head of the halfedge of a walker, in the two faces of its edge, is at least
   /// \f$\pi\f$. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const
   {

@@ -294,8 +294,8 @@ public:
   /*!
    * Determines whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, up to
    * `angle_tolerance()`. A flip turns the sum into \f$2 \pi\f$ minus the sum, so flipping an edge that is not Delaunay
-   * yields one that is, by the same tolerance. Lawson's algorithm therefore terminates as long as the drift stays below
-   * the tolerance.
+   * yields an edge that is Delaunay with the same tolerance. Lawson's algorithm therefore terminates as long as the
+   * drift stays below the tolerance.
    */
   class Is_locally_delaunay
   {

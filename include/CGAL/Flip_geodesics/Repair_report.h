@@ -19,7 +19,7 @@ namespace Flip_geodesics {
 enum class Repair {
   POINTS_NOT_FINITE,        ///< points with a NaN or infinite coordinate, which do not become vertices
   POINTS_WELDED,            ///< points moved to another point within the tolerance
-  POLYGONS_WITHOUT_POINTS,  ///< polygons removed because they contain a point that is not finite or an invalid index
+  POLYGONS_WITHOUT_POINTS,  ///< polygons removed because of an invalid index or a point that is not finite
   POLYGONS_COLLAPSED,       ///< polygons removed because they have fewer than three distinct corners
   CORNERS_REPEATED,         ///< corners removed because they coincide with the previous corner
   POLYGONS_SPLIT,           ///< polygons split because they pass a point twice

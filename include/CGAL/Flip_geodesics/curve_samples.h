@@ -52,8 +52,8 @@ public:
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
-   * \param direction the direction at the first location; its halfedge must be a side of a face that contains the
-   *        location, or starts there
+   * \param direction the direction at the first location; its halfedge must either be a side of a face that contains
+   *        the location, or start there
    * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
    *        location; by default the one described at `Surface_direction`
    * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$ or, at an interior vertex, between
@@ -227,7 +227,7 @@ private:
  * \ingroup PkgFlipGeodesicsTangents
  *
  * Returns the counterclockwise angle at a location from one direction to another. It is at least 0, and less than
- * \f$2\pi\f$ or, at a vertex, the sum of the angles there. At a border vertex, around which there is no full
+ * \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border vertex, around which there is no full
  * turn, it is the difference of the angles of the directions.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
@@ -386,8 +386,8 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * Computes the angle between two curves that start at the same point, counterclockwise from the first one to the
  * second.
  *
- * The angle is at least 0, and less than \f$2\pi\f$ or, at a vertex, the sum of the angles there. At a border vertex,
- * around which there is no full turn, it is negative if the second curve starts clockwise from the first.
+ * The angle is at least 0, and less than \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border
+ * vertex, around which there is no full turn, it is negative if the second curve starts clockwise from the first.
  *
  * \param mesh a triangle mesh
  * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts that start at
@@ -396,7 +396,7 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  *        which only the work limit is used
  * \return the angle in radians
  * \throws Invalid_curve_error if the curves do not start at the same point, up to 1e-9 in the weights, or one of them
- *         is a point, and as `sample_curve()` does
+ *         is a point; also in the cases listed for `sample_curve()`
  * \throws Vertex_out_of_range_error as `sample_curve()` does
  * \throws Invalid_location_error as `sample_curve()` does
  * \throws Degenerate_face_error as `sample_curve()` does

@@ -95,8 +95,8 @@ public:
    *
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
-   * \param legs the segments, each starting at the end of the previous one, with two consecutive locations in one face;
-   *        the last segment of a closed spline ends where the first starts
+   * \param legs the segments, each starting at the end of the previous one; any two consecutive locations must lie in
+   *        one face, and the last segment of a closed spline ends where the first starts
    * \param kind the type of the spline
    * \throws Invalid_curve_error if no segment is given, or fewer than three for a closed spline, if a segment has fewer
    *         than two locations, or if two consecutive locations do not lie in a common face

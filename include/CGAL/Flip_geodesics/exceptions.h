@@ -185,8 +185,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a point cannot be inserted, because rounding errors led to wrong flips of the triangulation around it,
-/// or because the number type of the traits cannot represent it. `elements()` is the input halfedge of its location.
+/// Is thrown if a point cannot be inserted, because rounding errors have caused incorrect flips of the triangulation
+/// around it, or because the number type of the traits cannot represent it. `elements()` is the input halfedge of its
+/// location.
 class Insertion_error : public Error
 {
 public:

@@ -49,8 +49,8 @@ namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
 /// Reports how many paths of a tree are globally shortest. Paths are compared only with those that a search has found.
-/// Unless the distances are confirmed, the search may have missed vertices or shorter paths, and the absence of longer
-/// paths proves nothing.
+/// Unless the distances are confirmed, the search may have missed vertices or shorter paths. In that case, the paths of
+/// the tree need not be shortest even if none was found to be longer.
 struct Distances_report
 {
   /// the number of vertices other than the source that the search reached within the limit of the tree

@@ -200,8 +200,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
  *
- * \param mesh a triangle mesh, a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, no two faces of
- *        which may have the same three vertices; only faces that are divided must be triangles
+ * \param mesh a triangle mesh, a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two
+ *        faces may have the same three vertices; only faces that are divided must be triangles
  * \param curves a range of curves, or a single one. A curve is a range of points, or has such a range as its member
  *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a
  *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Curve_point` or `Curve_place`, or a point in
@@ -257,14 +257,14 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *            `elements()` are the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, also if any face that is examined is not a triangle
- * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite; the element is
- *            the position of the vertex in the range of vertices
+ * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite;
+ *            `elements()` contains the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face has few of them, and up to
- * quadratic in the number of those in one face; linear in the size of the mesh for regions. If points in space are not
- * found in the faces around their previous points, \cgalBigO{n \log n} in the size of the mesh once, and logarithmic
- * time for each such point.
+ * quadratic in the number of those in one face. Regions are labeled in time linear in the size of the mesh. If points
+ * in space are not found in the faces around their previous points, the search for them takes \cgalBigO{n \log n} time
+ * in the size of the mesh once, and logarithmic time for each such point.
  *
  * \sa `cut_along_curves()`
  * \sa `Slit_mesh`

@@ -115,8 +115,8 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * so close that chords of two isolines might intersect.
  *
  * A level may equal the distance of a vertex or of a whole area; points at the level count as farther. If the field
- * becomes infinite inside the surface, because it is limited, the points beyond count as farther as well. A face whose
- * three vertices have infinite distances is assumed to contain no point with a finite distance.
+ * becomes infinite inside the surface, because it is limited, points with infinite distance count as farther as well. A
+ * face whose three vertices have infinite distances is assumed to contain no point with a finite distance.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`
@@ -290,9 +290,9 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * the field guarantees a single nearest source, by `GeodesicDistanceField::has_one_source()`, are not divided, so a
  * field with one source is processed quickly. In all other faces a region could extend between points with the same
  * nearest source, since a field does not return the distance of the second source. Such faces are therefore divided
- * until no side of a part is longer than \f$\sqrt{t s}\f$ for the tolerance \f$t\f$ and the square root \f$s\f$ of the
- * area of the surface, and as finely as the tolerance around sources with distance zero. A region, or an arm of one,
- * can only be missed if it is narrower than \f$\sqrt{t s}\f$ and contains no such source.
+ * until no side of a part is longer than \f$\sqrt{t s}\f$, where \f$t\f$ is the tolerance and \f$s\f$ the square root
+ * of the area of the surface. Around sources with distance zero, they are divided as finely as the tolerance. A region,
+ * or an arm of one, can only be missed if it is narrower than \f$\sqrt{t s}\f$ and contains no such source.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`

@@ -755,8 +755,8 @@ public:
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
   /// Returns the lower bound of the other metric, times the least factor by which faces stretch segments. This factor
-  /// can be smaller than the smallest weight, because a face whose height is stretched less than its sides becomes flat
-  /// again.
+  /// can be smaller than the smallest weight, because each face is flat again after its sides have been stretched, and
+  /// its height can be stretched less than any side.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(std::is_empty<Place>::value)

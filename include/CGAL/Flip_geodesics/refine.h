@@ -188,8 +188,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * \throws Degenerate_face_error if such a face is degenerate
  * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
  *
- * Complexity: about linear in the number of flips and insertions, with a logarithmic factor for the queue, and in the
- * number of crossings of the refined faces. The number of points already inserted into an input face does not slow down
+ * Complexity: about linear in the number of flips and insertions and in the number of crossings of the refined faces,
+ * with a logarithmic factor for the queue. The number of points already inserted into an input face does not slow down
  * further insertions.
  */
 template <class Network, class... NamedParameters, std::enable_if_t<internal::has_curves<Network>, int> = 0>

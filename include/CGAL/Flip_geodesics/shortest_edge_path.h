@@ -147,8 +147,9 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Searches for paths along the edges of the input mesh, which are the usual initial curves. The paths are shortest, or
- * close to geodesics so that few flips are needed. Only the input is read, and the triangulation does not change.
+ * Searches for paths along the edges of the input mesh. Such paths are the usual initial curves. The paths are
+ * shortest, or close to geodesics so that few flips are needed. Only the input is read, and the triangulation does not
+ * change.
  *
  * Labels are allocated once and store the number of their search instead of being reset, so a search takes \cgalBigO{k
  * \log k} time for the \f$k\f$ vertices that it visits. Of several paths of equal length, the same one is always found.

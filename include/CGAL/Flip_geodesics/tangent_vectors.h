@@ -487,8 +487,8 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * at the vertex sum to \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
- * \param curve a range as for the overload with an angle, of locations in faces, since vectors lie in the planes of
- *        faces: a vertex is given as a `Face_location`
+ * \param curve a range of locations in faces, as for the overload with an angle. A vertex must be given as a
+ *        `Face_location`, since vectors lie in the planes of faces
  * \param vector a vector in space, of any kernel
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
  *        which only the work limit is used; the metric must have points

@@ -194,8 +194,8 @@ Value picture_place(double x, double y)
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
  * Complexity: that of a `Geodesic_distance_field` up to the distance of the corners of the image plus the longest edge
- * of the mesh, and at most as many windows again. For points whose shortest path the windows do not determine because
- * of rounding errors, the logarithmic map is evaluated separately.
+ * of the mesh, and at most the same number of additional windows. For points whose shortest path the windows do not
+ * determine because of rounding errors, the logarithmic map is evaluated separately.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(
