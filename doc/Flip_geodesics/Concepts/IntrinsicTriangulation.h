@@ -38,7 +38,7 @@ public:
   /// `Traits::Turn`.
   typedef unspecified_type Turn;
 
-  /// A handle to a halfedge that contains its position in memory, for walks of many steps: a model of
+  /// A handle to a halfedge, which stores the position of the halfedge in memory, for walks of many steps: a model of
   /// `IntrinsicTriangulationWalker`. Copyable, assignable, and comparable by `==` and `!=`.
   typedef unspecified_type Walker;
 

@@ -178,8 +178,8 @@ public:
   /*!
    * Transfers the flattening to a common subdivision, linearly within the intrinsic faces. The result can be used as
    * texture coordinates of a mesh.
-   * \param subdivision a `Surface_subdivision` made by `common_subdivision()` of the triangulation, in the state in
-   *        which it was flattened
+   * \param subdivision a `Surface_subdivision` made by `common_subdivision()` of the triangulation in the state in
+   *        which the triangulation was flattened
    * \param out a writable property map whose keys are the halfedges of the subdivided mesh and whose values can be
    * constructed from two `double`s. Each halfedge that has a face receives the position of its target in this face
    */
@@ -197,8 +197,8 @@ public:
 
   /// Returns the largest deviation of an angle sum in the interior from \f$2\pi\f$, in radians.
   double angle_error() const { return m_angle_error; }
-  /// Returns the largest distance between two positions of one copy, from different faces, divided by the size of the
-  /// result.
+  /// Returns the largest distance between two positions of one copy that were computed in different faces, divided by
+  /// the size of the result.
   double layout_error() const { return m_layout_error; }
   /// Returns the number of Newton steps.
   int iterations() const { return m_iterations; }

@@ -343,8 +343,8 @@ struct Joint
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Identifies the end of a segment at a node by an outgoing halfedge, which distinguishes the ends of a loop edge, and
-/// the segment.
+/// Identifies the end of a segment at a node by the segment and an outgoing halfedge; the halfedge distinguishes the
+/// two ends of a loop edge.
 struct Segment_end
 {
   Halfedge_index halfedge = null_index; ///< the halfedge of the end, outgoing at the node; null if this is not an end

@@ -109,8 +109,8 @@ public:
   /*!
    * Computes the field. This takes one sparse Cholesky factorization and, without alignment, some tens or hundreds of
    * solves, until the relative change of the energy is less than 1e-12.
-   * \throws Singular_problem_error if curves are given but none lies in some component with faces, or the matrix cannot
-   *         be factorized
+   * \throws Singular_problem_error if curves are given but some component with faces contains none of them, or the
+   *         matrix cannot be factorized
    */
   void compute()
   {

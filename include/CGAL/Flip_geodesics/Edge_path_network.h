@@ -387,7 +387,7 @@ public:
 
   /*!
    * Returns whether the ends around the vertex of `end` form a non-crossing matching, and all ends of curves, fixed
-   * nodes and the border lie in one of its regions.
+   * nodes and the border lie in one region of the matching.
    */
   bool is_non_crossing_at(const Segment_end& end) const
   {
@@ -748,8 +748,8 @@ Order_conflict order_if_possible(Network& network)
  * right.
  *
  * \param network an `Edge_path_network`
- * \throws Crossing_curves_error if curves cross in every order. The element is a vertex at which they cross, or one of
- *         several vertices that together make an order impossible
+ * \throws Crossing_curves_error if curves cross in every order. `elements()` contains a vertex at which they cross, or
+ *         one of several vertices that together make an order impossible
  * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
  *         repeatedly and the choices of their orders depend on each other; the elements are the vertices of a shared
  *         edge. After either exception the curves are unchanged, but the order of their segments may have changed

@@ -355,8 +355,8 @@ public:
   }
 
   /*!
-   * Returns the distance of a point and its nearest source. Linear in the number of windows on the sides of its face,
-   * or in the number of bends of the path of a vertex.
+   * Returns the distance of a point and its nearest source. Linear in the number of windows on the sides of its face
+   * or, for a vertex, in the number of bends of its path.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input

@@ -664,8 +664,8 @@ public:
    * \param location any point of the surface
    * \return the new vertex, or the existing one at the point
    * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Insertion_error if rounding errors have led to wrong flips around the point, the point is too close to a
-   *         vertex to be distinguished from it, or an exact number type cannot represent it; in this case the
+   * \throws Insertion_error if rounding errors have caused incorrect flips around the point, the point is too close to
+   *         a vertex to be distinguished from it, or an exact number type cannot represent it; in this case the
    *         triangulation is unchanged
    * \throws Occupied_triangulation_error if a curve lies on the edge that contains the point, which
    *         `Edge_path_network::insert()` would split; in this case the triangulation is unchanged
@@ -724,7 +724,7 @@ public:
    * Splits the face on the left of `h` at a point inside it.
    *
    * \param h a side of the face
-   * \param gap the number of crossed edges of `edge_sequence(h)` before the input face that contains the point
+   * \param gap the number of edges in `edge_sequence(h)` that are crossed before the input face that contains the point
    * \param location a point of that input face
    * \return the new vertex
    * \throws Insertion_error as `insert()` does
@@ -756,7 +756,7 @@ public:
    * numbers, in time linear in the degree of the tail of the edge and in the number of triangles through which the
    * crossed edges are followed until each separates from the next. If points have been inserted, or if flips have
    * replaced all input edges at both ends, the sequence is derived from the flip log instead, in time linear in the
-   * total length of those sequences that are not stored, of all earlier edges from which the edge descends.
+   * total length of the sequences of all earlier edges from which the edge descends, except for stored sequences.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 

@@ -323,11 +323,11 @@ private:
  * Adds a curve through points of the surface. The points become vertices, at which the nodes of the curve are fixed,
  * and consecutive points are connected.
  *
- * A curve through two points is a shortest edge path. A curve through more points consists of geodesic segments, each
- * obtained by shortening such a path separately, so that the curve passes the other points on the same sides as the
- * geodesic; the edges that the segments cross are flipped. A segment that crosses a curve of the network remains an
- * edge path; `order_overlapping_curves()` then detects whether the curves cross. The initial length is that of the edge
- * paths.
+ * A curve through two points is a shortest edge path. A curve through more points consists of geodesic segments between
+ * consecutive points, each obtained by shortening such a path separately, so that each segment passes the other points
+ * on the same sides as the geodesic; the edges that the segments cross are flipped. A segment that crosses a curve of
+ * the network remains an edge path; `order_overlapping_curves()` then detects whether the curves cross. The initial
+ * length is that of the edge paths.
  *
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a

@@ -1098,7 +1098,7 @@ private:
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: for \f$k\f$ points that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()` that end at the
+ * Complexity: for \f$k\f$ points, that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()` that end at the
  * farthest point, and \cgalBigO{k^2} memory for the matrix. Locating \f$k\f$ points in space in a mesh with \f$n\f$
  * faces takes \cgalBigO{n \log n + k \log n} time if they lie close to the surface.
  *

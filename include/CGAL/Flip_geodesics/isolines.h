@@ -50,7 +50,7 @@ struct Located_polyline
   using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
 
   bool is_closed = false; ///< whether the polyline ends where it begins
-  /// the locations of the points; for points on the same edge of the mesh, always the same one of the two faces
+  /// the locations of the points; all points on one edge of the mesh are located in the same one of its two faces
   std::vector<Face_location> locations;
   std::vector<Point> points; ///< the points in space
 

@@ -124,7 +124,7 @@ private:
 
 public:
   /// Constructs the metric of given points.
-  /// \param points the points of the vertices of the mesh, which must not change while the metric is used
+  /// \param points the points of the vertices of the mesh; the points must not change while the metric is used
   explicit Embedded_metric(VertexPointMap points)
     : m_points(points)
   {

@@ -132,7 +132,7 @@ struct Curve_report
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how its shortening ended
   double initial_length = 0; ///< the initial length of the curve, before any straightening
   double length = 0;         ///< the current length of the curve, 0 if it has contracted
-  /// The smallest angle, in radians, at an unblocked side of a joint; infinite without such sides.
+  /// The smallest angle, in radians, at an unblocked side of a joint; infinite if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back
   /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose

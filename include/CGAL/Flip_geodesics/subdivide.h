@@ -780,9 +780,9 @@ Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_i
  * Returns the rounded input location of the point of an intrinsic face with given barycentric coordinates, which belong
  * to the tail of `h`, its head, and the third vertex.
  *
- * Every input face that meets the intrinsic face lies along its sides, so the face that contains the point is found
- * among these. Linear in the number of input edges that the sides cross. \pre `h` is not on the border, and the
- * coordinates are not negative and sum to one
+ * Every input face that meets the intrinsic face also meets one of its sides, so the face that contains the point is
+ * found among the input faces along the sides. Linear in the number of input edges that the sides cross. \pre `h` is
+ * not on the border, and the coordinates are not negative and sum to one
  */
 template <class Triangulation>
 Surface_location location_in_face(const Triangulation& triangulation, Halfedge_index h,

@@ -556,8 +556,8 @@ private:
  * \throws Invalid_parameter_error if the length or the direction is not finite, the length or the number of iterations
  *         is negative, the vector has no component in the plane of its face, or the halfedge does not satisfy the
  *         condition above
- * \throws Degenerate_face_error if a face with a zero-length side is encountered, or the geodesic starts into a
- *         degenerate face
+ * \throws Degenerate_face_error if a face with a zero-length side is encountered, or the direction at the start points
+ *         into a degenerate face
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  * \throws Invalid_mesh_error if a face is not a triangle
  *
