@@ -22,7 +22,7 @@ TEMPLATE = re.compile(r'^template <class (?:Triangulation_?|Network_?|Search)\b[
                       re.MULTILINE)
 
 
-DETECTED = re.compile(r'declval<(?:[^<>]|<[^<>]*>)*>\(\)\.(\w+)|typename (?!std)\w+::(\w+)')
+DETECTED = re.compile(r'declval<(?:[^<>]|<[^<>]*>)*>\(\)\.(\w+)|typename (?!std|boost)\w+::(\w+)')
 OPTIONAL = re.compile(r'/// Optional((?:.*\n *///)*.*)\n(?: *template .*\n)?.*?(\w+)(?:\(.*)?;')
 # Members of classes of CGAL and Boost and of the standard library: points and numbers, kernels, pairs, maps.
 FOREIGN = {'x', 'y', 'z', 'approx', 'exact', 'FT', 'Vector_3', 'first', 'second', 'mapped_type'}

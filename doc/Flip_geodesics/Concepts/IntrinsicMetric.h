@@ -89,4 +89,9 @@ public:
   /// double. In this case, curves are not certified and distances not confirmed, since predicates refer to the rounded
   /// numbers. A metric without this member is defined by the doubles that `length()` returns.
   bool is_rounded(const Mesh& mesh) const;
+
+  /// Optional. Detects a mesh other than the one for which the metric was made, for example by the number of its edges.
+  /// Triangulations and functions that take a metric call this member first.
+  /// \throws Input_mismatch_error for such a mesh
+  void check_input(const Mesh& mesh) const;
 };

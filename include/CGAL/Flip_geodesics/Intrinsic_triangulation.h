@@ -469,8 +469,9 @@ public:
 
   /// Constructs the triangulation of a mesh with a metric. For the complexity, see the class.
   /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
+  /// \throws Input_mismatch_error if the metric detects that it was made for another mesh
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
-    : Elements(Input_mesh(mesh), metric, traits)
+    : Elements(checked_input(mesh, metric), metric, traits)
   {
   }
 
@@ -487,6 +488,7 @@ public:
    *
    * \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
    * \throws Degenerate_face_error if a face has one zero-length edge and two edges of different lengths
+   * \throws Input_mismatch_error if the metric detects that it was made for another mesh
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
                           Zero_length_edges zero_length_edges)
@@ -789,9 +791,16 @@ private:
   friend struct internal::Internals<Intrinsic_triangulation>;
   using Elements::store;
 
-  static Input_mesh make_input(const TriangleMesh& mesh, const Metric& metric, Zero_length_edges zero_length_edges)
+  static Input_mesh checked_input(const TriangleMesh& mesh, const Metric& metric)
   {
     Input_mesh input(mesh);
+    internal::check_input(metric, input);
+    return input;
+  }
+
+  static Input_mesh make_input(const TriangleMesh& mesh, const Metric& metric, Zero_length_edges zero_length_edges)
+  {
+    Input_mesh input = checked_input(mesh, metric);
     if(zero_length_edges == Zero_length_edges::REFUSE)
       return input;
     return internal::contracted(input, internal::Contracted_metric<Metric>{metric, input});

@@ -276,7 +276,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if loaded data were saved, or landmarks were computed, for a different mesh or metric.
+/// Is thrown if loaded data were saved, or landmarks or a metric were made, for a different mesh or metric.
 class Input_mismatch_error : public Error
 {
 public:

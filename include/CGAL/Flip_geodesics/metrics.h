@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -41,6 +42,21 @@ namespace internal {
 // Callers include the definition, since most users of a metric do not need it.
 template <class Mesh, class PlaceOf>
 class Planar_sine;
+
+inline void check_halfedges(std::size_t of_metric, std::size_t of_mesh)
+{
+  if(of_metric != of_mesh)
+    throw Input_mismatch_error("the metric was made for a mesh of " + std::to_string(of_metric / 2) +
+                               " edges, and is used for a mesh of " + std::to_string(of_mesh / 2) + " edges");
+}
+
+/* Throws Input_mismatch_error if a metric detects that it was made for another mesh. */
+template <class Metric, class Mesh>
+void check_input(const Metric& metric, const Mesh& mesh)
+{
+  if constexpr(checks_input<Metric, Mesh>)
+    metric.check_input(mesh);
+}
 
 } // namespace internal
 
@@ -112,7 +128,8 @@ using Numbered_mesh = internal::Indexed_mesh<TriangleMesh>;
 template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric
 {
-  static_assert(internal::is_property_map<VertexPointMap>());
+  static_assert(internal::is_readable<VertexPointMap, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>,
+                "an Embedded_metric requires a property map of points for the vertices of the mesh");
 
 public:
   using Mesh = Numbered_mesh<TriangleMesh>;                                    ///< the mesh, numbered
@@ -354,9 +371,10 @@ struct Internals<Embedded_metric<TriangleMesh, VertexPointMap>>
 template <class TriangleMesh, class EdgeLengthMap>
 class Edge_length_metric
 {
-  static_assert(internal::is_property_map<EdgeLengthMap>());
+  static_assert(internal::has_faces<TriangleMesh>, "the arguments of an Edge_length_metric are mesh, lengths of edges");
+  static_assert(internal::is_number_map<EdgeLengthMap, typename boost::graph_traits<TriangleMesh>::edge_descriptor>());
 
-  using Length = typename boost::property_traits<EdgeLengthMap>::value_type;
+  using Length = typename internal::Map_traits<EdgeLengthMap>::value_type;
   static constexpr bool is_rational = internal::is_rational_number<Length>;
 
 public:
@@ -433,6 +451,13 @@ public:
         return std::any_of(all.begin(), all.end(),
                            [&](const auto& e) { return internal::is_rounded_number(get(m_lengths, e)); });
       });
+  }
+
+  /// Throws an exception if the metric was made for a mesh with another number of edges.
+  /// \throws Input_mismatch_error in that case
+  void check_input(const Mesh& mesh) const
+  {
+    internal::check_halfedges(num_halfedges(*m_mesh), num_halfedges(mesh.mesh()));
   }
 
 private:
@@ -546,6 +571,8 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
 template <class Metric>
 class Mollified_metric : private Metric
 {
+  static_assert(internal::is_metric<Metric>,
+                "a Mollified_metric requires another metric: its arguments are mesh, metric");
   using Base = Metric;
 
 public:
@@ -576,6 +603,7 @@ public:
    * \pre 0 < factor < 1
    * \throws Invalid_coordinate_error if the length of an edge is negative or not finite
    * \throws Invalid_mesh_error if a face is not a triangle
+   * \throws Input_mismatch_error if the other metric detects that it was made for another mesh
    */
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor)
@@ -583,6 +611,8 @@ public:
   {
     CGAL_precondition(0 < factor && factor < 1);
     const Mesh indexed(mesh);
+    internal::check_input(metric, indexed);
+    m_halfedges = static_cast<std::size_t>(indexed.number_of_halfedges());
     m_added = needed_length(indexed, factor * mean_length(indexed));
     if constexpr(!std::is_empty<Place>::value)
       m_least_stretch = (std::min)(1., internal::least_stretch_of_faces(base(), *this, indexed));
@@ -637,6 +667,15 @@ public:
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
   using Base::is_rounded;
 
+  /// Throws an exception if the length to be added, or the other metric, belongs to a mesh with another number of edges.
+  /// \throws Input_mismatch_error in that case
+  void check_input(const Mesh& mesh) const
+  {
+    const std::size_t halfedges = static_cast<std::size_t>(mesh.number_of_halfedges());
+    internal::check_halfedges(m_halfedges.value_or(halfedges), halfedges);
+    internal::check_input(base(), mesh);
+  }
+
 private:
   friend struct internal::Internals<Mollified_metric>;
 
@@ -672,6 +711,7 @@ private:
     return needed;
   }
 
+  std::optional<std::size_t> m_halfedges; // the number for which a length was computed
   double m_added = 0;
   double m_least_stretch = 1;
 };
@@ -702,6 +742,8 @@ private:
 template <class Metric>
 class Weighted_metric : private Metric
 {
+  static_assert(internal::is_metric<Metric>,
+                "a Weighted_metric requires another metric: its arguments are mesh, metric, weights");
   using Base = Metric;
 
   struct Base_place
@@ -771,6 +813,14 @@ public:
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
   using Base::is_rounded;
 
+  /// Throws an exception if the weights, or the other metric, belong to a mesh with another number of edges.
+  /// \throws Input_mismatch_error in that case
+  void check_input(const Mesh& mesh) const
+  {
+    internal::check_halfedges(2 * m_factors->size(), static_cast<std::size_t>(mesh.number_of_halfedges()));
+    internal::check_input(static_cast<const Base&>(*this), mesh);
+  }
+
   /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
   /// `length()` throws.
   /// \throws Degenerate_face_error if the lengths violate the triangle inequality
@@ -793,7 +843,8 @@ private:
   template <class TriangleMesh, class WeightMap>
   static std::vector<double> edge_weights(const TriangleMesh& mesh, const WeightMap& weights)
   {
-    using Key = typename boost::property_traits<WeightMap>::key_type;
+    static_assert(internal::is_number_map<WeightMap>());
+    using Key = typename internal::Map_traits<WeightMap>::key_type;
     constexpr bool are_of_edges = std::is_same<Key, typename boost::graph_traits<TriangleMesh>::edge_descriptor>::value;
     const Mesh numbered(mesh);
     std::vector<double> result, of_vertices;
@@ -816,16 +867,17 @@ private:
   template <class TriangleMesh, class WeightMap>
   static std::vector<double> vertex_weights(const TriangleMesh& mesh, const Mesh& numbered, const WeightMap& weights)
   {
-    using Key = typename boost::property_traits<WeightMap>::key_type;
+    using Key = typename internal::Map_traits<WeightMap>::key_type;
+    constexpr bool are_of_faces = std::is_same<Key, typename boost::graph_traits<TriangleMesh>::face_descriptor>::value;
     std::vector<double> result(static_cast<std::size_t>(numbered.number_of_vertices()), 1);
     if constexpr(std::is_same<Key, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>::value) {
       for(Vertex_index v : internal::descriptors<Vertex_index>(numbered.number_of_vertices()))
         result[static_cast<std::size_t>(v.idx())] =
             checked(CGAL::to_double(get(weights, numbered.vertex(v))), v.idx(), "vertex");
-    } else {
-      static_assert(std::is_same<Key, typename boost::graph_traits<TriangleMesh>::face_descriptor>::value,
-                    "the weights must be those of the mesh's vertices, of its faces or of its edges");
-      add_face_weights(mesh, numbered, weights, result);
+    } else if constexpr(internal::Map_traits<WeightMap>::is_map) {
+      static_assert(are_of_faces, "the weights must be those of the mesh's vertices, of its faces or of its edges");
+      if constexpr(are_of_faces)
+        add_face_weights(mesh, numbered, weights, result);
     }
     return result;
   }

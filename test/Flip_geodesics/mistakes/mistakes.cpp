@@ -13,6 +13,7 @@
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/insert_curves.h>
 #include <CGAL/Flip_geodesics/isolines.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
@@ -42,6 +43,14 @@ struct Visitor_of_flips
   }
 };
 
+struct Map_without_get
+{
+  using key_type = Mesh::Vertex_index;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+};
+
 void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
          const std::vector<FG::Vertex_index>& vertices, const std::vector<FG::Halfedge_index>& halfedges,
          Mesh::Property_map<Mesh::Edge_index, double> lengths)
@@ -62,6 +71,7 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   std::vector<FG::Geodesic_path_result<Kernel::Point_3>> paths;
   Mesh changed = mesh;
   std::map<Mesh::Edge_index, bool> marks;
+  const FG::Embedded_metric<Mesh, Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>> embedded(mesh.points());
 
 #if MISTAKE == 1
   FG::Intrinsic_triangulation<Mesh, Kernel> wrong(mesh);
@@ -160,6 +170,24 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::Geodesic_tracer<Triangulation>(triangulation).trace(points[0], 0.5F, 1, out);
 #elif MISTAKE == 47
   FG::IO::write_VTP(mesh, points);
+#elif MISTAKE == 48
+  const FG::Weighted_metric wrong(mesh, embedded, [](Mesh::Vertex_index) { return 1.; });
+#elif MISTAKE == 49
+  const FG::Weighted_metric wrong(mesh, embedded, changed.add_property_map<Mesh::Halfedge_index, double>("w").first);
+#elif MISTAKE == 50
+  const FG::Weighted_metric wrong(mesh, lengths, embedded);
+#elif MISTAKE == 51
+  const FG::Weighted_metric wrong(mesh, embedded, mesh.points());
+#elif MISTAKE == 52
+  const FG::Edge_length_metric wrong(mesh, changed.add_property_map<Mesh::Face_index, double>("l").first);
+#elif MISTAKE == 53
+  const FG::Mollified_metric wrong(mesh, lengths);
+#elif MISTAKE == 54
+  const FG::Embedded_metric<Mesh, Mesh::Property_map<Mesh::Edge_index, double>> wrong(lengths);
+#elif MISTAKE == 55
+  const FG::Edge_length_metric wrong(lengths, mesh);
+#elif MISTAKE == 56
+  const FG::Weighted_metric wrong(mesh, embedded, Map_without_get());
 #else
   FG::insert_curves(changed, isolines,
                     CGAL::parameters::edge_is_constrained_map(boost::make_assoc_property_map(marks)));
@@ -173,6 +201,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::geodesic_network(mesh, std::vector<std::vector<Mesh::Vertex_index>>(), std::back_inserter(several));
   FG::geodesic_distances(mesh, of_mesh[0], boost::make_assoc_property_map(distances),
                          CGAL::parameters::metric(FG::Edge_length_metric(mesh, lengths)));
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out,
+                    CGAL::parameters::metric(FG::Weighted_metric(mesh, embedded, lengths)));
   FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::search_limit(FG::Window_limit(1)));
   FG::shortest_path(mesh, of_mesh[0], points[0], out, CGAL::parameters::greatest_point_distance(1));
   FG::geodesic_spline(mesh, of_mesh, FG::Spline_kind::BEZIER, out);

@@ -26,6 +26,29 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* Coordinates of models are often short; the numbers derived from them are then short as well. */
+inline void take_out_power_of_two(std::array<std::array<Integer, 3>, 3>& vectors)
+{
+  unsigned power = (std::numeric_limits<unsigned>::max)();
+  for(const auto& v : vectors)
+    for(const Integer& n : v)
+      if(n != 0)
+        power = (std::min)(power, lowest_bit(n));
+  for(auto& v : vectors)
+    for(Integer& n : v)
+      n >>= power; // exact
+}
+
+/* Returns the face of three points. */
+inline Exact_face exact_face_from_points(const std::array<std::array<Integer, 3>, 3>& p)
+{
+  std::array<std::array<Integer, 3>, 3> e = {difference(p[1], p[0]), difference(p[2], p[1]), difference(p[0], p[2])};
+  take_out_power_of_two(e);
+  Exact_face face = {dot(e[0], e[0]), dot(e[0], e[1]), dot(e[0], e[2]), 0};
+  face.doubled_area_squared = face.squared_length * dot(e[1], e[1]) - face.dot_next * face.dot_next; // by Lagrange
+  return face;
+}
+
 /* Returns the approximate coordinates of a precise point. */
 inline Approximate_place approximate_place(const Precise_place& p)
 {

@@ -7,8 +7,12 @@
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <iterator>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -99,13 +103,55 @@ constexpr bool is_container_with_keys = false;
 template <class T>
 constexpr bool is_container_with_keys<T, std::void_t<typename T::mapped_type>> = true;
 
-/* Fails to compile if the type is not a property map for this reason. */
+/* The types of keys and values of a property map; of other types, none. */
+template <class Map, class = void>
+struct Map_traits
+{
+  using key_type = void;
+  using value_type = double;
+  static constexpr bool is_map = false;
+};
+template <class Map>
+struct Map_traits<Map, std::void_t<typename boost::property_traits<Map>::key_type>> : boost::property_traits<Map>
+{
+  static constexpr bool is_map = true;
+};
+
+/* Fails to compile if the type is not a property map. */
 template <class Map>
 constexpr bool is_property_map()
 {
   static_assert(!is_container_with_keys<Map>,
                 "a std::map is not a property map: wrap it by boost::make_assoc_property_map()");
+  static_assert(is_container_with_keys<Map> || Map_traits<Map>::is_map,
+                "a property map is expected here: wrap a function by boost::make_function_property_map(), or a "
+                "std::vector by boost::make_iterator_property_map()");
   return true;
+}
+
+/* Whether get() returns a value of a property map for a key; maps without a key type have one for every key. */
+template <class Map, class Key, class = void>
+constexpr bool is_readable = false;
+template <class Map, class Key>
+constexpr bool
+    is_readable<Map, Key, std::void_t<decltype(get(std::declval<const Map&>(), std::declval<const Key&>()))>> =
+        std::is_void<typename Map_traits<Map>::key_type>::value ||
+        std::is_convertible<Key, typename Map_traits<Map>::key_type>::value;
+
+/* Detects number types of the standard library, Boost and CGAL. */
+template <class T>
+constexpr bool is_number = std::numeric_limits<T>::is_specialized ||
+                           std::is_convertible<decltype(CGAL::to_double(std::declval<const T&>())), double>::value;
+
+/* Fails to compile if the type is not a property map with numbers for keys of this type, by default for its own ones. */
+template <class Map, class Key = typename Map_traits<Map>::key_type>
+constexpr bool is_number_map()
+{
+  if constexpr(!std::is_void<typename Map_traits<Map>::key_type>::value && !is_readable<Map, Key>)
+    static_assert(is_readable<Map, Key>, "the property map has keys of another type, or get() does not accept them");
+  else
+    static_assert(is_number<typename Map_traits<Map>::value_type>, "the values of the property map must be numbers");
+  return is_property_map<Map>();
 }
 
 template <class T, class = void>
@@ -122,6 +168,13 @@ constexpr bool reports_rounding = false;
 template <class Metric, class Mesh>
 constexpr bool reports_rounding<
     Metric, Mesh, std::void_t<decltype(std::declval<const Metric&>().is_rounded(std::declval<const Mesh&>()))>> = true;
+
+/* Detects metrics that throw an exception for a mesh other than theirs. */
+template <class Metric, class Mesh, class = void>
+constexpr bool checks_input = false;
+template <class Metric, class Mesh>
+constexpr bool checks_input<
+    Metric, Mesh, std::void_t<decltype(std::declval<const Metric&>().check_input(std::declval<const Mesh&>()))>> = true;
 
 /*
  * Returns whether a metric replaces numbers of its mesh by rounded doubles. Results that are exact for these doubles

@@ -48,12 +48,14 @@ public:
     std::uint64_t work_limit;
   };
 
-  /* The mesh must outlive the surface. */
+  /* The mesh must outlive the surface. \throws Input_mismatch_error if the metric detects that it was made for another
+   * mesh */
   Metric_surface(const TriangleMesh& mesh, const Metric& metric, std::uint64_t sign_work_limit = default_sign_work)
     : m_input(mesh)
     , m_metric(metric)
     , m_traits{sign_work_limit}
   {
+    check_input(m_metric, m_input);
   }
 
   const Input_mesh& input() const { return m_input; }
