@@ -129,14 +129,21 @@ public:
       solve_aligned(is_given, is_isolated);
     else
       find_smoothest(is_given, is_isolated);
+    m_is_computed = true;
   }
 
   /// Returns the powers of the field, not normalized; 0 at isolated vertices.
-  const Vector& values() const { return m_values; }
+  /// \throws Invalid_parameter_error before `compute()`, as all following functions do
+  const Vector& values() const
+  {
+    if(!m_is_computed)
+      throw Invalid_parameter_error("a direction field is queried before it has been computed; call compute() first");
+    return m_values;
+  }
 
   /// Returns one of the directions at vertex `v`, as an angle in its tangent space. The others follow in steps of
   /// \f$2\pi\f$ divided by the symmetry.
-  double angle(Vertex_index v) const { return std::arg(m_values[v.idx()]) / m_symmetry; }
+  double angle(Vertex_index v) const { return std::arg(values()[v.idx()]) / m_symmetry; }
 
   /*!
    * Returns the faces around which the field turns. On a closed surface, the sum of the indices is `symmetry` times the
@@ -159,7 +166,7 @@ public:
   }
 
   /// Returns the energy of the field, the minimized sum.
-  double energy() const { return std::real(m_values.dot(connection_laplacian() * m_values)); }
+  double energy() const { return std::real(values().dot(connection_laplacian() * m_values)); }
 
 private:
   Complex power(double angle) const { return std::polar(1.0, m_symmetry * angle); }
@@ -172,7 +179,7 @@ private:
   {
     const bool is_first = internal::is_first_side(h);
     const Halfedge_index g = is_first ? h : Triangulation::twin(h);
-    const Complex at_tail = m_values[m_triangulation.tail(g).idx()], at_head = m_values[m_triangulation.head(g).idx()];
+    const Complex at_tail = values()[m_triangulation.tail(g).idx()], at_head = values()[m_triangulation.head(g).idx()];
     const double angle = std::arg(at_head * std::conj(carried(g) * at_tail));
     return is_first ? angle : -angle;
   }
@@ -275,6 +282,7 @@ private:
   Tangent_spaces<Triangulation> m_spaces;
   Vector m_aligned; // the sum of the prescribed directions
   Vector m_values;
+  bool m_is_computed = false;
 };
 
 } // namespace Flip_geodesics

@@ -195,7 +195,7 @@ public:
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \param offset the number that is added to all distances from this source
-   * \pre nothing has been computed
+   * \throws Invalid_parameter_error if the field has been computed
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times the length of the
@@ -228,8 +228,8 @@ public:
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
    *        consecutive ones lie in one face or on its boundary
    * \param offset the number that is added to all distances from this source
-   * \pre nothing has been computed
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
+   * \throws Invalid_parameter_error as for points
    * \throws Invalid_location_error as for points
    * \throws Invalid_coordinate_error as for points
    * \throws Degenerate_face_error as for points
@@ -319,6 +319,7 @@ public:
     const std::size_t most = limits.windows(static_cast<std::size_t>(m_triangulation.input().number_of_vertices()));
     internal::Interruption interruption(visitor.get());
     Distance_field_report report;
+    m_is_computed = true;
     for(;;) {
       const double wanted = (std::min)(limits.radius, farthest(limits.targets));
       const double bound = wanted < infinity ? std::nextafter(wanted, infinity) : infinity;
@@ -339,8 +340,8 @@ public:
     return report;
   }
 
-  /// Returns the distance up to which all distances are known. Greater distances are returned as infinity. The reach is
-  /// 0 before anything is computed.
+  /// Returns the distance up to which all distances are known, which is 0 before `compute()`. Greater distances are
+  /// returned as infinity.
   double reach() const { return m_reach; }
 
   /// Returns the distance of a point, with the preconditions and exceptions of `answer()`. Constant time for a
@@ -361,7 +362,7 @@ public:
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or before `compute()`
    */
   template <class Point = Surface_location>
   Answer answer(const Point& point) const
@@ -404,7 +405,7 @@ public:
    *
    * \param point a point of any type that `surface_location()` accepts
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or before `compute()`
    */
   template <class Point = Surface_location>
   std::vector<Surface_point> surface_points(const Point& point) const
@@ -432,7 +433,7 @@ public:
    * \param out the output iterator
    * \return the past-the-end output iterator
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or before `compute()`
    */
   template <class Point = Surface_location, class OutputIterator>
   OutputIterator path(const Point& point, OutputIterator out) const
@@ -449,8 +450,9 @@ public:
    * above it. The gradient is zero at a source, at vertices, and where the distance is infinite. If several shortest
    * paths end at the location, the gradient belongs to one of them.
    *
-   * \pre the extent is `EVERYWHERE`, and `location.halfedge` is not a border halfedge
+   * \pre `location.halfedge` is not a border halfedge
    * \throws Invalid_location_error if `location` is not a point of the surface
+   * \throws Invalid_parameter_error if the extent is `VERTICES_ONLY`, or before `compute()`
    *
    * Complexity: that of `answer()`.
    */
@@ -505,7 +507,8 @@ private:
   // none.
   void check_addition(double offset, Input_halfedge_index h) const
   {
-    CGAL_precondition_msg(m_reach == 0, "sources must be added before the field is computed");
+    if(m_reach > 0)
+      throw Invalid_parameter_error("a source is added to a distance field that has been computed");
     if(!(std::isfinite(offset) && offset >= 0))
       throw Invalid_coordinate_error("the offset of a source is " + internal::written(offset) +
                                      ", but must be finite and not negative");
@@ -576,7 +579,13 @@ private:
     return bound > limits.radius ? Distance_field_status::RADIUS_REACHED : Distance_field_status::TARGETS_REACHED;
   }
 
-  bool is_known(double distance) const { return distance <= m_reach && std::isfinite(distance); }
+  // Is called by all queries. \throws Invalid_parameter_error before compute()
+  bool is_known(double distance) const
+  {
+    if(!m_is_computed)
+      throw Invalid_parameter_error("a distance field is queried before it has been computed; call compute() first");
+    return distance <= m_reach && std::isfinite(distance);
+  }
 
   typename Query::Arrival arrival_at(const Surface_location& at) const
   {
@@ -593,6 +602,7 @@ private:
   std::vector<std::pair<Input_halfedge_index, Index>> m_parts_by_face;
   std::size_t m_number_of_sources = 0;
   double m_reach = 0;
+  bool m_is_computed = false;
 };
 
 namespace internal {

@@ -37,6 +37,13 @@ namespace internal {
 
 enum Distance_parameter { distance_parameter };
 
+template <class Tree>
+void check_is_grown(const Tree& tree)
+{
+  if(tree.source() == null_index)
+    throw Invalid_parameter_error("a tree is used before it has been grown; call grow() first");
+}
+
 } // namespace internal
 } // namespace Flip_geodesics
 
@@ -240,12 +247,14 @@ public:
    *        that time
    * \return the report on the growth of the tree so far, including `grow()`; flips of `function` are not counted
    * \pre `grow()` was not stopped
+   * \throws Invalid_parameter_error before `grow()`
    *
    * Complexity: linear in the size of the mesh, plus the time of the growth.
    */
   template <class Function>
   Geodesic_tree_report replace_paths(Function function)
   {
+    internal::check_is_grown(*this);
     Grafts grafts(*this);
     function(grafts);
     return regrow(grafts.m_taken_off);
@@ -659,6 +668,7 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
  *        the border, and for an inserted source, where they are measured from the halfedge of its `location()`
  * \return the polar coordinates of all vertices
  * \throws Invalid_location_error if `zero` does not start at the source
+ * \throws Invalid_parameter_error before `grow()`
  *
  * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \cgalBigO{n}
  * for the result.
@@ -667,7 +677,7 @@ template <class Triangulation>
 Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)
 {
   const Triangulation& triangulation = tree.triangulation();
-  CGAL_precondition(tree.source() != null_index);
+  internal::check_is_grown(tree);
   const bool is_zero_told = zero != null_index && !triangulation.is_inserted(tree.source());
   if(is_zero_told && (!zero.is_valid() || zero.idx() >= triangulation.input().number_of_halfedges() ||
                       triangulation.input().tail(zero) != tree.source()))

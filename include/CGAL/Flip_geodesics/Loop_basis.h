@@ -160,8 +160,8 @@ public:
       forget_all();
   }
 
-  /// Returns whether the construction was completed. If a visitor stopped it, only the numbers of loops and components
-  /// may be queried; both are zero.
+  /// Returns whether the construction was completed. If a visitor stopped it, the numbers of loops and components are
+  /// zero, and the other functions throw `Invalid_parameter_error`.
   bool is_complete() const { return m_is_complete; }
 
   /// \name Loops
@@ -198,7 +198,7 @@ public:
 
   /// Returns the position of the component of a vertex in `components()`, or -1 for an isolated vertex. \pre `v` is an
   /// input vertex
-  Index component(Vertex_index v) const { return m_forest.component(v); }
+  Index component(Vertex_index v) const { return check_complete(), m_forest.component(v); }
 
   /// @}
   /// \name Classes of closed curves
@@ -332,8 +332,15 @@ private:
     }
   }
 
+  void check_complete() const
+  {
+    if(!m_is_complete)
+      throw Invalid_parameter_error("a basis of loops is queried whose construction was stopped by a visitor");
+  }
+
   const internal::Cotree::Loop& generator(Index i) const
   {
+    check_complete();
     CGAL_precondition(i >= 0 && i < number_of_loops());
     return m_cotree.generators()[static_cast<std::size_t>(i)];
   }
@@ -343,6 +350,7 @@ private:
   {
     static_assert(internal::is_range_of<HalfedgeRange, Input_halfedge_index>,
                   "the curve must be a range of Input_halfedge_index, the halfedges of the input");
+    check_complete();
     const auto& input = m_triangulation->input();
     Vertex_index start = null_index, end = null_index;
     std::size_t position = 0;

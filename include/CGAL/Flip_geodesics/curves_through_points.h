@@ -204,11 +204,11 @@ public:
   /// Returns the report on `finish()`, which includes the flips of all previous calls. Its initial length is that of
   /// the first control polygon, and its verdict is that of all geodesics together.
   const Shortening_report& report() const { return m_report; }
-  /// Returns the length of the finished curve. \pre `finish()` has been called
+  /// Returns the length of the finished curve. \throws Invalid_parameter_error before `finish()`
   double length() const { return finished().length; }
-  /// Returns whether the segments of the finished curve are geodesics. \pre `finish()` has been called
+  /// Returns whether the segments of the finished curve are geodesics. \throws Invalid_parameter_error before `finish()`
   Shortening_status status() const { return finished().status; }
-  /// Returns the verdict on all segments of the finished curve together. \pre `finish()` has been called
+  /// Returns the verdict on all segments of the finished curve together. \throws Invalid_parameter_error before `finish()`
   Verdict verdict() const { return finished().verdict; }
 
 private:
@@ -226,7 +226,9 @@ private:
 
   const Curve_report& finished() const
   {
-    CGAL_precondition(!m_report.curves.empty());
+    if(m_report.curves.empty())
+      throw Invalid_parameter_error(
+          "a result of a spline is requested before it has been finished; call finish() first");
     return m_report.curves.front();
   }
 

@@ -141,8 +141,8 @@ public:
 /// Is thrown if the value of a parameter is invalid: for example a level that is not finite, a tolerance that is not
 /// positive or is smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached,
 /// isolated base points of loops, or two base points in one component. It is also thrown if a distance field returns
-/// NaN, or is queried at a location for which it stores no data. `elements()` is the position of the level, the face or
-/// the base point, if applicable.
+/// NaN, or is queried at a location for which it stores no data, or if a result is requested before it has been computed.
+/// `elements()` is the position of the level, the face, the halfedge or the base point, if applicable.
 class Invalid_parameter_error : public Error
 {
 public:

@@ -309,6 +309,7 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source of the tree is an inserted vertex
+ * \throws Invalid_parameter_error before `grow()`
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and for each replaced path the degree of its end and the
  * number of edges that its last geodesic segment crosses; if any path is replaced, also linear in the size of the mesh.
@@ -317,7 +318,7 @@ template <class Triangulation, class... NamedParameters>
 Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedParameters&... np)
 {
   const auto& options = internal::options_of<internal::Limit_parameter, internal_np::visitor_t>(np...);
-  CGAL_precondition(tree.source() != null_index);
+  internal::check_is_grown(tree);
   if(tree.triangulation().is_inserted(tree.source()))
     throw Vertex_out_of_range_error("shortest paths must start at a vertex of the input mesh, but vertex " +
                                         std::to_string(tree.source().idx()) + " was inserted",
@@ -341,6 +342,7 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedPa
  * \param tree a tree that has been grown
  * \param mesh the mesh of the tree
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values
+ * \throws Invalid_parameter_error before `grow()`
  *
  * Complexity: linear in the number of vertices of the mesh.
  */
@@ -349,6 +351,7 @@ void put_distances(const Geodesic_tree<Triangulation>& tree, const typename Tria
                    VertexDistanceMap distances)
 {
   static_assert(internal::is_property_map<VertexDistanceMap>());
+  internal::check_is_grown(tree);
   for(const auto v : vertices(mesh))
     put(distances, v, tree.distance(tree.triangulation().input().index(v)));
 }
@@ -396,6 +399,7 @@ void put_logarithmic_map(const Vertex_logarithmic_map& map, const Geodesic_tree<
  * \param triangulation the triangulation of the field
  * \param mesh the mesh of the field
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values
+ * \throws Invalid_parameter_error before `Geodesic_distance_field::compute()`
  *
  * Complexity: linear in the number of vertices of the mesh.
  */
@@ -410,6 +414,7 @@ void put_distances(const Geodesic_distance_field<Triangulation>& field, const Tr
 
 /// \ingroup PkgFlipGeodesicsDistances
 /// Writes the number of the nearest source of each vertex into a property map, or 0 if it is not known.
+/// \throws Invalid_parameter_error before `Geodesic_distance_field::compute()`
 template <class Triangulation, class VertexSourceMap>
 void put_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
                          const typename Triangulation::Triangle_mesh& mesh, VertexSourceMap sources)
