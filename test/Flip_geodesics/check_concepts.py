@@ -30,7 +30,7 @@ FOREIGN = {'x', 'y', 'z', 'approx', 'exact', 'FT', 'Vector_3', 'first', 'second'
 DISTINGUISHING = {'Halfedge_geometry', 'Turn', 'Has_drift', 'Face_geometry', 'Flipped_geometry', 'Kernel', 'Mesh',
                   'Place', 'Triangulation', 'number_of_curves', 'edge_sequence', 'go_further', 'on_flip', 'after_flip_out'}
 # Members of classes of the package.
-OWN = {'location', 'locations'}
+OWN = {'idx', 'location', 'locations'}
 
 
 def template_arguments(text):

@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(endpoints_that_cannot_be_joined)
   };
   BOOST_CHECK_EXCEPTION(setting.add_path(0_v, 13_v), FG::Vertex_out_of_range_error, names_it);
   const auto names_none = [](const FG::Error& error) {
-    return error.what() == std::string("a given vertex is not one of the 13 vertices") && error.elements().empty();
+    return error.what() == std::string("the source is not one of the 13 vertices") && error.elements().empty();
   };
   BOOST_CHECK_EXCEPTION(setting.add_path(FG::null_index, 0_v), FG::Vertex_out_of_range_error, names_none);
   BOOST_CHECK_THROW(setting.add_path(3_v, 3_v), FG::Invalid_curve_error);

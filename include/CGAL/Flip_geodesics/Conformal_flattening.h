@@ -231,9 +231,9 @@ private:
                              " instead of 1; cut it along a cut graph");
     for(const Intrinsic_face& face : m_faces)
       if(!internal::Plane_triangle(face.lengths).has_finite_cotangents())
-        throw Degenerate_face_error("an intrinsic face at vertex " + std::to_string(face.vertices[0].idx()) +
-                                        " is degenerate; flip to a Delaunay triangulation first, or mollify the metric",
-                                    {static_cast<std::size_t>(face.vertices[0].idx())});
+        internal::throw_naming<Degenerate_face_error>(
+            "an intrinsic face at vertex ", face.vertices[0],
+            " is degenerate; flip to a Delaunay triangulation first, or mollify the metric");
   }
 
   // Traverses faces breadth first, not across cuts, and calls visit(face, side, next face). Returns the number of faces
@@ -349,10 +349,9 @@ private:
     m_angle_error = gradient.lpNorm<Eigen::Infinity>();
     for(const Intrinsic_face& face : m_faces)
       if(!(scaled(face, m_log_scales).area > 0))
-        throw Flattening_error("the conformal factors violate the triangle inequality in the face at vertex " +
-                                   std::to_string(face.vertices[0].idx()) +
-                                   "; flip the triangulation to Delaunay or refine it",
-                               {static_cast<std::size_t>(face.vertices[0].idx())});
+        internal::throw_naming<Flattening_error>(
+            "the conformal factors violate the triangle inequality in the face at vertex ", face.vertices[0],
+            "; flip the triangulation to Delaunay or refine it");
     if(!(m_angle_error <= tolerance))
       throw Flattening_error("the angle sums still differ from 2 pi by " + internal::written(m_angle_error) +
                              "; some faces of the triangulation are too thin for double precision");

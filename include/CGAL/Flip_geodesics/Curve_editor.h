@@ -322,9 +322,8 @@ private:
     for(std::size_t k = 0; k + 1 < places.size(); ++k) {
       const Input_halfedge_index face = internal::common_face(m_triangulation.input(), places[k], places[k + 1]);
       if(face == null_index)
-        throw Invalid_curve_error("point " + std::to_string(k + 1) +
-                                      " of a path does not lie in a common face with the previous point",
-                                  {k + 1});
+        internal::throw_naming<Invalid_curve_error>("point ", internal::Element{k + 1},
+                                                    " of a path does not lie in a common face with the previous point");
       result.push_back({places[k], face});
     }
     return result;

@@ -171,8 +171,7 @@ public:
         continue;
       for(Segment_index fixed : freed)
         set_head_fixed(fixed, true);
-      throw Crossing_curves_error("curves cross at vertex " + std::to_string(v.idx()),
-                                  {static_cast<std::size_t>(v.idx())});
+      internal::throw_naming<Crossing_curves_error>("curves cross at vertex ", v);
     }
   }
 
@@ -517,9 +516,8 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
     result.push_back(internal::halfedge_between(triangulation, v[i], v[i + 1]));
     if(result.back() == null_index)
-      throw Invalid_curve_error("a curve is not connected: no edge connects vertex " + std::to_string(v[i].idx()) +
-                                    " and vertex " + std::to_string(v[i + 1].idx()),
-                                {static_cast<std::size_t>(v[i].idx()), static_cast<std::size_t>(v[i + 1].idx())});
+      internal::throw_naming<Invalid_curve_error>("a curve is not connected: no edge connects vertex ", v[i],
+                                                  " and vertex ", v[i + 1]);
   }
   return result;
 }
@@ -579,9 +577,8 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
     result.insert(result.end(), leg.begin(), leg.end());
   }
   if(result.empty())
-    throw Invalid_curve_error("all waypoints of a curve are vertex " + std::to_string(v.front().idx()) +
-                                  "; the curve is a single point and has no edges",
-                              {static_cast<std::size_t>(v.front().idx())});
+    internal::throw_naming<Invalid_curve_error>("all waypoints of a curve are vertex ", v.front(),
+                                                "; the curve is a single point and has no edges");
   return result;
 }
 

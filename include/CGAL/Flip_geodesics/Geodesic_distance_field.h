@@ -249,9 +249,8 @@ public:
     for(std::size_t i = 0; i + 1 < at.size(); ++i) {
       faces.push_back(internal::common_face(m_triangulation.input(), at[i], at[i + 1]));
       if(faces.back() == null_index)
-        throw Invalid_curve_error("points " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                                      " of a source curve do not lie in a common face",
-                                  {i, i + 1});
+        internal::throw_naming<Invalid_curve_error>("points ", internal::Element{i}, " and ", internal::Element{i + 1},
+                                                    " of a source curve do not lie in a common face");
     }
     check_addition(offset, at.front().halfedge);
     for(std::size_t i = 0; i < at.size(); ++i) {
@@ -491,8 +490,7 @@ private:
   template <class Point>
   Surface_location canonical(const Point& point) const
   {
-    return internal::canonical_location(m_triangulation.input(),
-                                        internal::located_place(m_triangulation, m_mesh, point));
+    return internal::canonical_location(m_triangulation.input(), internal::located_place(m_triangulation, point));
   }
 
   double distance_of_vertex(Vertex_index v) const
@@ -510,16 +508,21 @@ private:
     if(m_reach > 0)
       throw Invalid_parameter_error("a source is added to a distance field that has been computed");
     if(!(std::isfinite(offset) && offset >= 0))
-      throw Invalid_coordinate_error("the offset of a source is " + internal::written(offset) +
-                                     ", but must be finite and not negative");
+      throw_unusable_offset(offset, ", but must be finite and not negative");
     if(offset == 0 || h == null_index)
       return;
     const bool is_border = m_triangulation.input().is_border(h);
     const internal::Face_side side = m_propagation.sides().copy(is_border ? internal::twin_index(h) : h);
     if(offset > internal::greatest_offset * (side.length + std::abs(side.x) + side.y))
-      throw Invalid_coordinate_error(
-          "the offset of a source is " + internal::written(offset) +
+      throw_unusable_offset(
+          offset,
           ", which is so much longer than the sides of its face that it cannot be added without large rounding errors");
+  }
+
+  [[noreturn]] void throw_unusable_offset(double offset, const char* reason) const
+  {
+    internal::throw_naming<Invalid_coordinate_error>("the offset of source ", internal::Element{m_number_of_sources},
+                                                     " is ", offset, reason);
   }
 
   void add_point(const Surface_location& at, double offset)
@@ -590,8 +593,9 @@ private:
   typename Query::Arrival arrival_at(const Surface_location& at) const
   {
     if(m_extent != Distance_field_extent::EVERYWHERE)
-      throw Invalid_parameter_error("a field with the extent VERTICES_ONLY can be queried at vertices only; compute it "
-                                    "with the extent EVERYWHERE");
+      internal::throw_naming<Invalid_parameter_error>(
+          "a field with the extent VERTICES_ONLY is queried in the face of halfedge ", at.halfedge,
+          ", at a point that is not a vertex; compute it with the extent EVERYWHERE");
     return query()(at.halfedge, internal::normalized(at.weights));
   }
 

@@ -679,10 +679,13 @@ Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree,
   const Triangulation& triangulation = tree.triangulation();
   internal::check_is_grown(tree);
   const bool is_zero_told = zero != null_index && !triangulation.is_inserted(tree.source());
-  if(is_zero_told && (!zero.is_valid() || zero.idx() >= triangulation.input().number_of_halfedges() ||
-                      triangulation.input().tail(zero) != tree.source()))
-    throw Invalid_location_error("the halfedge of angle zero does not start at the source of the tree, vertex " +
-                                 std::to_string(tree.source().idx()));
+  if(is_zero_told && (!zero.is_valid() || zero.idx() >= triangulation.input().number_of_halfedges()))
+    throw Invalid_location_error("the halfedge of angle zero does not belong to the mesh");
+  if(is_zero_told && triangulation.input().tail(zero) != tree.source())
+    throw Invalid_location_error("the halfedge of angle zero, " + std::to_string(zero.idx()) +
+                                     ", does not start at the source of the tree, vertex " +
+                                     std::to_string(tree.source().idx()),
+                                 {static_cast<std::size_t>(zero.idx())});
   const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
   Vertex_logarithmic_map map(triangulation.number_of_vertices());
   map[tree.source()].radius = 0;

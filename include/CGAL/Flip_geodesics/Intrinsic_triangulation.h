@@ -679,9 +679,10 @@ public:
    */
   Vertex_index insert(const Surface_location& location)
   {
-    return insert(location, [this](const internal::Edge_halves& halves) {
+    return insert(location, [&](const internal::Edge_halves& halves) {
       if(holds(edge(halves.first)) > 0)
-        throw Occupied_triangulation_error("a point cannot be inserted on an edge under a curve");
+        internal::throw_naming<Occupied_triangulation_error>("a point in the face of halfedge ", location.halfedge,
+                                                             " cannot be inserted on an edge under a curve");
     });
   }
 

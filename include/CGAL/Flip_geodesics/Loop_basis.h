@@ -358,7 +358,8 @@ private:
       if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
         throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
       if(end != null_index && input.tail(h) != end)
-        throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});
+        internal::throw_naming<Invalid_curve_error>("a curve is not connected at position ",
+                                                    internal::Element{position});
       start = start == null_index ? input.tail(h) : start;
       end = input.tail(internal::twin_index(h));
       ++position;
@@ -383,7 +384,8 @@ private:
       internal::append_input_edges(triangulation, word, result);
     });
     if(start != end)
-      throw Invalid_curve_error("a curve that does not end where it starts has no homology class; pass a closed curve");
+      internal::throw_naming<Invalid_curve_error>(
+          "curve ", curve, " does not end where it starts, and has no homology class; pass a closed curve");
     return result;
   }
 

@@ -170,13 +170,9 @@ private:
   {
     m_triangles[f] = internal::Plane_triangle(m_faces[f].lengths);
     if(!m_triangles[f].has_finite_cotangents())
-      throw Degenerate_face_error("the intrinsic face with vertices " + std::to_string(m_faces[f].vertices[0].idx()) +
-                                      ", " + std::to_string(m_faces[f].vertices[1].idx()) + ", " +
-                                      std::to_string(m_faces[f].vertices[2].idx()) +
-                                      " is degenerate; flip to a Delaunay triangulation first, or mollify the metric",
-                                  {static_cast<std::size_t>(m_faces[f].vertices[0].idx()),
-                                   static_cast<std::size_t>(m_faces[f].vertices[1].idx()),
-                                   static_cast<std::size_t>(m_faces[f].vertices[2].idx())});
+      internal::throw_naming<Degenerate_face_error>(
+          "the intrinsic face with vertices ", m_faces[f].vertices[0], ", ", m_faces[f].vertices[1], ", ",
+          m_faces[f].vertices[2], " is degenerate; flip to a Delaunay triangulation first, or mollify the metric");
   }
 
   std::size_t m_number_of_vertices;
@@ -283,9 +279,9 @@ private:
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
       if(is_laid_out[h] == 0) {
         const Vertex_index v = triangulation.tail(h);
-        throw Invalid_mesh_error("several umbrellas of faces meet at vertex " + std::to_string(v.idx()) +
-                                     ", which has no tangent space; duplicate the vertex for each umbrella",
-                                 {static_cast<std::size_t>(v.idx())});
+        internal::throw_naming<Invalid_mesh_error>(
+            "several umbrellas of faces meet at vertex ", v,
+            ", which has no tangent space; duplicate the vertex for each umbrella");
       }
   }
 

@@ -110,19 +110,14 @@ void check_location(const Input_mesh& input, const Surface_location& location)
     throw Invalid_location_error("a location has a face or halfedge that does not belong to the mesh");
   for(double weight : location.weights)
     if(!(weight == 0 || (weight >= least_weight && weight <= greatest_weight))) // sums and products would not be normal
-      throw Invalid_location_error("a weight of a location in the face of halfedge " + std::to_string(h.idx()) +
-                                       " is negative, too small, too large or not a number",
-                                   {static_cast<std::size_t>(h.idx())});
+      throw_naming<Invalid_location_error>("a weight of a location in the face of halfedge ", h,
+                                           " is negative, too small, too large or not a number");
   if(location.weights[0] == 0 && location.weights[1] == 0 && location.weights[2] == 0)
-    throw Invalid_location_error("the weights of a location in the face of halfedge " + std::to_string(h.idx()) +
-                                     " are all zero",
-                                 {static_cast<std::size_t>(h.idx())});
+    throw_naming<Invalid_location_error>("the weights of a location in the face of halfedge ", h, " are all zero");
   if(!input.is_border(h) && (location.weights[1] != 0 || location.weights[2] != 0))
     check_triangle(input, h);
   if(input.is_border(h) && location.weights[2] != 0)
-    throw Invalid_location_error("a location lies in the face of halfedge " + std::to_string(h.idx()) +
-                                     ", which is on the border",
-                                 {static_cast<std::size_t>(h.idx())});
+    throw_naming<Invalid_location_error>("a location lies in the face of halfedge ", h, ", which is on the border");
 }
 
 /* Returns the location with its weights beginning at halfedge `next(halfedge)`. */
@@ -360,9 +355,7 @@ std::vector<Input_halfedge_index> faces_of_location(const Input_mesh& input, con
  */
 [[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
 {
-  throw Insertion_error("rounding errors have caused incorrect flips in the face of halfedge " +
-                            std::to_string(face.idx()),
-                        {static_cast<std::size_t>(face.idx())});
+  throw_naming<Insertion_error>("rounding errors have caused incorrect flips in the face of halfedge ", face);
 }
 
 /* Returns the side of an input face, given by any of its halfedges, on which a point of an edge lies; for an interior

@@ -121,8 +121,7 @@ public:
       else if(kind(at) == Location_kind::EDGE)
         m_sequences.cross(side_of_edge(at), i);
       else
-        throw Invalid_curve_error("point " + std::to_string(i) + " lies inside a face, but is not an end of the curve",
-                                  {i});
+        throw_naming<Invalid_curve_error>("point ", Element{i}, " lies inside a face, but is not an end of the curve");
     }
     if(is_closed)
       m_sequences.arrive(m_first, given.size());
@@ -140,7 +139,7 @@ private:
     else if constexpr(std::is_convertible<const Place*, const Curve_place<Mesh>*>::value)
       return place.location;
     else
-      return face_location_of(m_triangulation, m_mesh, located_place(m_triangulation, m_mesh, place));
+      return face_location_of(m_triangulation, m_mesh, located_place(m_triangulation, place));
   }
 
   // Returns the side on whose edge a location lies, in its face.
@@ -164,8 +163,7 @@ private:
     const Input_halfedge_index h =
         given == Graph::null_halfedge() ? Input_halfedge_index() : Input_halfedge_index(input.index(given));
     if(!h.is_valid())
-      throw Invalid_curve_error("point " + std::to_string(number) + " of the curve is not on a halfedge of the mesh",
-                                {number});
+      throw_naming<Invalid_curve_error>("point ", Element{number}, " of the curve is not on a halfedge of the mesh");
     return h;
   }
 
@@ -176,16 +174,13 @@ private:
       return {halfedge(crossing->first, number), {{1 - crossing->second, crossing->second, 0}}};
     if(const auto* point = std::get_if<Point_of_face>(&given)) {
       if(!is_face(point->first, m_mesh))
-        throw Invalid_location_error("point " + std::to_string(number) +
-                                     " of the curve is not in any face of the mesh");
+        throw_naming<Invalid_location_error>("point ", Element{number}, " of the curve is not in any face of the mesh");
       return {input.index(graph_halfedge(point->first, m_mesh)), point->second};
     }
     const Vertex_index v = m_triangulation.index(std::get<Vertex>(given));
-    check_vertex(v, input.number_of_vertices());
+    check_vertex(v, input.number_of_vertices(), number);
     if(input.outgoing(v) == null_index)
-      throw Vertex_out_of_range_error("a curve passes vertex " + std::to_string(v.idx()) +
-                                          ", which does not belong to any face",
-                                      {static_cast<std::size_t>(v.idx())});
+      throw_naming<Vertex_out_of_range_error>("a curve passes vertex ", v, ", which does not belong to any face");
     return {input.outgoing(v), {{1, 0, 0}}};
   }
 

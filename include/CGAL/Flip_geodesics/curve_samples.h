@@ -72,8 +72,7 @@ public:
   Surface_direction operator()(const LocationRange& locations, const Surface_direction& direction,
                                Input_halfedge_index halfedge = null_index) const
   {
-    const std::vector<Surface_location> places =
-        internal::locations_of_curve(m_triangulation, m_triangulation.input().uncontracted().mesh(), locations);
+    const std::vector<Surface_location> places = internal::located_places(m_triangulation, locations, false);
     const internal::Transport_sleeve<Triangulation> sleeve(m_triangulation, places);
     if(!std::isfinite(direction.angle))
       throw Invalid_parameter_error("the angle of a direction is not a finite number");
@@ -116,8 +115,7 @@ public:
   template <class LocationRange>
   Located_curve(const Triangulation& triangulation, const LocationRange& locations)
     : m_triangulation(triangulation)
-    , m_sleeve(triangulation,
-               internal::locations_of_curve(triangulation, triangulation.input().uncontracted().mesh(), locations))
+    , m_sleeve(triangulation, internal::located_places(triangulation, locations, false))
     , m_lengths(1, 0.0)
   {
     for(std::size_t i = 0; i < m_sleeve.legs().size(); ++i) {
@@ -327,10 +325,10 @@ bool is_one_place(const Input_mesh& input, const Surface_location& p, const Surf
 
 /* Returns a curve that is given by surface points of any kind. */
 template <class Triangulation, class TriangleMesh, class PlaceRange>
-Located_curve<Triangulation> located_curve(const Triangulation& triangulation, const TriangleMesh& mesh,
+Located_curve<Triangulation> located_curve(const Triangulation& triangulation, const TriangleMesh&,
                                            const PlaceRange& curve)
 {
-  return {triangulation, locations_of_curve(triangulation, mesh, curve)};
+  return {triangulation, located_places(triangulation, curve, false)};
 }
 
 } // namespace internal

@@ -625,7 +625,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * \cgalNamedParamsEnd
  *
  * \return the past-the-end output iterator, and a report with exactly one curve
- * \throws Invalid_curve_error if fewer than two points are given, or the number of iterations is out of range
+ * \throws Invalid_curve_error if fewer than two points are given
+ * \throws Invalid_parameter_error if the number of iterations is out of range
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Distant_point_error if a point in space is too far from the surface
  * \throws Insertion_error as `Geodesic_spline` does
@@ -648,8 +649,8 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
   static_assert(std::is_integral<std::remove_const_t<decltype(rounds)>>::value,
                 "number_of_iterations() must be an integer");
   if(rounds < 0 || static_cast<std::uintmax_t>(rounds) > 30)
-    throw Invalid_curve_error("number_of_iterations is " + std::to_string(rounds) +
-                              ", but the number of subdivisions of a spline must be between 0 and 30");
+    throw Invalid_parameter_error("number_of_iterations is " + std::to_string(rounds) +
+                                  ", but the number of subdivisions of a spline must be between 0 and 30");
   const auto locate = [&](const auto& triangulation) {
     return internal::located(triangulation, mesh, control_points, options);
   };

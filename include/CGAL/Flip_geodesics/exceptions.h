@@ -4,9 +4,11 @@
 #define CGAL_FLIP_GEODESICS_EXCEPTIONS_H
 
 #include <cstddef>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,6 +61,42 @@ public:
 private:
   std::vector<std::size_t> m_elements;
 };
+
+namespace internal {
+
+/* An element of an error, by its number. */
+struct Element
+{
+  std::size_t number;
+  std::size_t idx() const { return number; }
+};
+
+template <class T, class = void>
+constexpr bool is_element = false;
+template <class T>
+constexpr bool is_element<T, std::void_t<decltype(std::declval<const T&>().idx())>> = true;
+
+/* Throws an error whose message consists of the given parts. The descriptors and elements among these are written as
+ * numbers, and are the elements of the error. */
+template <class Exception, class... Parts>
+[[noreturn]] void throw_naming(const Parts&... parts)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  std::vector<std::size_t> elements;
+  const auto add = [&](const auto& part) {
+    if constexpr(is_element<std::decay_t<decltype(part)>>) {
+      text << part.idx();
+      elements.push_back(static_cast<std::size_t>(part.idx()));
+    } else {
+      text << part;
+    }
+  };
+  (add(parts), ...);
+  throw Exception(text.str(), std::move(elements));
+}
+
+} // namespace internal
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the connectivity of the input is not that of an oriented triangulated surface: a face is not a
@@ -130,7 +168,7 @@ private:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a coordinate or an edge length is NaN, infinite, or too large or too small for computations; lengths
 /// must lie between 1e-70 and 1e70. It is also thrown if the offset of a source is negative, not finite, or far too
-/// large for the mesh.
+/// large for the mesh. `elements()` is the vertex, the two vertices of the edge, or the number of the source.
 class Invalid_coordinate_error : public Error
 {
 public:
@@ -150,7 +188,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a vertex does not belong to the mesh.
+/// Is thrown if a vertex does not belong to the mesh. `elements()` is the vertex, if it has an index, or the position of
+/// the vertex among several given ones.
 class Vertex_out_of_range_error : public Error
 {
 public:
@@ -158,7 +197,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if no edge path connects the two vertices in `elements()`.
+/// Is thrown if no edge path connects the two vertices in `elements()`, or no path connects a point of a mean, whose
+/// position is in `elements()`, and the others.
 class Disconnected_endpoints_error : public Error
 {
 public:
@@ -167,8 +207,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a location is not a point of the surface: its face or halfedge does not belong to the mesh, or its
-/// weights are negative, NaN, all zero, or do not sum to one although this is required. `elements()` is the halfedge if
-/// it exists.
+/// weights are negative, NaN, all zero, or do not sum to one although this is required. `elements()` is the position of the
+/// location among several given ones; for a single one, it is the halfedge if this exists.
 class Invalid_location_error : public Error
 {
 public:
@@ -195,8 +235,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a curve is empty or not a chain of edges of the mesh, if a curve of a network would be a point because
-/// all its waypoints coincide, or if a curve is open where a closed one is required.
+/// Is thrown if a curve is empty, is not a chain of edges of the mesh or of points in common faces, is or would be a
+/// single point, is open where a closed one is required, or does not start at a required point. `elements()` are
+/// positions in the curve, the number of the curve, or vertices of it.
 class Invalid_curve_error : public Error
 {
 public:
@@ -214,7 +255,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if an edge would have to be flipped or split although a curve of a network lies on it; if a network is
-/// being changed, only the curves of other networks count. In this case nothing has been changed.
+/// being changed, only the curves of other networks count. In this case nothing has been changed. `elements()` is the
+/// halfedge of the point to be inserted, if there is one.
 class Occupied_triangulation_error : public Error
 {
 public:

@@ -320,9 +320,8 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedPa
   const auto& options = internal::options_of<internal::Limit_parameter, internal_np::visitor_t>(np...);
   internal::check_is_grown(tree);
   if(tree.triangulation().is_inserted(tree.source()))
-    throw Vertex_out_of_range_error("shortest paths must start at a vertex of the input mesh, but vertex " +
-                                        std::to_string(tree.source().idx()) + " was inserted",
-                                    {static_cast<std::size_t>(tree.source().idx())});
+    internal::throw_naming<Vertex_out_of_range_error>(
+        "shortest paths must start at a vertex of the input mesh, but vertex ", tree.source(), " was inserted");
   internal::check_has_no_curves(tree.triangulation(), "the paths of a tree cannot be replaced");
   const std::size_t most_windows = internal::search_limit_of<Window_limit>(options)(
       static_cast<std::size_t>(tree.triangulation().number_of_vertices()));

@@ -118,8 +118,8 @@ public:
     double largest = 0;
     for(std::size_t i = 0; i < m_weights.size(); ++i) {
       if(!(m_weights[i] >= 0 && std::isfinite(m_weights[i])))
-        throw Invalid_parameter_error(
-            "the weight of point " + std::to_string(i) + " of a mean must be finite and not negative", {i});
+        internal::throw_naming<Invalid_parameter_error>("the weight of point ", internal::Element{i},
+                                                        " of a mean must be finite and not negative");
       largest = (std::max)(largest, m_weights[i]);
     }
     if(!(largest > 0))
@@ -223,8 +223,8 @@ private:
         continue;
       const Polar_coordinates p = logarithm(m_points[i]);
       if(!(p.radius < std::numeric_limits<double>::infinity()))
-        throw Disconnected_endpoints_error("no path connects point " + std::to_string(i) + " of a mean with the others",
-                                           {i});
+        internal::throw_naming<Disconnected_endpoints_error>("no path connects point ", internal::Element{i},
+                                                             " of a mean with the others");
       const auto [x, y] = logarithm.in_plane(p);
       sum[0] += m_weights[i] * x;
       sum[1] += m_weights[i] * y;
@@ -242,9 +242,8 @@ private:
   {
     const Vertex_index v =
         m_triangulation.input().tail(internal::canonical_location(m_triangulation.input(), place).halfedge);
-    throw Degenerate_face_error("all faces of vertex " + std::to_string(v.idx()) +
-                                    " have an angle of 0 there, so the direction to a mean is undefined",
-                                {static_cast<std::size_t>(v.idx())});
+    internal::throw_naming<Degenerate_face_error>("all faces of vertex ", v,
+                                                  " have an angle of 0 there, so the direction to a mean is undefined");
   }
 
   const Triangulation& m_triangulation;

@@ -163,8 +163,8 @@ template <class Triangulation>
 std::vector<Halfedge_index> shortest_intrinsic_edge_path(const Triangulation& triangulation, Vertex_index source,
                                                          Vertex_index target)
 {
-  for(Vertex_index v : {source, target})
-    internal::check_vertex(v, triangulation.number_of_vertices());
+  internal::check_vertex(source, triangulation.number_of_vertices(), "the source");
+  internal::check_vertex(target, triangulation.number_of_vertices(), "the target");
   std::vector<Halfedge_index> path = internal::intrinsic_edge_path(triangulation, source, target);
   if(path.empty() && source != target)
     internal::throw_disconnected(source, target);

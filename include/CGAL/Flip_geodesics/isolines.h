@@ -85,8 +85,7 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
 {
   for(std::size_t i = 0; i < levels.size(); ++i)
     if(!std::isfinite(levels[i]))
-      throw Invalid_parameter_error("level " + std::to_string(i) + " is " + written(levels[i]) + ", but must be finite",
-                                    {i});
+      throw_naming<Invalid_parameter_error>("level ", Element{i}, " is ", levels[i], ", but must be finite");
   std::vector<double> result = levels;
   std::sort(result.begin(), result.end());
   return result;

@@ -248,8 +248,8 @@ public:
 
   std::vector<Halfedge_index> path(Vertex_index source, Vertex_index target, internal::Interruption* interruption)
   {
-    internal::check_vertex(source, m_triangulation->input().number_of_vertices());
-    internal::check_vertex(target, m_triangulation->input().number_of_vertices());
+    internal::check_vertex(source, m_triangulation->input().number_of_vertices(), "the source");
+    internal::check_vertex(target, m_triangulation->input().number_of_vertices(), "the target");
     start(source);
     direct(source, target);
     bool is_found = false;

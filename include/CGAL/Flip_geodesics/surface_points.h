@@ -64,7 +64,7 @@ Surface_location surface_location(
 {
   const Vertex_index i = triangulation.input().index(v);
   if(i == null_index || triangulation.input().outgoing(i) == null_index)
-    throw Vertex_out_of_range_error("a location is at a vertex that does not belong to any face of the mesh");
+    internal::throw_no_face_at(i);
   return triangulation.location(i);
 }
 
@@ -97,12 +97,12 @@ Surface_location surface_location(
 {
   if(!internal::is_face(location.first, mesh))
     throw Invalid_location_error("a location is not in any face of the mesh");
-  const auto refuse = [](const std::string& before, const std::string& after) {
-    throw Invalid_location_error(before + "a location" + after);
+  const Input_halfedge_index h = triangulation.input().index(internal::graph_halfedge(location.first, mesh));
+  const auto refuse = [h](const std::string& before, const std::string& after) {
+    internal::throw_naming<Invalid_location_error>(before, "a location in the face of halfedge ", h, after);
   };
   const auto weight = [&](std::size_t i) { return internal::imported_number(location.second[i]); };
-  const Surface_location result = {triangulation.input().index(internal::graph_halfedge(location.first, mesh)),
-                                   internal::snapped_weights({{weight(0), weight(1), weight(2)}}, snap, refuse)};
+  const Surface_location result = {h, internal::snapped_weights({{weight(0), weight(1), weight(2)}}, snap, refuse)};
   internal::check_location(triangulation.input(), result);
   return result;
 }
@@ -199,9 +199,7 @@ private:
     const Vertex_index v = input.tail(h);
     const Place_in_space p = half_of(triangulation->metric().point(input, v));
     if(!are_finite(p))
-      throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) +
-                                         " has a coordinate that is not a finite number",
-                                     {static_cast<std::size_t>(v.idx())});
+      throw_naming<Invalid_coordinate_error>("vertex ", v, " has a coordinate that is not a finite number");
     return p;
   }
 };
@@ -291,6 +289,19 @@ template <class T>
 constexpr bool
     is_face_location<T, std::void_t<decltype(std::declval<T>().first), decltype(std::declval<T>().second[0])>> = true;
 
+/* Returns `locate()`. Errors begin with the name of a point, which contains their elements. */
+template <class Locate, class... Name>
+auto located_by_name(const Locate& locate, const Name&... name)
+{
+  try {
+    return locate();
+  } catch(const Invalid_location_error& error) {
+    throw_naming<Invalid_location_error>(name..., ": ", error.what());
+  } catch(const Vertex_out_of_range_error& error) {
+    throw_naming<Vertex_out_of_range_error>(name..., ": ", error.what());
+  }
+}
+
 /* Converts surface points of any kinds, and variants of several kinds, to locations, with one `Nearest_face` for all
  * points in space. */
 template <class Triangulation>
@@ -323,6 +334,18 @@ public:
       else
         return {}; // so that no other message follows
     }
+  }
+
+  /* Converts the point at a position among several ones, which errors name. */
+  template <class Place>
+  Surface_location at(std::size_t position, const Place& place, bool is_snapped = true)
+  {
+    const auto locate = [&] {
+      const Surface_location result = is_snapped ? (*this)(place) : unsnapped(place);
+      check_location(m_triangulation.input(), result);
+      return result;
+    };
+    return located_by_name(locate, "point ", Element{position});
   }
 
   /* Converts without moving a Face_location to a nearby edge or vertex, so that curves continue from every end. */
@@ -361,14 +384,15 @@ Surface_location located_place(const Triangulation& triangulation, const Place& 
 }
 
 template <class Triangulation, class PlaceRange>
-std::vector<Surface_location> located_places(const Triangulation& triangulation, const PlaceRange& places)
+std::vector<Surface_location> located_places(const Triangulation& triangulation, const PlaceRange& places,
+                                             bool are_snapped = true)
 {
   static_assert(is_range<PlaceRange>, "a range of points on the surface is expected here");
   std::vector<Surface_location> result;
   if constexpr(is_range<PlaceRange>) {
     Place_finder<Triangulation> find(triangulation, triangulation.input().uncontracted().mesh());
     for(const auto& place : places)
-      result.push_back(find(place));
+      result.push_back(find.at(result.size(), place, are_snapped));
   }
   return result;
 }
@@ -378,27 +402,6 @@ template <class Triangulation, class TriangleMesh, class Place>
 Surface_location trace_start(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
   return Place_finder<Triangulation>(triangulation, mesh).unsnapped(place);
-}
-
-/* Returns the locations of a curve that is given by surface points of any kind, without snapping. */
-template <class Triangulation, class TriangleMesh, class PlaceRange>
-std::vector<Surface_location> locations_of_curve(const Triangulation& triangulation, const TriangleMesh& mesh,
-                                                 const PlaceRange& curve)
-{
-  static_assert(is_range<PlaceRange>, "a range of points on the surface is expected here");
-  std::vector<Surface_location> result;
-  if constexpr(is_range<PlaceRange>) {
-    Place_finder<Triangulation> find(triangulation, mesh);
-    for(const auto& place : curve)
-      result.push_back(find.unsnapped(place));
-  }
-  return result;
-}
-
-template <class Triangulation, class TriangleMesh, class Place>
-Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
-{
-  return Place_finder<Triangulation>(triangulation, mesh)(place);
 }
 
 } // namespace internal

@@ -196,7 +196,8 @@ public:
       throw Invalid_parameter_error("the fraction of a path must be between 0 and 1");
     const std::optional<Transport_sleeve> path = path_to(location);
     if(!path)
-      throw_no_path(location);
+      internal::throw_disconnected_points(m_triangulation.input().tail(m_place.halfedge),
+                                          m_triangulation.input().tail(location.halfedge));
     double length = part * path_length(*path);
     for(std::size_t i = 0; i < path->legs().size(); ++i) {
       const auto start = path->start(i);
@@ -259,15 +260,6 @@ private:
         .trace(place, Surface_direction{from, frame.angle(position, from)}, length, Emptyset_iterator(),
                parameters::number_of_iterations((std::numeric_limits<std::size_t>::max)()))
         .location;
-  }
-
-  [[noreturn]] void throw_no_path(const Surface_location& location) const
-  {
-    const Vertex_index v = m_triangulation.input().tail(m_place.halfedge),
-                       w = m_triangulation.input().tail(location.halfedge);
-    throw Disconnected_endpoints_error("no path connects a point near vertex " + std::to_string(v.idx()) +
-                                           " with a point near vertex " + std::to_string(w.idx()),
-                                       {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
   }
 
   // Returns the shortest path as a sleeve, with the exact shortest path in it.
@@ -469,7 +461,7 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
   using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Direction = std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>;
   const Surface surface = internal::make_surface(mesh, options);
-  const std::vector<Surface_location> locations = internal::locations_of_curve(surface, mesh, curve);
+  const std::vector<Surface_location> locations = internal::located_places(surface, curve, false);
   const Surface_direction end =
       Parallel_transport<Surface>(surface)(locations, {surface.input().index(direction.first), direction.second});
   return Direction(surface.input().halfedge(end.halfedge), end.angle);
@@ -517,7 +509,7 @@ auto parallel_transport(const TriangleMesh& mesh, const LocationRange& curve, co
                 "halfedge and an angle");
   const Surface surface = internal::make_surface(mesh, options);
   const internal::Place_in_space v = internal::transported_vector(
-      surface, internal::locations_of_curve(surface, mesh, curve),
+      surface, internal::located_places(surface, curve, false),
       {{CGAL::to_double(vector.x()), CGAL::to_double(vector.y()), CGAL::to_double(vector.z())}});
   return typename Surface::Metric::Kernel::Vector_3(v[0], v[1], v[2]);
 }

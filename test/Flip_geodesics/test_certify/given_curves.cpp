@@ -418,7 +418,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_curve_is_refused)
   check_refused<Curve_error>(mesh, {on_2, place(1)}, {0}, true); // closed, and starts elsewhere
   check_bend(certified(mesh, {place(1), place(0)}, true), Verdict::BENT_JOINT, pi, 1, 0,
              FG::Side::LEFT); // there and back
-  check_refused<FG::Vertex_out_of_range_error>(mesh, {place(1), on_2, place(1000)}, {});
+  check_refused<FG::Vertex_out_of_range_error>(mesh, {place(1), on_2, place(1000)}, {2});
   for(double weight : {-1e-17, std::nan(""), 1e-120})
     BOOST_CHECK_THROW(certified(mesh, {in_face(weight), place(0)}), FG::Invalid_location_error);
   for(double t : {-1e-17, 1.5, std::nan("")})

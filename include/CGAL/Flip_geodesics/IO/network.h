@@ -215,9 +215,8 @@ public:
 
   [[noreturn]] void fail(const char* what) const
   {
-    throw File_format_error("the saved network is corrupt: no valid " + std::string(what) + " after " +
-                                std::to_string(m_count) + " words",
-                            {m_count});
+    throw_naming<File_format_error>("the saved network is corrupt: no valid ", what, " after ", Element{m_count},
+                                    " words");
   }
 
 private:
@@ -323,9 +322,8 @@ template <class Triangulation>
 void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
 {
   const auto fail = [](std::size_t i) {
-    throw File_format_error("the saved network was made with other traits, or another version of them: entry " +
-                                std::to_string(i) + " of its flip log cannot be repeated",
-                            {i});
+    throw_naming<File_format_error>("the saved network was made with other traits, or another version of them: entry ",
+                                    Element{i}, " of its flip log cannot be repeated");
   };
   const auto is_repeated = [&](const Log_entry& entry) { // false if a logged insertion is rejected
     try {

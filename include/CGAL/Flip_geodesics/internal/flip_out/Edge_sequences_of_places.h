@@ -149,7 +149,7 @@ public:
 private:
   [[noreturn]] static void refuse(std::size_t number, const std::string& what)
   {
-    throw Invalid_curve_error("point " + std::to_string(number) + " of the curve " + what, {number});
+    throw_naming<Invalid_curve_error>("point ", Element{number}, " of the curve ", what);
   }
 
   bool leads_on_through(Input_halfedge_index h) const

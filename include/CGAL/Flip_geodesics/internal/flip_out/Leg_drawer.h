@@ -333,9 +333,8 @@ private:
     if(!is_occupied(h))
       return;
     const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
-    throw Crossing_curves_error("a geodesic of a curve through points crosses a curve between vertex " +
-                                    std::to_string(v.idx()) + " and vertex " + std::to_string(w.idx()),
-                                {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+    throw_naming<Crossing_curves_error>("a geodesic of a curve through points crosses a curve between vertex ", v,
+                                        " and vertex ", w);
   }
 
   Network& m_network;

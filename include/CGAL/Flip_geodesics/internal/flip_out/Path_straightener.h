@@ -61,9 +61,8 @@ std::vector<Surface_location> canonical_polyline(const Input_mesh& input, const 
     result.push_back(result.front());
   for(std::size_t i = 0; i + 1 < result.size(); ++i)
     if(common_face(input, result[i], result[i + 1]) == null_index)
-      throw Invalid_curve_error("points " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                                    " of a polyline do not lie in a common face",
-                                {i, i + 1});
+      throw_naming<Invalid_curve_error>("points ", Element{i}, " and ", Element{i + 1},
+                                        " of a polyline do not lie in a common face");
   return result;
 }
 
@@ -383,23 +382,14 @@ private:
     if(m_triangulation.holds(Triangulation::edge(h)) == 0 && m_drawn.count(Triangulation::edge(h)) == 0)
       return;
     const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
-    throw Crossing_curves_error("a segment of a polyline crosses a curve between vertex " + std::to_string(v.idx()) +
-                                    " and vertex " + std::to_string(w.idx()),
-                                {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+    throw_naming<Crossing_curves_error>("a segment of a polyline crosses a curve between vertex ", v, " and vertex ",
+                                        w);
   }
 
   Network& m_network;
   Triangulation& m_triangulation;
   std::set<Edge_index> m_drawn; // by this polyline
 };
-
-/* Two points that no path connects are named by vertices of their faces, as they need not be vertices. */
-[[noreturn]] inline void throw_disconnected_points(Vertex_index v, Vertex_index w)
-{
-  throw Disconnected_endpoints_error("no path connects a point near vertex " + std::to_string(v.idx()) +
-                                         " with a point near vertex " + std::to_string(w.idx()),
-                                     {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
-}
 
 /* Rolls changes of a triangulation back at the end of its scope, also after an exception. */
 template <class Triangulation>

@@ -132,9 +132,8 @@ auto compute_on_surface(Surfaces&& surfaces, const Compute& compute)
 
 [[noreturn]] inline void throw_no_surface_left(Vertex_index v)
 {
-  throw Degenerate_face_error("no surface remains at vertex " + std::to_string(v.idx()) +
-                                  " after the contraction of degenerate faces that share a zero-length edge",
-                              {static_cast<std::size_t>(v.idx())});
+  throw_naming<Degenerate_face_error>("no surface remains at vertex ", v,
+                                      " after the contraction of degenerate faces that share a zero-length edge");
 }
 
 /* Returns a halfedge of the mesh from one vertex to another, the first clockwise, or null_index. */
@@ -183,10 +182,8 @@ std::vector<Halfedge_index> contracted_halfedges_through(const Input_mesh& contr
   for(std::size_t i = 0; i + 1 < vertices.size(); ++i) {
     const Input_halfedge_index h = uncontracted_halfedge_between(contracted, vertices[i], vertices[i + 1]);
     if(h == null_index)
-      throw Invalid_curve_error(
-          "a curve is not connected: no edge connects vertex " + std::to_string(vertices[i].idx()) + " and vertex " +
-              std::to_string(vertices[i + 1].idx()),
-          {static_cast<std::size_t>(vertices[i].idx()), static_cast<std::size_t>(vertices[i + 1].idx())});
+      throw_naming<Invalid_curve_error>("a curve is not connected: no edge connects vertex ", vertices[i],
+                                        " and vertex ", vertices[i + 1]);
     if(!add_contracted_halfedge(contracted, h, result))
       throw_no_surface_left(vertices[i]);
   }

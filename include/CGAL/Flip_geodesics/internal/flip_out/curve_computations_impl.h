@@ -161,8 +161,7 @@ Computed_output<Form> path_in_one_place(const Triangulation& triangulation, cons
   if(triangulation.input().outgoing(v) == null_index) {
     if(triangulation.input().is_contracted())
       throw_no_surface_left(v);
-    throw Vertex_out_of_range_error("vertex " + std::to_string(v.idx()) + " is not in any face of the mesh",
-                                    {static_cast<std::size_t>(v.idx())});
+    throw_naming<Vertex_out_of_range_error>("vertex ", v, " is not in any face of the mesh");
   }
   Computed_output<Form> result;
   result.report.curves.push_back(report_of_point(triangulation));

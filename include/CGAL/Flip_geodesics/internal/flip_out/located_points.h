@@ -73,7 +73,7 @@ public:
     if constexpr(Is_variant<Place>::value) {
       std::visit([this](const auto& p) { this->add(p); }, place);
     } else {
-      m_points.locations.push_back(m_find(place));
+      m_points.locations.push_back(m_find.at(m_points.locations.size(), place));
       m_points.distances.push_back(0);
       if constexpr(Place_finder<Triangulation>::template is_in_space<Place>)
         note_distance(place);
@@ -92,10 +92,9 @@ private:
     const double distance = 2 * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     m_points.distances[i] = distance;
     if(!(distance <= m_greatest_distance))
-      throw Distant_point_error("point " + std::to_string(i) + " is " + written(distance) +
-                                    " away from the surface, which exceeds the greatest distance of " +
-                                    written(m_greatest_distance),
-                                {i});
+      throw_naming<Distant_point_error>("point ", Element{i}, " is ", distance,
+                                        " away from the surface, which exceeds the greatest distance of ",
+                                        m_greatest_distance);
   }
 
   const Triangulation& m_triangulation;

@@ -881,7 +881,7 @@ void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfed
     if(!h.is_valid() || h.idx() >= triangulation.number_of_halfedges())
       throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
     if(last != null_index && triangulation.head(last) != triangulation.tail(h))
-      throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});
+      throw_naming<Invalid_curve_error>("a curve is not connected at position ", Element{position});
     triangulation.length(h); // copies its face, which may throw: before the network changes
     if(first == null_index)
       first = h;

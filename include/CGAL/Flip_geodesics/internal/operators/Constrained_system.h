@@ -134,9 +134,8 @@ inline void check_every_component(const std::vector<Index>& component, const std
       has_value[component[v]] = 1;
   for(std::size_t v = 0; v < component.size(); ++v)
     if(is_isolated[v] == 0 && has_value[component[v]] == 0)
-      throw Singular_problem_error("no value is given in the connected component of vertex " + std::to_string(v) +
-                                       "; the solution is not unique",
-                                   {v});
+      throw_naming<Singular_problem_error>("no value is given in the connected component of vertex ", Element{v},
+                                           "; the solution is not unique");
 }
 
 /*

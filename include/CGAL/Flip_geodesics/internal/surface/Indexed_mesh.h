@@ -273,9 +273,14 @@ private:
     m_previous.resize(m_next.size());
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(number_of_halfedges())) {
       if(m_next[h] == null_index)
-        throw Invalid_mesh_error("a halfedge of the mesh has no next halfedge");
+        throw_no_next(m_tail[h], m_tail[twin_index(h)]);
       m_previous[m_next[h]] = h;
     }
+  }
+
+  [[noreturn]] static void throw_no_next(Vertex_index v, Vertex_index w)
+  {
+    throw_naming<Invalid_mesh_error>("the halfedge from vertex ", v, " to vertex ", w, " has no next halfedge");
   }
 
   const TriangleMesh* m_mesh;

@@ -150,11 +150,8 @@ private:
         continue;
       const Input_halfedge_index k = next_side(g);
       if(k == g || (next_side(k) == g && !m_metric.are_equally_long(g, k)))
-        throw Degenerate_face_error(
-            "a face has a zero-length edge between vertices " + std::to_string(m_input.tail(h).idx()) + " and " +
-                std::to_string(m_input.tail(twin_index(h)).idx()) + ", and two other edges of different lengths",
-            {static_cast<std::size_t>(m_input.tail(h).idx()),
-             static_cast<std::size_t>(m_input.tail(twin_index(h)).idx())});
+        throw_naming<Degenerate_face_error>("a face has a zero-length edge between vertices ", m_input.tail(h), " and ",
+                                            m_input.tail(twin_index(h)), ", and two other edges of different lengths");
     }
   }
 
@@ -309,10 +306,8 @@ private:
     for(auto member = first; member != last; ++member)
       if(m_result.outgoing[member->second] == null_index)
         return member->second;
-    throw Degenerate_face_error(
-        "at vertex " + std::to_string(v.idx()) +
-            ", contraction yields more umbrellas than there are coincident vertices to represent them",
-        {static_cast<std::size_t>(v.idx())});
+    throw_naming<Degenerate_face_error>(
+        "at vertex ", v, ", contraction yields more umbrellas than there are coincident vertices to represent them");
   }
 
   void collect_members(const Vertices& merged)

@@ -48,13 +48,12 @@ inline bool is_longer_than_sum(double a, double b, double c)
 
 [[noreturn]] inline void throw_unusable_length(double length, Vertex_index v, Vertex_index w)
 {
-  const std::string edge = "the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx());
-  const std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())};
   if(length == 0)
-    throw Degenerate_face_error(edge + " has length zero", elements, Degeneracy_remedy::CONTRACT);
-  throw Invalid_coordinate_error(edge + " has the length " + written(length) +
-                                     ", which is not a number between 1e-70 and 1e70; scale the mesh",
-                                 elements);
+    throw Degenerate_face_error(
+        "the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx()) + " has length zero",
+        {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())}, Degeneracy_remedy::CONTRACT);
+  throw_naming<Invalid_coordinate_error>("the edge between vertices ", v, " and ", w, " has the length ", length,
+                                         ", which is not a number between 1e-70 and 1e70; scale the mesh");
 }
 
 inline bool satisfy_triangle_inequality(double a, double b, double c)
@@ -84,10 +83,9 @@ bool is_usable_face(const Metric& metric, const Input_mesh& mesh, Input_halfedge
 template <class Input_mesh>
 [[noreturn]] void throw_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h)
 {
-  const Index u = mesh.tail(h).idx(), v = mesh.tail(mesh.next(h)).idx(), w = mesh.tail(mesh.previous(h)).idx();
-  throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(u) + ", " +
-                                  std::to_string(v) + ", " + std::to_string(w) + " violate the triangle inequality",
-                              {static_cast<std::size_t>(u), static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
+  throw_naming<Degenerate_face_error>("the edge lengths of the face with vertices ", mesh.tail(h), ", ",
+                                      mesh.tail(mesh.next(h)), ", ", mesh.tail(mesh.previous(h)),
+                                      " violate the triangle inequality");
 }
 
 /* Returns the length of an edge for a metric that defines its weight. \throws the exceptions of IntrinsicMetric */
@@ -238,44 +236,50 @@ void check_has_face(const Input_mesh& input, Input_halfedge_index h)
   if(!input.is_border(t))
     return;
   const Vertex_index v = input.tail(h), w = input.tail(t);
-  throw Invalid_mesh_error("the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx()) +
-                               " does not belong to a face",
-                           {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+  throw_naming<Invalid_mesh_error>("the edge between vertices ", v, " and ", w, " does not belong to a face");
 }
 
 [[noreturn]] inline void throw_disconnected(Vertex_index source, Vertex_index target)
 {
-  throw Disconnected_endpoints_error("vertices " + std::to_string(source.idx()) + " and " +
-                                         std::to_string(target.idx()) + " lie in different connected components",
-                                     {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
+  throw_naming<Disconnected_endpoints_error>("vertices ", source, " and ", target,
+                                             " lie in different connected components");
 }
 
-/* A descriptor of no vertex of the mesh has the index `null_index`, which the message omits. */
-[[noreturn]] inline void throw_vertex_out_of_range(Vertex_index v, Index number_of_vertices, const std::string& place,
-                                                   const std::vector<std::size_t>& elements)
+/* Two points that no path connects are named by vertices of their faces, as they need not be vertices. */
+[[noreturn]] inline void throw_disconnected_points(Vertex_index v, Vertex_index w)
 {
-  const std::string vertex = v == null_index ? "a given vertex" : "vertex " + std::to_string(v.idx());
-  throw Vertex_out_of_range_error(
-      vertex + place + " is not one of the " + std::to_string(number_of_vertices) + " vertices", elements);
+  throw_naming<Disconnected_endpoints_error>("no path connects a point near vertex ", v, " with a point near vertex ",
+                                             w);
+}
+
+[[noreturn]] inline void throw_no_face_at(Vertex_index v)
+{
+  constexpr const char* reason = ", which does not belong to any face of the mesh";
+  if(!v.is_valid())
+    throw_naming<Vertex_out_of_range_error>("a location is at a vertex", reason);
+  throw_naming<Vertex_out_of_range_error>("a location is at vertex ", v, reason);
 }
 
 inline bool is_vertex(Vertex_index v, Index number_of_vertices) { return v.is_valid() && v.idx() < number_of_vertices; }
 
-/* Throws Vertex_out_of_range_error unless `v` is less than the number of vertices. */
-inline void check_vertex(Vertex_index v, Index number_of_vertices)
+/* Throws Vertex_out_of_range_error unless `v` is less than the number of vertices. The message has the name of an
+ * argument that has no index. */
+inline void check_vertex(Vertex_index v, Index number_of_vertices, const char* argument = "a given vertex")
 {
-  if(!is_vertex(v, number_of_vertices))
-    throw_vertex_out_of_range(v, number_of_vertices, "",
-                              v.is_valid() ? std::vector<std::size_t>(1, static_cast<std::size_t>(v.idx()))
-                                           : std::vector<std::size_t>());
+  if(is_vertex(v, number_of_vertices))
+    return;
+  if(!v.is_valid())
+    throw_naming<Vertex_out_of_range_error>(argument, " is not one of the ", number_of_vertices, " vertices");
+  throw_naming<Vertex_out_of_range_error>("vertex ", v, " is not one of the ", number_of_vertices, " vertices");
 }
 
 /* Throws Vertex_out_of_range_error unless a vertex of a curve is less than the number of vertices. */
 inline void check_vertex(Vertex_index v, Index number_of_vertices, std::size_t position)
 {
   if(!is_vertex(v, number_of_vertices))
-    throw_vertex_out_of_range(v, number_of_vertices, " at position " + std::to_string(position) + " of a curve",
-                              {position});
+    throw_naming<Vertex_out_of_range_error>(v.is_valid() ? "vertex " + std::to_string(v.idx()) : "a given vertex",
+                                            " at position ", Element{position}, " of a curve is not one of the ",
+                                            number_of_vertices, " vertices");
 }
 
 /* Lays out faces in doubles: the part of `Intrinsic_triangulation_traits<K, double>` that metrics require. */

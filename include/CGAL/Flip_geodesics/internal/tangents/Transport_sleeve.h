@@ -291,9 +291,8 @@ private:
         return;
       const Input_halfedge_index face = face_between(last, place, location.halfedge);
       if(face == null_index)
-        throw Invalid_curve_error("points " + std::to_string(position - 1) + " and " + std::to_string(position) +
-                                      " of a curve do not lie in a common face",
-                                  {position - 1, position});
+        throw_naming<Invalid_curve_error>("points ", Element{position - 1}, " and ", Element{position},
+                                          " of a curve do not lie in a common face");
       m_legs.push_back({face, {}});
     }
     m_places.push_back(place);

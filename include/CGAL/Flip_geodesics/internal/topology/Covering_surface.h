@@ -181,8 +181,8 @@ private:
   static const auto& checked_input(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
   {
     const auto& input = triangulation.input();
-    check_vertex(source, input.number_of_vertices());
-    check_vertex(target, input.number_of_vertices());
+    check_vertex(source, input.number_of_vertices(), "the source");
+    check_vertex(target, input.number_of_vertices(), "the target");
     check_surface(input);
     if(input.outgoing(source) == null_index || input.outgoing(target) == null_index)
       throw_disconnected(source, target);

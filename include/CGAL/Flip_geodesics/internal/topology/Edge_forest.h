@@ -25,6 +25,11 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+[[noreturn]] inline void throw_meeting_umbrellas(Vertex_index v)
+{
+  throw_naming<Invalid_mesh_error>("umbrellas of the surface meet only at vertex ", v);
+}
+
 /*
  * Returns which vertices are on the border. Throws Invalid_mesh_error unless all faces are triangles, each edge belongs to a face, and the border passes each
  * vertex at most once: umbrellas that are connected at a vertex only do not form a surface, and loops through it have
@@ -42,11 +47,29 @@ Indexed_by<Vertex_index, std::vector<char>> check_surface(const Input_mesh& inpu
     check_has_face(input, h);
     const Vertex_index v = input.tail(h);
     if(is_on_border[v] != 0)
-      throw Invalid_mesh_error("umbrellas of the surface meet only at vertex " + std::to_string(v.idx()),
-                               {static_cast<std::size_t>(v.idx())});
+      throw_meeting_umbrellas(v);
     is_on_border[v] = 1;
   }
   return is_on_border;
+}
+
+/* Throws for the first vertex with a halfedge outside the umbrella of another one. */
+template <class Input_mesh>
+[[noreturn]] void throw_meeting_umbrellas(const Input_mesh& input)
+{
+  Indexed_by<Vertex_index, std::vector<Index>> others(static_cast<std::size_t>(input.number_of_vertices()), 0);
+  for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges()))
+    ++others[input.tail(h)];
+  for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices())) {
+    Input_halfedge_index h = input.outgoing(v);
+    for(bool is_first = true; h != null_index && (is_first || h != input.outgoing(v)); is_first = false) {
+      --others[v];
+      h = input.next(twin_index(h));
+    }
+    if(others[v] > 0)
+      throw_meeting_umbrellas(v);
+  }
+  throw Invalid_mesh_error("umbrellas of the surface meet only at a vertex");
 }
 
 /* Calls `use(border)` for each border, a chain of halfedges with the surface on the left, in the order of their
@@ -139,7 +162,7 @@ public:
         if(m_component[v] < 0 && input.outgoing(v) != null_index && (are_all_roots || is_preferred(v)))
           grow(v, search, policy);
     if(policy.number_of_steps() != static_cast<std::size_t>(input.number_of_halfedges()))
-      throw Invalid_mesh_error("two umbrellas of the surface meet only at a vertex");
+      throw_meeting_umbrellas(input);
   }
 
   /* Grows the trees without joined edges. */
@@ -287,13 +310,10 @@ private:
   void check_base_point(const Input_mesh& input, Vertex_index v) const
   {
     check_vertex(v, input.number_of_vertices());
-    const std::string name = "vertex " + std::to_string(v.idx());
     if(input.outgoing(v) == null_index)
-      throw Invalid_parameter_error(name + " is isolated and cannot be a base point",
-                                    {static_cast<std::size_t>(v.idx())});
+      throw_naming<Invalid_parameter_error>("vertex ", v, " is isolated and cannot be a base point");
     if(m_component[v] >= 0)
-      throw Invalid_parameter_error(name + " is in a component that already has a base point",
-                                    {static_cast<std::size_t>(v.idx())});
+      throw_naming<Invalid_parameter_error>("vertex ", v, " is in a component that already has a base point");
   }
 
   template <class SearchPolicy>

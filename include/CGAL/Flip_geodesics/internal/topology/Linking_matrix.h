@@ -290,10 +290,9 @@ public:
     std::uint64_t seed = 0;
     while(!project(seed))
       if(++seed == most_projections)
-        throw Degenerate_face_error(
-            "degenerate faces prevent the computation of linking numbers of loops through vertex " +
-                std::to_string(input().tail(generator(0)).idx()),
-            {static_cast<std::size_t>(input().tail(generator(0)).idx())});
+        throw_naming<Degenerate_face_error>(
+            "degenerate faces prevent the computation of linking numbers of loops through vertex ",
+            input().tail(generator(0)));
     check_matrix();
   }
 
@@ -414,9 +413,8 @@ private:
   [[noreturn]] void throw_crossing(Input_halfedge_index h) const
   {
     const Vertex_index v = input().tail(h), w = head(h);
-    throw Invalid_mesh_error("the surface touches or intersects itself at the edge between vertices " +
-                                 std::to_string(v.idx()) + " and " + std::to_string(w.idx()),
-                             {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+    throw_naming<Invalid_mesh_error>("the surface touches or intersects itself at the edge between vertices ", v,
+                                     " and ", w);
   }
 
   void cover(Piece& piece, const Direction& direction) const
@@ -485,10 +483,9 @@ private:
     }
     once = times(vector);
     if(2 * trace != m_size || times(once) != once)
-      throw Invalid_mesh_error(
-          "the surface intersects itself and does not bound a solid: loops of the component of vertex " +
-              std::to_string(input().tail(generator(0)).idx()) + " have inconsistent linking numbers",
-          {static_cast<std::size_t>(input().tail(generator(0)).idx())});
+      throw_naming<Invalid_mesh_error>(
+          "the surface intersects itself and does not bound a solid: loops of the component of vertex ",
+          input().tail(generator(0)), " have inconsistent linking numbers");
   }
 
   std::vector<std::uint64_t> times(const std::vector<std::uint64_t>& vector) const

@@ -319,9 +319,8 @@ private:
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input().number_of_halfedges()))
       if(input().is_border(h)) {
         const Vertex_index v = input().tail(h), w = input().tail(twin_index(h));
-        throw Invalid_mesh_error("the surface has a border between vertices " + std::to_string(v.idx()) + " and " +
-                                     std::to_string(w.idx()) + ", and does not bound a solid",
-                                 {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+        throw_naming<Invalid_mesh_error>("the surface has a border between vertices ", v, " and ", w,
+                                         ", and does not bound a solid");
       }
     return input();
   }
@@ -333,9 +332,7 @@ private:
                                                  imported_number(p.z())};
     for(double x : result)
       if(!(std::abs(x) < greatest_length))
-        throw Invalid_coordinate_error("a coordinate of vertex " + std::to_string(v.idx()) +
-                                           " is not a number between -1e70 and 1e70",
-                                       {static_cast<std::size_t>(v.idx())});
+        throw_naming<Invalid_coordinate_error>("a coordinate of vertex ", v, " is not a number between -1e70 and 1e70");
     return result;
   }
 
@@ -456,9 +453,8 @@ private:
     Integer exact(0);
     for_each_face(component, [&](const Places& corners) { exact += m_places.exact_volume(corners); });
     if(exact.sign() == 0)
-      throw Invalid_mesh_error("the component of vertex " + std::to_string(m_forest.roots()[component].idx()) +
-                                   " does not enclose a volume",
-                               {static_cast<std::size_t>(m_forest.roots()[component].idx())});
+      throw_naming<Invalid_mesh_error>("the component of vertex ", m_forest.roots()[component],
+                                       " does not enclose a volume");
     return exact.sign() > 0;
   }
 

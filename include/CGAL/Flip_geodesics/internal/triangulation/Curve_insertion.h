@@ -167,10 +167,10 @@ public:
         const auto all = vertices(m_mesh);
         const auto position =
             static_cast<std::size_t>(std::distance(all.begin(), std::find(all.begin(), all.end(), v)));
-        throw Invalid_coordinate_error("vertex " + std::to_string(position) +
-                                           ", a corner of a face that a curve enters, has a coordinate that is not a "
-                                           "finite number",
-                                       {position});
+        throw_naming<Invalid_coordinate_error>(
+            "vertex ", Element{position},
+            ", a corner of a face that a curve enters, has a coordinate that is not a "
+            "finite number");
       }
       h = next(h, m_mesh);
     }
@@ -302,8 +302,10 @@ private:
   Halfedge check_triangle(Face f) const
   {
     const Halfedge h = halfedge(f, m_mesh);
-    if(next(next(next(h, m_mesh), m_mesh), m_mesh) != h || next(h, m_mesh) == h)
-      throw Invalid_mesh_error("a face that a curve enters or touches is not a triangle");
+    if(next(next(next(h, m_mesh), m_mesh), m_mesh) != h || next(h, m_mesh) == h) {
+      const Indexed_mesh<Mesh> input(m_mesh);
+      throw_no_triangle(input, input.index(h));
+    }
     return h;
   }
 
@@ -885,7 +887,7 @@ private:
       for(const auto& p : curve)
         add_point(p);
       if(m_point == 0)
-        throw Invalid_curve_error("curve " + std::to_string(m_curve) + " has no points", {m_curve});
+        throw_naming<Invalid_curve_error>("curve ", Element{m_curve}, " has no points");
       ++m_curve;
     }
   }

@@ -243,10 +243,9 @@ private:
   Located_point checked_miss(const Located_point& nearest, double miss, const Surface_location& point) const
   {
     if(!(miss < largest_point_miss))
-      throw Insertion_error("a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
-                                " cannot be located in the triangulation, because rounding errors have caused "
-                                "incorrect flips; use the default traits",
-                            {static_cast<std::size_t>(point.halfedge.idx())});
+      throw_naming<Insertion_error>("a point in the face of halfedge ", point.halfedge,
+                                    " cannot be located in the triangulation, because rounding errors have caused "
+                                    "incorrect flips; use the default traits");
     return nearest;
   }
 
@@ -651,9 +650,7 @@ private:
   [[noreturn]] void fail(const std::string& reason) const
   {
     const Input_halfedge_index h = m_triangulation.location(m_x).halfedge;
-    throw Insertion_error("a point in the face of halfedge " + std::to_string(h.idx()) +
-                              " cannot be inserted: " + reason,
-                          {static_cast<std::size_t>(h.idx())});
+    throw_naming<Insertion_error>("a point in the face of halfedge ", h, " cannot be inserted: ", reason);
   }
 
   const Triangulation& m_triangulation;

@@ -144,9 +144,8 @@ public:
   {
     const auto place = found(h);
     if(place == m_halfedges.end())
-      throw Invalid_mesh_error("umbrellas of the surface meet only at vertex " + std::to_string(vertex.idx()) +
-                                   ", where the angle between two directions is undefined",
-                               {static_cast<std::size_t>(vertex.idx())});
+      throw_naming<Invalid_mesh_error>("umbrellas of the surface meet only at vertex ", vertex,
+                                       ", where the angle between two directions is undefined");
     return place->angle;
   }
 
@@ -208,8 +207,8 @@ void check_reference(const Input_mesh& input, Input_halfedge_index h)
 
 [[noreturn]] inline void throw_no_side(Input_halfedge_index h)
 {
-  throw Invalid_parameter_error("a direction is measured from halfedge " + std::to_string(h.idx()) +
-                                ", which is not a side of a face of the location");
+  throw_naming<Invalid_parameter_error>("a direction is measured from halfedge ", h,
+                                        ", which is not a side of a face of the location");
 }
 
 /* Returns the umbrella of an outgoing halfedge of a vertex of the input, with corners computed from the input.
