@@ -93,7 +93,7 @@ public:
     for(std::size_t c = 0; c < report.curves.size(); ++c) {
       const FG::Shortening_status status = report.curves[c].status;
       ++tally.statuses[FG::to_string(status)];
-      ++tally.verdicts[FG::to_string(certificate.curves[c].verdict)];
+      ++tally.verdicts[FG::to_string(certificate.curves[c].verdict())];
       const bool claims = status == FG::Shortening_status::LOCALLY_SHORTEST;
       tally.uncertified += claims && !certificate.curves[c].is_locally_shortest() ? 1 : 0;
     }

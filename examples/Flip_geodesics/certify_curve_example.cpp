@@ -55,7 +55,7 @@ try {
 
   //! [Certify]
   const auto certificate = FG::certify_curve(mesh, places.path);
-  std::cout << "path of " << places.path.size() << " places: " << FG::to_string(certificate.verdict);
+  std::cout << "path of " << places.path.size() << " places: " << FG::to_string(certificate.verdict());
   //! [Certify]
   if(!certificate.is_locally_shortest()) {
     std::cout << " at vertex " << certificate.vertex << " by " << certificate.bend << " radians\n";

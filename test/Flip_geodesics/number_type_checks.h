@@ -155,7 +155,7 @@ void check_proven(Setting& setting, double length)
   BOOST_TEST(report.is_complete());
   const auto certificate = CGAL::Flip_geodesics::certify(setting.network);
   for(std::size_t c = 0; c < report.curves.size(); ++c) {
-    BOOST_TEST(to_string(certificate.curves[c].verdict) == "PROVEN");
+    BOOST_TEST(to_string(certificate.curves[c].verdict()) == "PROVEN");
     BOOST_TEST(std::abs(report.curves[c].length - length) <= 1e-12 * length);
   }
   take_back(setting);

@@ -234,7 +234,7 @@ void move_across(const Screen& screen, int inserted, Vertex_index from, Vertex_i
       continue;
     move(setting, moved);
     const bool is_true = is_straight(setting, moved, word);
-    const Verdict verdict = FG::certify(setting.network).curves[0].verdict;
+    const Verdict verdict = FG::certify(setting.network).curves[0].verdict();
     BOOST_TEST((verdict == (is_true ? Verdict::PROVEN : Verdict::BENT_SEGMENT)),
                "folds " << static_cast<int>(screen.folds) << ", from " << from.idx() << " to " << to.idx()
                         << ", vertex " << v.idx() << ", " << units);
@@ -342,7 +342,7 @@ int plant_falsehoods(Setting& setting, Random_numbers& random)
       setting.triangulation.plant(h, changed);
       const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
       setting.triangulation.uproot();
-      BOOST_TEST((certificate.verdict == Verdict::BENT_SEGMENT));
+      BOOST_TEST((certificate.verdict() == Verdict::BENT_SEGMENT));
       BOOST_TEST(certificate.segment == s);
       ++result;
     }
@@ -435,7 +435,7 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_point_of_an_edge_bent_by_a_unit_is_found)
       const FG::Surface_location middle = {halfedge_from_to(soup, 0_v, 1_v), {{0.5, 0.5, 0}}};
       for(bool is_reversed : {false, true}) {
         const FG::Curve_certificate certificate = verdict_on_joint(soup, middle, is_reversed);
-        BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
+        BOOST_TEST((certificate.verdict() == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
         if(units != 0)
           BOOST_TEST((certificate.side == ((units > 0) != is_reversed ? FG::Side::RIGHT : FG::Side::LEFT)));
       }
@@ -460,7 +460,7 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_point_of_a_face_bent_by_a_unit_is_found)
             std::vector<Halfedge_index>{FG::internal::halfedge_between(setting.triangulation, start, x),
                                         FG::internal::halfedge_between(setting.triangulation, x, y)});
         const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
-        BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
+        BOOST_TEST((certificate.verdict() == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
         if(units != 0) // more of the next corner is on the right
           BOOST_TEST((certificate.side == (units > 0 ? FG::Side::RIGHT : FG::Side::LEFT)));
       }
@@ -479,7 +479,7 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_vertex_bent_by_a_unit_is_found)
       Setting setting(screen.soup());
       setting.add({Screen::vertex(1, 2), v, Screen::vertex(3, 2)}, false);
       const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
-      BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
+      BOOST_TEST((certificate.verdict() == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
       if(units != 0)
         BOOST_TEST((certificate.side == (units > 0 ? FG::Side::RIGHT : FG::Side::LEFT)));
     }

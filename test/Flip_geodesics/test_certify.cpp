@@ -14,7 +14,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(paths_that_were_pulled_tight_are_proven, Setting, 
     for(int i = 0; i < 20; ++i) {
       add_random_path(setting, random);
       setting.pull();
-      BOOST_TEST((checked_certificate(setting).curves[0].verdict == FG::Verdict::PROVEN));
+      BOOST_TEST((checked_certificate(setting).curves[0].verdict() == FG::Verdict::PROVEN));
       take_back(setting);
     }
   }
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_curve_one_step_from_the_end_is_bent, Setting, Se
       setting.add_path(u, v);
       setting.pull(FG::Iteration_stop_predicate(steps - 1));
       const FG::Network_certificate certificate = checked_certificate(setting);
-      BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::BENT_JOINT));
+      BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::BENT_JOINT));
       ++stopped;
       take_back(setting);
     }
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(the_bent_joint_is_named)
   Certified_setting setting(flat_grid(n, n, Diagonal_rule::RISING));
   setting.add(vertex_path_on_grid(n, {{0, 1}, {2, 1}, {2, 3}}), false);
   const FG::Network_certificate left = FG::certify(setting.network);
-  BOOST_TEST((left.curves[0].verdict == FG::Verdict::BENT_JOINT));
+  BOOST_TEST((left.curves[0].verdict() == FG::Verdict::BENT_JOINT));
   BOOST_TEST((left.curves[0].side == FG::Side::LEFT));
   const auto head_of = [&](FG::Segment_index s) { return setting.triangulation.head(setting.network.halfedge(s)); };
   BOOST_TEST(head_of(left.curves[0].segment) == FG::Vertex_index(grid_vertex(n, 2, 1)));
@@ -138,9 +138,10 @@ BOOST_AUTO_TEST_CASE(each_curve_has_a_verdict_of_its_own)
   setting.add(vertex_path_on_grid(n, {{0, 2}, {3, 2}, {3, 5}}), false);
   setting.add(vertex_path_on_grid(n, {{5, 2}, {5, 5}}), false);
   const FG::Network_certificate certificate = FG::certify(setting.network);
-  BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::PROVEN));
-  BOOST_TEST((certificate.curves[1].verdict == FG::Verdict::BENT_JOINT));
-  BOOST_TEST((certificate.curves[2].verdict == FG::Verdict::PROVEN));
+  BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::PROVEN));
+  BOOST_TEST((certificate.curves[1].verdict() == FG::Verdict::BENT_JOINT));
+  BOOST_TEST((certificate.curves[2].verdict() == FG::Verdict::PROVEN));
+  BOOST_TEST((certificate.verdict() == FG::Verdict::BENT_JOINT));
   BOOST_TEST(!certificate.is_locally_shortest());
 }
 
@@ -153,8 +154,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(what_blocks_a_joint_is_not_held_against_the_curve,
   BOOST_TEST(!FG::certify(setting.network).is_locally_shortest());
   setting.add({FG::Vertex_index(grid_vertex(n, 2, 4)), FG::Vertex_index(grid_vertex(n, 3, 3))}, false);
   const FG::Network_certificate certificate = checked_certificate(setting);
-  BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::PROVEN));
-  BOOST_TEST((certificate.curves[1].verdict == FG::Verdict::PROVEN));
+  BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::PROVEN));
+  BOOST_TEST((certificate.curves[1].verdict() == FG::Verdict::PROVEN));
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(fixed_nodes_may_be_bent, Setting, Settings)
@@ -172,7 +173,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_curve_that_turns_back_is_bent, Setting, Settings
   Setting setting(cube(3));
   setting.add({0_v, 1_v, 0_v, 1_v}, false);
   const FG::Network_certificate certificate = checked_certificate(setting);
-  BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::BENT_JOINT));
+  BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::BENT_JOINT));
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_contracted_curve_is_proven, Setting, Settings)
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_contracted_curve_is_proven, Setting, Settings)
   BOOST_TEST(!FG::certify(setting.network).is_locally_shortest());
   setting.pull();
   BOOST_TEST(setting.network.is_contracted(0_c));
-  BOOST_TEST((FG::certify(setting.network).curves[0].verdict == FG::Verdict::PROVEN));
+  BOOST_TEST((FG::certify(setting.network).curves[0].verdict() == FG::Verdict::PROVEN));
 }
 
 // The angles of these loops are pi, exactly: what one unit in the last place less would not allow.
@@ -192,18 +193,18 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(angles_of_exactly_pi_are_proven, Setting, Settings
   hexagon.add(vertices_on_polyline(octahedron(6),
                                    {{3, -3, 0}, {3, 0, -3}, {0, 3, -3}, {-3, 3, 0}, {-3, 0, 3}, {0, -3, 3}}, true),
               true);
-  BOOST_TEST((checked_certificate(hexagon).curves[0].verdict == FG::Verdict::PROVEN));
+  BOOST_TEST((checked_certificate(hexagon).curves[0].verdict() == FG::Verdict::PROVEN));
 
   Setting setting(tetrahedron(6));
   setting.add(tetrahedron_loop(6), true);
   const FG::Network_certificate certificate = checked_certificate(setting);
-  BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::PROVEN));
+  BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::PROVEN));
   BOOST_TEST(certificate.statistics.zeros_by_plane + certificate.statistics.zeros_by_roots > 0u);
 
   Setting plate(genus_3_plate(2));
   for(const Vertex_sequence& loop : genus_3_loops(2)) {
     plate.add(loop, true);
-    BOOST_TEST((checked_certificate(plate).curves[0].verdict == FG::Verdict::PROVEN));
+    BOOST_TEST((checked_certificate(plate).curves[0].verdict() == FG::Verdict::PROVEN));
     take_back(plate);
   }
 }
@@ -217,7 +218,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_unit_in_the_last_place_is_seen, Setting, Setti
   Setting setting(soup);
   setting.add(vertex_path_on_grid(n, {{2, 3}, {4, 3}}), false);
   const FG::Network_certificate certificate = checked_certificate(setting);
-  BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::BENT_JOINT));
+  BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::BENT_JOINT));
   BOOST_TEST((certificate.curves[0].side == FG::Side::LEFT));
 }
 
@@ -246,7 +247,7 @@ BOOST_AUTO_TEST_CASE(wedges_that_were_held_back_are_taken_up_again)
         BOOST_TEST(!shortener.run(FG::Never_stop_predicate(), Stopped_once()));
     BOOST_TEST(!checked_certificate(setting).is_locally_shortest());
     BOOST_TEST(shortener.run());
-    BOOST_TEST((checked_certificate(setting).curves[0].verdict == FG::Verdict::PROVEN));
+    BOOST_TEST((checked_certificate(setting).curves[0].verdict() == FG::Verdict::PROVEN));
   }
 }
 

@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(curves_are_proven_on_the_surface_that_is_left)
     Network network(triangulation);
     network.add_curve(FG::shortest_halfedges_through(search, ends));
     BOOST_CHECK(FG::shorten(network).is_complete());
-    BOOST_CHECK(FG::certify(network).curves.front().verdict == FG::Verdict::PROVEN);
+    BOOST_CHECK(FG::certify(network).curves.front().verdict() == FG::Verdict::PROVEN);
     for(const FG::Surface_point& p : FG::Curve_extractor<Network>(network).surface_points(0_c))
       if(!p.is_vertex()) // told by an edge of the mesh itself
         BOOST_CHECK(mesh.halfedge(vertex(p.a.idx()), vertex(p.b.idx())) != Mesh::null_halfedge());

@@ -96,7 +96,7 @@ std::string derived(const Setting& setting)
   const auto& n = setting.network;
   try {
     for(const FG::Curve_certificate& certificate : FG::certify(n).curves)
-      out << FG::to_string(certificate.verdict) << ' ' << certificate.segment << '\n';
+      out << FG::to_string(certificate.verdict()) << ' ' << certificate.segment << '\n';
     FG::Curve_extractor<typename Setting::Network> extractor(n);
     for(Curve_index c : descriptors<Curve_index>(n.number_of_curves())) {
       std::vector<Surface::Point> points;

@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(loops)
           network.fix_nodes_at(way[0]);
         shorten_and_add(network, summary);
         const FG::Network_certificate certificate = FG::certify(network);
-        summary.results.add(static_cast<long long>(certificate.curves[0].verdict));
+        summary.results.add(static_cast<long long>(certificate.curves[0].verdict()));
         FG::Curve_extractor<Setting<Certified>::Network> extractor(network);
         summary.add(extractor.surface_points(0_c));
       });

@@ -161,11 +161,11 @@ BOOST_AUTO_TEST_CASE(split_curves_bend_by_rounding_errors)
   Curve_setting s(torus(24, 12, 3, 1));
   s.add_path(0_v, 150_v);
   s.pull();
-  BOOST_CHECK(FG::certify(s.network).curves[0].verdict == FG::Verdict::PROVEN);
+  BOOST_CHECK(FG::certify(s.network).curves[0].verdict() == FG::Verdict::PROVEN);
   FG::Refinement_options options;
   options.smallest_angle = 20;
   BOOST_CHECK_GT(FG::refine(s.network, options).splits, 0u);
-  BOOST_CHECK(FG::certify(s.network).curves[0].verdict != FG::Verdict::BENT_SEGMENT);
+  BOOST_CHECK(FG::certify(s.network).curves[0].verdict() != FG::Verdict::BENT_SEGMENT);
   const FG::Straightness straightness = FG::Straightness_meter<Curve_setting::Network>(s.network)(0_c);
   BOOST_CHECK_GT(straightness.smallest_angle, boost::math::constants::pi<double>() - 1e-13);
   BOOST_CHECK_LT(straightness.largest_bend, 1e-13);

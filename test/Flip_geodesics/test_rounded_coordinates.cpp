@@ -126,9 +126,9 @@ void check_given_curve(const Mesh& mesh, bool is_certain)
 {
   using Vertex = typename Mesh::Vertex_index;
   const std::vector<Vertex> side = {Vertex(0), Vertex(1), Vertex(2)};
-  BOOST_TEST((FG::certify_curve(mesh, side).verdict == Verdict::PROVEN) == is_certain);
+  BOOST_TEST((FG::certify_curve(mesh, side).verdict() == Verdict::PROVEN) == is_certain);
   const std::vector<Vertex> bent = {Vertex(0), Vertex(1), Vertex(cells + 2)};
-  BOOST_TEST((FG::certify_curve(mesh, bent).verdict == Verdict::UNDECIDED) == !is_certain);
+  BOOST_TEST((FG::certify_curve(mesh, bent).verdict() == Verdict::UNDECIDED) == !is_certain);
 }
 
 template <class Mesh>
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(no_faces_are_called_flat_that_are_not)
       const FG::Curve_report report = FG::shorten(network).curves.front();
       BOOST_TEST(FG::to_string(report.status) == std::string("LOCALLY_SHORTEST"));
       BOOST_TEST((report.verdict == Verdict::PROVEN));
-      BOOST_TEST((FG::certify(network).curves.front().verdict == Verdict::PROVEN));
+      BOOST_TEST((FG::certify(network).curves.front().verdict() == Verdict::PROVEN));
     }
   }
 }

@@ -288,13 +288,13 @@ BOOST_AUTO_TEST_CASE(one_call_tells_the_angle_about_its_source)
     return FG::logarithmic_map(mesh, Mesh::Vertex_index(static_cast<unsigned>(vertex)), mesh.vertices(),
                                std::back_inserter(coordinates));
   };
-  BOOST_TEST(at(grid, grid_vertex(4, 0, 0)).is_on_border);
-  BOOST_TEST(std::abs(at(grid, grid_vertex(4, 0, 0)).total_angle - pi / 2) < 1e-14);
-  BOOST_TEST(std::abs(at(grid, grid_vertex(4, 2, 0)).total_angle - pi) < 1e-14);
-  BOOST_TEST(!at(grid, grid_vertex(4, 2, 2)).is_on_border);
+  BOOST_TEST(at(grid, grid_vertex(4, 0, 0)).is_on_border());
+  BOOST_TEST(std::abs(at(grid, grid_vertex(4, 0, 0)).total_angle() - pi / 2) < 1e-14);
+  BOOST_TEST(std::abs(at(grid, grid_vertex(4, 2, 0)).total_angle() - pi) < 1e-14);
+  BOOST_TEST(!at(grid, grid_vertex(4, 2, 2)).is_on_border());
   std::size_t corners = 0;
   for(const auto v : box.vertices())
-    corners += std::abs(at(box, static_cast<int>(v)).total_angle - 1.5 * pi) < 1e-14 ? 1 : 0;
+    corners += std::abs(at(box, static_cast<int>(v)).total_angle() - 1.5 * pi) < 1e-14 ? 1 : 0;
   BOOST_TEST(corners == 8u);
 }
 
@@ -309,9 +309,9 @@ BOOST_AUTO_TEST_CASE(one_call_does_the_same)
   const FG::Logarithmic_map<Triangulation> logarithm(t, mesh, same);
   std::vector<FG::Polar_coordinates> coordinates;
   const auto result = FG::logarithmic_map(mesh, source, mesh.vertices(), std::back_inserter(coordinates));
-  BOOST_TEST((result.halfedge == mesh.halfedge(source.first)));
-  BOOST_TEST(result.total_angle == 2 * pi);
-  BOOST_TEST(!result.is_on_border);
+  BOOST_TEST((result.halfedge() == mesh.halfedge(source.first)));
+  BOOST_TEST(result.total_angle() == 2 * pi);
+  BOOST_TEST(!result.is_on_border());
   BOOST_TEST((result.report.status == FG::Distance_field_status::COMPLETE));
   BOOST_REQUIRE(coordinates.size() == mesh.number_of_vertices());
   for(const auto v : mesh.vertices()) {
@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(one_call_does_the_same)
     BOOST_TEST(std::abs(p.radius - q.radius) < 1e-14);
     BOOST_TEST(std::abs(p.angle - q.angle) < 1e-13);
     std::vector<Face_location> way;
-    const std::pair direction(result.halfedge, 0.1 * static_cast<double>(v.idx()));
+    const std::pair direction(result.halfedge(), 0.1 * static_cast<double>(v.idx()));
     const auto trace = FG::trace_geodesic(mesh, source, direction, 0.75, std::back_inserter(way));
     const auto end = FG::parallel_transport(mesh, way, direction);
     BOOST_TEST((mesh.face(end.first) == trace.location.first));

@@ -149,7 +149,7 @@ void check_curves(const Setting& s)
   const Plane plane(s.triangulation, s.mesh);
   const FG::Network_certificate certificate = FG::certify(s.network);
   for(const FG::Curve_certificate& curve : certificate.curves)
-    BOOST_TEST((curve.verdict == FG::Verdict::PROVEN));
+    BOOST_TEST((curve.verdict() == FG::Verdict::PROVEN));
   for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(s.network.number_of_curves()))
     for(FG::Halfedge_index h : s.network.halfedges(c))
       BOOST_TEST(plane.is_line(s.triangulation.edge_sequence(h)));

@@ -571,9 +571,8 @@ private:
   CGAL::Flip_geodesics::Vertex_logarithmic_map map_of_mesh(
       const CGAL::Flip_geodesics::Vertex_logarithmic_map& map) const
   {
-    CGAL::Flip_geodesics::Vertex_logarithmic_map result(m_triangulation.input().number_of_vertices());
-    result.total_angle = map.total_angle;
-    result.is_on_border = map.is_on_border;
+    CGAL::Flip_geodesics::Vertex_logarithmic_map result(m_triangulation.input().number_of_vertices(), map.total_angle(),
+                                                        map.is_on_border());
     for(Vertex_index v(0); v.idx() < m_triangulation.input().number_of_vertices(); ++v)
       result[v] = map[v];
     return result;
@@ -701,7 +700,7 @@ private:
     //! [Certify]
     const CGAL::Flip_geodesics::Network_certificate certificate = CGAL::Flip_geodesics::certify(network);
     for(std::size_t c = 0; c < results.size(); ++c)
-      results[c].certificate = to_string(certificate.curves[c].verdict);
+      results[c].certificate = to_string(certificate.curves[c].verdict());
     //! [Certify]
   }
 

@@ -72,7 +72,7 @@ Curve_result certified_curve(const Mesh& mesh, const Triangulation& triangulatio
   const auto certificate = FG::certify_curve(mesh, request.points, CGAL::parameters::is_closed(request.is_closed));
   Curve_result result = result_along(triangulation, request, request.points);
   result.status = "GIVEN";
-  result.certificate = to_string(certificate.verdict);
+  result.certificate = to_string(certificate.verdict());
   if(!certificate.is_locally_shortest()) {
     std::ostringstream why;
     why << "it is not locally shortest: " << result.certificate << " at point " << certificate.number << ", by "

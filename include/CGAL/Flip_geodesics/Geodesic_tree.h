@@ -589,14 +589,18 @@ private:
 class Vertex_logarithmic_map
 {
 public:
-  double total_angle = 0;    ///< the sum of the face angles around the source, \f$2\pi\f$ if the surface is flat there
-  bool is_on_border = false; ///< whether the source lies on the border
-
-  /// Constructs a map for a given number of vertices, none of which has a path yet.
-  explicit Vertex_logarithmic_map(Index number_of_vertices)
+  /// Constructs a map for a given number of vertices, none of which has a path yet, from the sum of the face angles
+  /// around the source and whether the source lies on the border.
+  Vertex_logarithmic_map(Index number_of_vertices, double total_angle, bool is_on_border)
     : m_coordinates(static_cast<std::size_t>(number_of_vertices))
+    , m_total_angle(total_angle)
+    , m_is_on_border(is_on_border)
   {
   }
+
+  /// Returns the sum of the face angles around the source, \f$2\pi\f$ if the surface is flat there.
+  double total_angle() const { return m_total_angle; }
+  bool is_on_border() const { return m_is_on_border; } ///< returns whether the source lies on the border
 
   Polar_coordinates& operator[](Vertex_index v) { return m_coordinates[v]; } ///< returns the coordinates of a vertex
   const Polar_coordinates& operator[](Vertex_index v) const
@@ -616,12 +620,14 @@ public:
     const Polar_coordinates& p = m_coordinates[v];
     if(p.radius == 0)
       return {0, 0};
-    const double stretch = is_on_border ? 1 : boost::math::constants::two_pi<double>() / total_angle;
+    const double stretch = m_is_on_border ? 1 : boost::math::constants::two_pi<double>() / m_total_angle;
     return {p.radius * std::cos(stretch * p.angle), p.radius * std::sin(stretch * p.angle)};
   }
 
 private:
   internal::Indexed_by<Vertex_index, std::vector<Polar_coordinates>> m_coordinates;
+  double m_total_angle;
+  bool m_is_on_border;
 };
 
 namespace internal {
@@ -687,15 +693,13 @@ Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree,
                                      std::to_string(tree.source().idx()),
                                  {static_cast<std::size_t>(zero.idx())});
   const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
-  Vertex_logarithmic_map map(triangulation.number_of_vertices());
+  Vertex_logarithmic_map map(triangulation.number_of_vertices(), directions.total(), directions.has_border());
   map[tree.source()].radius = 0;
-  map.total_angle = directions.total();
-  map.is_on_border = directions.has_border();
-  const double start = is_zero_told && !map.is_on_border ? directions.of_input(zero) : 0;
+  const double start = is_zero_told && !map.is_on_border() ? directions.of_input(zero) : 0;
 
   const auto set_angle = [&](Vertex_index v, double direction) {
     const double angle = direction - start;
-    map[v].angle = angle + (!map.is_on_border && angle < 0 ? map.total_angle : 0);
+    map[v].angle = angle + (!map.is_on_border() && angle < 0 ? map.total_angle() : 0);
   };
   internal::measure_first_edges(tree, directions, set_angle);
 

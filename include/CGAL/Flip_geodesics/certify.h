@@ -49,12 +49,25 @@ struct Straightness
 /// Contains the verdict on one curve, and the position of a bend.
 struct Curve_certificate
 {
-  Verdict verdict = Verdict::PROVEN;  ///< the verdict on the curve
-  Segment_index segment = null_index; ///< the bent segment, or the one that arrives at the bent joint
-  Side side = Side::LEFT;             ///< the side of the bent joint
+  /// Constructs a certificate with a verdict, and the position of a bend if there is one.
+  explicit Curve_certificate(Verdict verdict, Segment_index segment = null_index, Side side = Side::LEFT)
+    : segment(segment)
+    , side(side)
+    , m_verdict(verdict)
+  {
+  }
+
+  Segment_index segment; ///< the bent segment, or the one that arrives at the bent joint
+  Side side;             ///< the side of the bent joint
+
+  /// Returns the verdict on the curve.
+  Verdict verdict() const { return m_verdict; }
 
   /// Returns whether the curve is locally shortest, that is, `PROVEN` or `PROBABLE`.
-  bool is_locally_shortest() const { return Flip_geodesics::is_confirmed(verdict); }
+  bool is_locally_shortest() const { return is_confirmed(m_verdict); }
+
+private:
+  Verdict m_verdict;
 };
 
 /*!
@@ -99,7 +112,7 @@ public:
   /// the mesh are doubles. The measurement ends at the first segment whose edge sequence is not that of a strip.
   Curve_certificate certify(Curve_index curve, Straightness& straightness, Decision_statistics& statistics)
   {
-    Curve_certificate result;
+    Curve_certificate result(Verdict::PROVEN);
     const std::size_t unproven = statistics.unproven_zeros;
     m_segments.clear();
     bool are_strips = true;
@@ -111,7 +124,7 @@ public:
       if(are_strips)
         note(s, edge, straightness);
       if(result.is_locally_shortest() && !(edge.has_strip && edge.is_straight))
-        result = {Verdict::BENT_SEGMENT, s, Side::LEFT};
+        result = Curve_certificate(Verdict::BENT_SEGMENT, s);
     });
     // The angle at a joint is that between the edge sequences of its segments, which are known to be correct then.
     if(are_strips)
@@ -120,10 +133,10 @@ public:
         straightness.note_angle(angle.value);
         if(result.is_locally_shortest() && std::isfinite(angle.value) &&
            m_edges.is_below_straight(joint.from, joint.to, angle, statistics))
-          result = {Verdict::BENT_JOINT, joint.joint.incoming, joint.joint.side};
+          result = Curve_certificate(Verdict::BENT_JOINT, joint.joint.incoming, joint.joint.side);
       });
     if(result.is_locally_shortest() && statistics.unproven_zeros > unproven)
-      result.verdict = Verdict::PROBABLE;
+      return Curve_certificate(Verdict::PROBABLE);
     return result;
   }
 
@@ -196,14 +209,11 @@ struct Network_certificate
   std::vector<Curve_certificate> curves; ///< one per curve of the network, by its index
   Decision_statistics statistics;        ///< the filter failures, and how they were resolved
 
+  /// Returns the verdict on all curves, as `Shortening_report::verdict()` does.
+  Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_certificate::verdict); }
+
   /// Returns whether all curves are locally shortest, that is, `PROVEN` or `PROBABLE`.
-  bool is_locally_shortest() const
-  {
-    for(const Curve_certificate& curve : curves)
-      if(!curve.is_locally_shortest())
-        return false;
-    return true;
-  }
+  bool is_locally_shortest() const { return curves.empty() || is_confirmed(verdict()); }
 };
 
 /*!
@@ -235,7 +245,7 @@ Network_certificate certify(const Network& network)
     result.curves.push_back(meter.certify(c, straightness, result.statistics));
   if(internal::is_input_rounded(network.triangulation())) // the measured mesh differs from the input then
     for(Curve_certificate& curve : result.curves)
-      curve = {Verdict::UNDECIDED, null_index, Side::LEFT};
+      curve = Curve_certificate(Verdict::UNDECIDED);
   return result;
 }
 

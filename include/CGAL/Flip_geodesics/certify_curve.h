@@ -46,6 +46,13 @@ using Given_place =
                  std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>,
                  std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>>;
 
+namespace internal {
+
+template <class Triangulation>
+class Given_curve_certifier;
+
+} // namespace internal
+
 /// \ingroup PkgFlipGeodesicsFunctions
 /// Contains the verdict on a curve that is given by its points, and the position and angle of its largest bend.
 template <class TriangleMesh>
@@ -54,9 +61,6 @@ struct Given_curve_certificate
   /// The vertex type of the mesh.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// The verdict. It is `BENT_JOINT` only if all segments are straight, and `UNDECIDED` if coordinates or lengths of
-  /// the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.
-  Verdict verdict = Verdict::PROVEN;
   /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. At a joint, it
   /// is \f$\pi\f$ minus the angle on one side. In a segment, it is the angle by which the shortest path with the same
   /// end points and the same crossed edges turns at the end of one of these edges. If a straight segment touches a
@@ -75,8 +79,18 @@ struct Given_curve_certificate
   std::vector<double> places;
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 
+  /// Returns the verdict. It is `BENT_JOINT` only if all segments are straight, and `UNDECIDED` if coordinates or
+  /// lengths of the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.
+  Verdict verdict() const { return m_verdict; }
+
   /// Returns whether the curve is locally shortest, `PROVEN` or `PROBABLE`.
-  bool is_locally_shortest() const { return is_confirmed(verdict); }
+  bool is_locally_shortest() const { return is_confirmed(m_verdict); }
+
+private:
+  template <class Triangulation>
+  friend class internal::Given_curve_certifier;
+
+  Verdict m_verdict = Verdict::PROVEN;
 };
 
 namespace internal {
@@ -214,12 +228,12 @@ public:
     if(m_result.is_locally_shortest())
       for(std::size_t i = is_closed ? 0 : 1; i < segments.size(); ++i)
         look_at_joint(segments[i == 0 ? segments.size() - 1 : i - 1].sequence, segments[i]);
-    if(m_result.verdict == Verdict::PROVEN && m_result.statistics.unproven_zeros > 0)
-      m_result.verdict = Verdict::PROBABLE;
+    if(m_result.m_verdict == Verdict::PROVEN && m_result.statistics.unproven_zeros > 0)
+      m_result.m_verdict = Verdict::PROBABLE;
     if(m_result.is_locally_shortest())
       tell_places(number_of_places);
     if(is_input_rounded(m_triangulation))
-      m_result.verdict = Verdict::UNDECIDED;
+      m_result.m_verdict = Verdict::UNDECIDED;
     return m_result;
   }
 
@@ -273,7 +287,7 @@ private:
   {
     if(!m_result.is_locally_shortest() && bend <= m_result.bend)
       return;
-    m_result.verdict = verdict;
+    m_result.m_verdict = verdict;
     m_result.bend = bend;
     m_result.vertex = m_triangulation.input().vertex(v);
     m_result.number = number;

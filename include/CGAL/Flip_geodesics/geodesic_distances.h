@@ -611,9 +611,7 @@ std::optional<Vertex_logarithmic_map> logarithmic_map_of_field(const Geodesic_di
 {
   const Vertex_directions<Triangulation> directions(triangulation, source);
   Source_directions<Triangulation> starts(query_of(field));
-  Vertex_logarithmic_map map(triangulation.number_of_vertices());
-  map.total_angle = directions.total();
-  map.is_on_border = directions.has_border();
+  Vertex_logarithmic_map map(triangulation.number_of_vertices(), directions.total(), directions.has_border());
   for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) {
     Polar_coordinates& p = map[v];
     p.radius = field.distance(v);
@@ -623,7 +621,7 @@ std::optional<Vertex_logarithmic_map> logarithmic_map_of_field(const Geodesic_di
     if(!start)
       return std::nullopt;
     p.angle = directions.of_input(start->first) + std::arg(start->direction);
-    p.angle += !map.is_on_border && p.angle < 0 ? map.total_angle : 0;
+    p.angle += !map.is_on_border() && p.angle < 0 ? map.total_angle() : 0;
   }
   return map;
 }

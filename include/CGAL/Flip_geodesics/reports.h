@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -61,6 +62,20 @@ namespace internal {
 inline Verdict verdict_of_distances(bool are_right)
 {
   return are_right ? Verdict::WITHIN_TOLERANCE : Verdict::UNDECIDED;
+}
+
+/* Returns the verdict on all curves of a range: that of the first one for which the claim is false, or the worst. */
+template <class Curves, class VerdictOf>
+Verdict verdict_of_curves(const Curves& curves, const VerdictOf& verdict_of)
+{
+  Verdict result = curves.empty() ? Verdict::UNDECIDED : Verdict::PROVEN;
+  for(const auto& curve : curves) {
+    const Verdict verdict = std::invoke(verdict_of, curve);
+    if(verdict == Verdict::BENT_SEGMENT || verdict == Verdict::BENT_JOINT)
+      return verdict;
+    result = (std::max)(result, verdict);
+  }
+  return result;
 }
 
 } // namespace internal
@@ -193,16 +208,7 @@ struct Shortening_report
   /// Returns the verdict on the claim that the curve, or every curve, is locally shortest: that of the first curve for
   /// which the claim is false or, if there is none, the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. A report without
   /// curves is never confirmed.
-  Verdict verdict() const
-  {
-    Verdict result = curves.empty() ? Verdict::UNDECIDED : Verdict::PROVEN;
-    for(const Curve_report& curve : curves) {
-      if(curve.verdict == Verdict::BENT_SEGMENT || curve.verdict == Verdict::BENT_JOINT)
-        return curve.verdict;
-      result = (std::max)(result, curve.verdict);
-    }
-    return result;
-  }
+  Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_report::verdict); }
 };
 
 } // namespace Flip_geodesics

@@ -176,7 +176,7 @@ private:
       for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves())) {
         if constexpr(!Traits::Has_drift::value)
           if(is_certified) {
-            verdicts[c] = meter.certify(c, result[c], statistics).verdict;
+            verdicts[c] = meter.certify(c, result[c], statistics).verdict();
             continue;
           }
         result[c] = meter(c);

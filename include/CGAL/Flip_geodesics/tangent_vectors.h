@@ -294,15 +294,33 @@ struct Logarithmic_map_result
   /// The halfedge type of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
+  /// Constructs a result from the end of the output, the report on the distances, and the data returned below.
+  Logarithmic_map_result(OutputIterator out, const Distance_field_report& report, halfedge_descriptor halfedge,
+                         double total_angle, bool is_on_border)
+    : out(out)
+    , report(report)
+    , m_halfedge(halfedge)
+    , m_total_angle(total_angle)
+    , m_is_on_border(is_on_border)
+  {
+  }
+
   OutputIterator out;           ///< the past-the-end iterator of the output
-  halfedge_descriptor halfedge; ///< the halfedge from which the angles are measured counterclockwise
-  double total_angle = 0;       ///< the sum of the angles around the source: \f$2\pi\f$ except at vertices and on the
-                                ///< border
-  bool is_on_border = false;    ///< whether the source is on the border; at a vertex angles can then be negative
   Distance_field_report report; ///< the report on the distances
 
+  /// Returns the halfedge from which the angles are measured counterclockwise.
+  halfedge_descriptor halfedge() const { return m_halfedge; }
+  /// Returns the sum of the angles around the source: \f$2\pi\f$ except at vertices and on the border.
+  double total_angle() const { return m_total_angle; }
+  /// Returns whether the source is on the border; at a vertex angles can then be negative.
+  bool is_on_border() const { return m_is_on_border; }
   Distance_field_status status() const { return report.status; } ///< returns how the computation of the distances ended
   Verdict verdict() const { return report.verdict; }             ///< returns the verdict on the distances
+
+private:
+  halfedge_descriptor m_halfedge;
+  double m_total_angle;
+  bool m_is_on_border;
 };
 
 namespace internal {
@@ -399,8 +417,8 @@ Logarithmic_map_result<OutputIterator, TriangleMesh> logarithmic_map(const Trian
   std::vector<Polar_coordinates> result;
   for(const auto& target : targets)
     result.push_back(logarithm_of(target));
-  return {std::copy(result.begin(), result.end(), out), surface.input().halfedge(logarithm.halfedge()),
-          logarithm.total_angle(), logarithm.is_on_border(), logarithm.report()};
+  return {std::copy(result.begin(), result.end(), out), logarithm.report(),
+          surface.input().halfedge(logarithm.halfedge()), logarithm.total_angle(), logarithm.is_on_border()};
 }
 
 namespace internal {

@@ -48,7 +48,7 @@ public:
   {
     const FG::Network_certificate certificate = FG::certify(network);
     for(const FG::Curve_certificate& curve : certificate.curves)
-      m_out << FG::to_string(curve.verdict) << ' ' << curve.segment << ' ' << static_cast<int>(curve.side) << '\n';
+      m_out << FG::to_string(curve.verdict()) << ' ' << curve.segment << ' ' << static_cast<int>(curve.side) << '\n';
   }
 
   template <class Network>

@@ -79,7 +79,7 @@ Certificate checked_places(const Setting& setting, Places places)
   const Certificate result = certified(setting.mesh, places);
   std::reverse(places.begin(), places.end());
   const Certificate reversed = certified(setting.mesh, places);
-  BOOST_TEST((result.verdict == reversed.verdict));
+  BOOST_TEST((result.verdict() == reversed.verdict()));
   BOOST_TEST(std::abs(result.bend - reversed.bend) < 1e-9);
   BOOST_TEST_REQUIRE(result.places.size() == reversed.places.size());
   for(std::size_t i = 0; i < result.places.size(); ++i)
@@ -102,7 +102,7 @@ Halfedge outgoing_halfedge(const Surface& mesh, int rim) { return mesh.halfedge(
 
 void check_bend(const Certificate& certificate, Verdict verdict, double bend, int v, std::size_t number, FG::Side side)
 {
-  BOOST_TEST((certificate.verdict == verdict));
+  BOOST_TEST((certificate.verdict() == verdict));
   BOOST_TEST(std::abs(certificate.bend - bend) < 1e-12);
   BOOST_TEST(certificate.vertex == vertex(v));
   BOOST_TEST(certificate.number == number);
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(geodesics_are_proven_by_the_places_that_they_pass)
       setting.pull();
       const Places places = places_of(setting, 0_c, random);
       const Certificate certificate = checked_places(setting, places);
-      BOOST_TEST((certificate.verdict == Verdict::PROVEN));
+      BOOST_TEST((certificate.verdict() == Verdict::PROVEN));
       BOOST_TEST(certificate.bend == 0);
       for(std::size_t k = 1; k + 1 < places.size(); ++k)
         ++(std::holds_alternative<Vertex>(places[k]) ? vertices : crossings);
@@ -158,7 +158,7 @@ void check_written_curves(const Surface& mesh)
     if(path.length() == 0)
       continue;
     const Certificate certificate = FG::certify_curve(mesh, curve);
-    BOOST_TEST((certificate.verdict == Verdict::PROVEN));
+    BOOST_TEST((certificate.verdict() == Verdict::PROVEN));
     BOOST_TEST(certificate.places.size() == curve.size());
     crossings += curve.size() - 2;
   }
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(curves_that_were_not_pulled_tight_are_judged_as_in_a_networ
         setting.network.add_curve(walk);
         const auto judged = FG::certify(setting.network).curves[0];
         const Certificate certificate = checked_places(setting, places_of(setting, 0_c, random));
-        BOOST_TEST((certificate.verdict == judged.verdict));
+        BOOST_TEST((certificate.verdict() == judged.verdict()));
         ++(judged.is_locally_shortest() ? straight : bent);
       }
       take_back(setting);
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(ends_are_points_of_faces_and_edges)
       FG::add_curve_through(setting.network, std::vector<FG::Surface_location>{location(), location()});
       setting.pull();
       const Places places = places_of(setting, 0_c, random);
-      BOOST_TEST((checked_places(setting, places).verdict == Verdict::PROVEN));
+      BOOST_TEST((checked_places(setting, places).verdict() == Verdict::PROVEN));
       inside += places.size() == 2 ? 1 : 0;
       take_back(setting);
     }
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(ends_on_one_edge_and_in_one_face)
   BOOST_TEST(certified(mesh, {crossing(h, 0.25), crossing(mesh.opposite(h), 0.25)}).is_locally_shortest());
   BOOST_TEST(certified(mesh, {crossing(h, 0.75), place(0)}).is_locally_shortest());
   const Places round_a_corner = {crossing(h, 0.75), place(1), crossing(mesh.halfedge(vertex(1), vertex(2)))};
-  BOOST_TEST((certified(mesh, round_a_corner).verdict == Verdict::BENT_JOINT));
+  BOOST_TEST((certified(mesh, round_a_corner).verdict() == Verdict::BENT_JOINT));
   BOOST_TEST(
       certified(mesh, {crossing(h), crossing(outgoing_halfedge(mesh, 2))}).is_locally_shortest()); // over their face
   BOOST_TEST(certified(mesh, {crossing(h), place(2)}).is_locally_shortest());
@@ -352,7 +352,7 @@ BOOST_AUTO_TEST_CASE(closed_curves_have_a_joint_at_their_start)
                               {place(1), crossing(outgoing_halfedge(mesh, 2)), place(3),
                                crossing(outgoing_halfedge(mesh, 4)), place(5), crossing(outgoing_halfedge(mesh, 6))},
                               true);
-  BOOST_TEST((loop.verdict == Verdict::BENT_JOINT));
+  BOOST_TEST((loop.verdict() == Verdict::BENT_JOINT));
   BOOST_TEST(std::abs(loop.bend - 2 * pi / 3) < 1e-12);
 }
 

@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(zeros_of_several_roots_are_proven)
   for(int n : {3, 5}) {
     Certified_setting setting(folding_screen(n, true, 0));
     const FG::Network_certificate certificate = certificate_of_diagonal(setting, n);
-    BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::PROVEN));
+    BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::PROVEN));
     BOOST_TEST(setting.network.halfedges(0_c).size() == 2u);
     BOOST_TEST(certificate.statistics.zeros_by_roots == 2u);
     BOOST_TEST(certificate.statistics.most_roots == std::size_t(n));
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(zeros_beyond_a_given_limit_of_work_are_probable)
     BOOST_TEST(traits.sign_work_limit() == limit);
     Certified_setting setting(folding_screen(5, true, 0), traits);
     const FG::Network_certificate certificate = certificate_of_diagonal(setting, 5);
-    BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::PROBABLE));
+    BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::PROBABLE));
     BOOST_TEST(certificate.statistics.unproven_zeros == 2u);
     BOOST_TEST(certificate.statistics.zeros_by_roots == 0u);
     BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros > 0u);
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(bends_are_found_within_any_limit_of_work)
   for(double lift : {0x1p-40, -0x1p-40}) {
     Certified_setting setting(folding_screen(20, true, lift), FG::Certified_intrinsic_triangulation_traits<Kernel>(0));
     const FG::Network_certificate certificate = certificate_of_diagonal(setting, 20);
-    BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::PROVEN));
+    BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::PROVEN));
     BOOST_TEST(setting.network.halfedges(0_c).size() == 1u);
   }
 }
@@ -99,11 +99,11 @@ BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
 {
   for(bool is_reversed : {true, false}) {
     Certified_setting setting(folding_screen(20, is_reversed, 0));
-    BOOST_TEST((certificate_of_diagonal(setting, 20).curves[0].verdict == FG::Verdict::PROBABLE));
+    BOOST_TEST((certificate_of_diagonal(setting, 20).curves[0].verdict() == FG::Verdict::PROBABLE));
   }
   Certified_setting many(folding_screen(20, false, 0));
   const FG::Network_certificate certificate = certificate_of_diagonal(many, 20);
-  BOOST_TEST((certificate.curves[0].verdict == FG::Verdict::PROBABLE));
+  BOOST_TEST((certificate.curves[0].verdict() == FG::Verdict::PROBABLE));
   BOOST_TEST(certificate.is_locally_shortest());
   BOOST_TEST(certificate.statistics.unproven_zeros == 2u);
 
@@ -117,13 +117,13 @@ BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
     places.emplace_back(Surface::Vertex_index(static_cast<unsigned>(word.head.idx())));
   }
   const auto given = FG::certify_curve(many.mesh, places);
-  BOOST_TEST((given.verdict == FG::Verdict::PROBABLE));
+  BOOST_TEST((given.verdict() == FG::Verdict::PROBABLE));
   BOOST_TEST(given.is_locally_shortest());
 
   many.add(vertex_path_on_grid(40, {{1, 0}, {2, 0}}), false); // another curve has nothing to do with it
   const FG::Network_certificate both = FG::certify(many.network);
-  BOOST_TEST((both.curves[0].verdict == FG::Verdict::PROBABLE));
-  BOOST_TEST((both.curves[1].verdict == FG::Verdict::PROVEN));
+  BOOST_TEST((both.curves[0].verdict() == FG::Verdict::PROBABLE));
+  BOOST_TEST((both.curves[1].verdict() == FG::Verdict::PROVEN));
 }
 
 // Of several legs, the weakest verdict counts.
@@ -147,11 +147,11 @@ BOOST_AUTO_TEST_CASE(almost_zeros_have_signs_or_are_probable)
   for(bool is_reversed : {true, false})
     for(double lift : {0x1p-300, -0x1p-300}) {
       Certified_setting few(folding_screen(5, is_reversed, lift));
-      BOOST_TEST((certificate_of_diagonal(few, 5).curves[0].verdict == FG::Verdict::PROVEN));
+      BOOST_TEST((certificate_of_diagonal(few, 5).curves[0].verdict() == FG::Verdict::PROVEN));
       BOOST_TEST(few.network.halfedges(0_c).size() == 1u);
       Certified_setting many(folding_screen(20, is_reversed, lift));
       many.add(vertex_path_on_grid(40, {{0, 0}, {0, 1}, {40, 1}, {40, 2}}), false);
       many.pull();
-      BOOST_TEST((FG::certify(many.network).curves[0].verdict == FG::Verdict::PROBABLE));
+      BOOST_TEST((FG::certify(many.network).curves[0].verdict() == FG::Verdict::PROBABLE));
     }
 }

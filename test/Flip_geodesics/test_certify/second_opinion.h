@@ -109,7 +109,7 @@ FG::Network_certificate checked_certificate(Setting& setting)
   for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(setting.network.number_of_curves())) {
     const FG::Curve_certificate& curve = certificate.curves[c.idx()];
     BOOST_TEST(curve.is_locally_shortest() == opinion.is_locally_shortest(c));
-    if(curve.verdict == FG::Verdict::BENT_JOINT) {
+    if(curve.verdict() == FG::Verdict::BENT_JOINT) {
       BOOST_TEST(setting.network.curve(curve.segment) == c);
       BOOST_TEST(opinion.is_bent({curve.segment, curve.side}));
     }

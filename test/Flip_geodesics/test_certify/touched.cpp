@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(segments_along_faces_without_area_are_proven, Sett
       const auto p = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.tail(walk.front()))),
                  q = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.head(walk.back())));
       setting.pull();
-      BOOST_TEST((FG::certify(setting.network).curves[0].verdict == FG::Verdict::PROVEN));
+      BOOST_TEST((FG::certify(setting.network).curves[0].verdict() == FG::Verdict::PROVEN));
       BOOST_TEST(std::abs(setting.network.length(0_c) - std::sqrt(CGAL::squared_distance(p, q))) < 1e-12);
       ++walks;
     }
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_segment_that_touches_a_cone_is_bent)
     Triangulation triangulation(mesh, Metric(mesh, boost::make_assoc_property_map(lengths)));
     FG::Edge_path_network<Triangulation> network(triangulation);
     network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0_v, 1_v}));
-    const auto verdict = FG::certify(network).curves[0].verdict;
+    const auto verdict = FG::certify(network).curves[0].verdict();
     BOOST_TEST((verdict == (far_side < std::sqrt(2.0) ? FG::Verdict::BENT_SEGMENT : FG::Verdict::PROVEN)));
   }
 }
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_portal_has_a_full_angle_or
         network.add_curve(Halfedge_sequence{is_reversed ? Triangulation::twin(h) : h});
         const FG::internal::Line_contacts contacts = contacts_of(triangulation, h);
         BOOST_TEST((!contacts.have_edge && contacts.ends.size() == 1));
-        const auto verdict = FG::certify(network).curves[0].verdict;
+        const auto verdict = FG::certify(network).curves[0].verdict();
         BOOST_TEST((verdict == (has_border || far_side >= 5 ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
       }
 }
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(a_segment_along_an_edge_that_it_crosses)
       network.add_curve(Halfedge_sequence{side});
       const FG::internal::Line_contacts contacts = contacts_of(triangulation, side);
       BOOST_TEST((contacts.have_edge && contacts.ends.size() == 2));
-      BOOST_TEST((FG::certify(network).curves[0].verdict ==
+      BOOST_TEST((FG::certify(network).curves[0].verdict() ==
                   (far_side > 3.1 ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
       network.clear();
     }
@@ -212,7 +212,7 @@ private:
   {
     FG::Edge_path_network<Triangulation> network(triangulation);
     network.add_curve(Halfedge_sequence{h});
-    const auto result = FG::certify(network).curves[0].verdict;
+    const auto result = FG::certify(network).curves[0].verdict();
     network.clear();
     return result;
   }

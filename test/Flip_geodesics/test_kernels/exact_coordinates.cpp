@@ -59,9 +59,9 @@ void check_diagonals()
     std::vector<Vertex> corner;
     for(int k = 0; k <= i; ++k)
       corner.push_back(vertex(i - k, 0));
-    BOOST_TEST((FG::certify_curve(mesh, corner).verdict == Verdict::PROVEN));
+    BOOST_TEST((FG::certify_curve(mesh, corner).verdict() == Verdict::PROVEN));
     corner.push_back(vertex(0, 1));
-    BOOST_TEST((FG::certify_curve(mesh, corner).verdict == Verdict::BENT_JOINT));
+    BOOST_TEST((FG::certify_curve(mesh, corner).verdict() == Verdict::BENT_JOINT));
   }
 }
 
@@ -98,7 +98,7 @@ void check_nearly_straight(const typename Kernel::FT& height, bool is_straight)
   const auto mesh = nearly_straight<Kernel>(height);
   const auto v = mesh.vertices();
   const std::vector<typename std::decay_t<decltype(mesh)>::Vertex_index> line(v.begin(), std::next(v.begin(), 3));
-  const Verdict verdict = FG::certify_curve(mesh, line).verdict;
+  const Verdict verdict = FG::certify_curve(mesh, line).verdict();
   BOOST_TEST((verdict == (is_straight ? Verdict::PROVEN : Verdict::BENT_JOINT)));
   FG::Intrinsic_triangulation<std::decay_t<decltype(mesh)>> triangulation(mesh);
   FG::Edge_path_network<decltype(triangulation)> network(triangulation);
@@ -248,9 +248,9 @@ BOOST_AUTO_TEST_CASE(verdicts_on_rotated_boxes)
     auto mesh = mesh_of<Rational_kernel>(box, [&](const Lattice_point& p) { return rotated<Rational_kernel>(p, q); });
     const auto lazy = mesh_of<Lazy_kernel>(box, [&](const Lattice_point& p) { return rotated<Lazy_kernel>(p, q); });
     for(const auto& path : paths) {
-      const auto verdict = FG::certify_curve(unrotated, path).verdict;
-      BOOST_TEST((FG::certify_curve(mesh, path).verdict == verdict));
-      BOOST_TEST((FG::certify_curve(lazy, path).verdict == verdict));
+      const auto verdict = FG::certify_curve(unrotated, path).verdict();
+      BOOST_TEST((FG::certify_curve(mesh, path).verdict() == verdict));
+      BOOST_TEST((FG::certify_curve(lazy, path).verdict() == verdict));
       BOOST_TEST((verdict == Verdict::BENT_JOINT) == is_bent(mesh, path));
       straight += verdict == Verdict::PROVEN ? 1 : 0;
     }
@@ -260,9 +260,9 @@ BOOST_AUTO_TEST_CASE(verdicts_on_rotated_boxes)
         mesh.point(v) = {p.x() + CGAL::Gmpq(1) / CGAL::Gmpq(1e25), p.y(), p.z() - CGAL::Gmpq(3) / CGAL::Gmpq(1e25)};
     }
     for(const auto& path : paths) {
-      const auto verdict = FG::certify_curve(mesh, path).verdict;
+      const auto verdict = FG::certify_curve(mesh, path).verdict();
       BOOST_TEST((verdict == (is_bent(mesh, path) ? Verdict::BENT_JOINT : Verdict::PROVEN)));
-      changed += verdict != FG::certify_curve(unrotated, path).verdict ? 1 : 0;
+      changed += verdict != FG::certify_curve(unrotated, path).verdict() ? 1 : 0;
     }
   }
   BOOST_TEST(straight > 10u);
@@ -328,7 +328,7 @@ BOOST_AUTO_TEST_CASE(a_kernel_as_traits)
   BOOST_TEST((FG::geodesic_path(mesh, Vertex(4), Vertex(20), out, np).verdict() == Verdict::PROVEN));
   BOOST_TEST((FG::shortest_path(mesh, Vertex(4), Vertex(20), out, np).report.verdict == FG::Verdict::WITHIN_ROUNDING));
   const std::vector<Vertex> diagonal = {Vertex(4), Vertex(3)};
-  BOOST_TEST((FG::certify_curve(mesh, diagonal, np).verdict == Verdict::PROVEN));
+  BOOST_TEST((FG::certify_curve(mesh, diagonal, np).verdict() == Verdict::PROVEN));
   std::map<Vertex, double> distances;
   BOOST_TEST(FG::geodesic_distances(mesh, Vertex(0), boost::make_assoc_property_map(distances), np).is_confirmed());
 }

@@ -104,9 +104,9 @@ BOOST_AUTO_TEST_CASE(a_metric_with_exact_squared_lengths_is_certified)
     std::vector<Vertex> corner;
     for(int k = 0; k <= i; ++k)
       corner.push_back(vertex(i - k, 0));
-    BOOST_TEST((FG::certify_curve(mesh, corner, np).verdict == FG::Verdict::PROVEN));
+    BOOST_TEST((FG::certify_curve(mesh, corner, np).verdict() == FG::Verdict::PROVEN));
     corner.push_back(vertex(0, 1));
-    BOOST_TEST((FG::certify_curve(mesh, corner, np).verdict == FG::Verdict::BENT_JOINT));
+    BOOST_TEST((FG::certify_curve(mesh, corner, np).verdict() == FG::Verdict::BENT_JOINT));
   }
 }
 

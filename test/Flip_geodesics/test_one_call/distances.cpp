@@ -53,7 +53,7 @@ std::size_t number_of_other_coordinates(const Surface& mesh, Vertex source, bool
   for(Vertex v : mesh.vertices()) {
     const FG::Polar_coordinates& p = map[triangulation.index(v)];
     BOOST_CHECK_SMALL(p.radius - polar.at(v).radius, 1e-9);
-    const double difference = std::remainder(p.angle - polar.at(v).angle, map.total_angle);
+    const double difference = std::remainder(p.angle - polar.at(v).angle, map.total_angle());
     result += v != source && !(std::abs(difference) < 1e-8) ? 1 : 0;
   }
   return result;

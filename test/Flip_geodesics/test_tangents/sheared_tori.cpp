@@ -84,7 +84,7 @@ std::size_t check_map(const Sheared_torus& torus)
   std::vector<FG::Polar_coordinates> map;
   const auto result = FG::logarithmic_map(torus.mesh, Mesh::Vertex_index(0), torus.mesh.vertices(),
                                           std::back_inserter(map), CGAL::parameters::metric(torus.metric));
-  const Complex axis = torus.edge(0, static_cast<int>(target(result.halfedge, torus.mesh)));
+  const Complex axis = torus.edge(0, static_cast<int>(target(result.halfedge(), torus.mesh)));
   const Length_triangulation triangulation(torus.mesh, torus.metric);
   const FG::Logarithmic_map<Length_triangulation> logarithm(triangulation, torus.mesh,
                                                             triangulation.location(FG::Vertex_index(0)));
