@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/isolines.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
@@ -19,6 +20,7 @@
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <variant>
 
 using namespace Flip_geodesics_test;
 
@@ -396,7 +398,10 @@ BOOST_AUTO_TEST_CASE(bad_meshes_are_refused)
   const auto a = quads.add_vertex({0, 0, 0}), b = quads.add_vertex({1, 0, 0}), c = quads.add_vertex({1, 1, 0}),
              d = quads.add_vertex({0, 1, 0}), e = quads.add_vertex({2, 0, 0});
   const auto square = quads.add_face(a, b, c, d), triangle = quads.add_face(b, e, c);
-  check_refused<FG::Invalid_mesh_error>(quads, Polyline{{square, {{0.5, 0.5, 0}}}}, {});
+  std::vector<std::size_t> corners;
+  for(const auto h : CGAL::halfedges_around_face(halfedge(square, quads), quads))
+    corners.push_back(source(h, quads));
+  check_refused<FG::Invalid_mesh_error>(quads, Polyline{{square, {{0.5, 0.5, 0}}}}, corners);
   // The side between them is split, so the square would be no polygon of its corners.
   std::array<double, 3> weights = {{0, 0, 0}};
   std::size_t i = 0;
@@ -405,8 +410,84 @@ BOOST_AUTO_TEST_CASE(bad_meshes_are_refused)
       weights[i] = weights[(i + 1) % 3] = 0.5;
     ++i;
   }
-  check_refused<FG::Invalid_mesh_error>(quads, Polyline{{triangle, weights}}, {});
+  check_refused<FG::Invalid_mesh_error>(quads, Polyline{{triangle, weights}}, corners);
   Mesh infinite = one_triangle();
   infinite.point(Mesh::Vertex_index(1)) = Inexact::Point_3(std::numeric_limits<double>::infinity(), 0, 0);
   check_refused<FG::Invalid_coordinate_error>(infinite, Polyline{{Mesh::Face_index(0), {{0.3, 0.3, 0.4}}}}, {1});
+}
+
+// ---------------------------------------------------------------- points of all types
+
+// The same curve, in points of other types.
+BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_all_types_give_the_same_mesh, M, Mesh_types)
+{
+  using Vertex = typename boost::graph_traits<M>::vertex_descriptor;
+  using Triangulation = FG::Intrinsic_triangulation<M>;
+  using Variant = std::variant<Vertex, FG::Surface_location, Location_of<M>, FG::Surface_point>;
+  for(const Mesh_soup& soup : meshes_for_insertion()) {
+    const auto result_of = [&](const auto& converted) {
+      M mesh = to_mesh<M>(soup);
+      const Triangulation triangulation(mesh);
+      const Polyline_of<M> curve = geodesic(mesh, 0, soup.points.size() - 1);
+      std::vector<std::decay_t<decltype(converted(triangulation, mesh, curve[0], curve.size()))>> points;
+      for(const auto& p : curve)
+        points.push_back(converted(triangulation, mesh, p, points.size()));
+      return inserted(mesh, points);
+    };
+    const auto location = [](const auto& triangulation, const M& mesh, const auto& p, std::size_t) {
+      return FG::surface_location(triangulation, mesh, p);
+    };
+    const auto point = [&](const auto& triangulation, const M& mesh, const auto& p, std::size_t i) {
+      return FG::surface_point(triangulation, location(triangulation, mesh, p, i));
+    };
+    const auto variant = [&](const auto& triangulation, const M& mesh, const auto& p, std::size_t i) -> Variant {
+      if(i == 0)
+        return nth_vertex(mesh, 0);
+      if(i % 3 == 0)
+        return p;
+      return i % 3 == 1 ? Variant(location(triangulation, mesh, p, i)) : Variant(point(triangulation, mesh, p, i));
+    };
+    const auto expected = result_of([](const auto&, const M&, const auto& p, std::size_t) { return p; });
+    const auto check = [&expected](const auto& result) {
+      BOOST_TEST(result.report.new_vertices == expected.report.new_vertices);
+      BOOST_TEST(result.report.new_faces == expected.report.new_faces);
+      BOOST_TEST(std::abs(result.marked_length - expected.marked_length) <= 1e-12 * expected.marked_length);
+    };
+    check(result_of(location));
+    check(result_of(point));
+    check(result_of(variant));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_chain_of_vertices_is_marked)
+{
+  Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  using Vertex = Mesh::Vertex_index;
+  const auto result = inserted(mesh, std::vector<Vertex>{Vertex(6), Vertex(7), Vertex(8)});
+  BOOST_TEST(result.report.new_vertices == 0u);
+  BOOST_TEST(std::abs(result.marked_length - 2) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(completed_polylines_are_inserted)
+{
+  Mesh mesh = to_mesh<Mesh>(sphere(3));
+  FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
+  const std::vector<FG::Surface_location> drawn = FG::complete_polyline(
+      triangulation, std::vector<FG::Surface_location>{{FG::Input_halfedge_index(0), {{1, 1, 1}}},
+                                                       {FG::Input_halfedge_index(60), {{1, 1, 1}}}});
+  const auto result = inserted(mesh, drawn);
+  BOOST_TEST(result.marked_ends == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(points_by_index_that_are_none_are_refused)
+{
+  Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  const auto isolated = mesh.add_vertex(Mesh::Point(9, 9, 9));
+  using Location = FG::Surface_location;
+  const Location good = {FG::Input_halfedge_index(0), {{1, 0, 0}}};
+  const std::vector<std::vector<Location>> curves = {{good}, {good, {FG::Input_halfedge_index(0), {{1, -1, 0}}}}};
+  check_refused<FG::Invalid_location_error>(mesh, curves, {1, 1});
+  check_refused<FG::Invalid_location_error>(mesh, std::vector<Location>{{FG::Input_halfedge_index(1000), {{1, 0, 0}}}},
+                                            {0, 0});
+  check_refused<FG::Vertex_out_of_range_error>(mesh, std::vector<Mesh::Vertex_index>{isolated}, {0, 0});
 }

@@ -248,7 +248,7 @@ Surface_point surface_point_at_vertex(const Triangulation& triangulation, Vertex
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const Surface_point& p)
 {
-  if(p.vertex != null_index)
+  if(is_vertex(p.vertex, triangulation.number_of_vertices())) // it may have been inserted into another triangulation
     return triangulation.location(p.vertex);
   if(p.is_inside_face()) {
     const auto& input = triangulation.input();

@@ -203,13 +203,13 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \param mesh a triangle mesh, a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two
  *        faces may have the same three vertices; only faces that are divided must be triangles
  * \param curves a range of curves, or a single one. A curve is a range of points, or has such a range as its member
- *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a
- *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Curve_point` or `Curve_place`, or a point in
- *        space that lies on the surface up to \f$10^{-6}\f$ of the diagonal of the bounding box. A point in space is
- *        searched for in the faces around the previous point, and then in all faces. Any two consecutive points must
- *        lie in a common face. For other polylines, `complete_polyline()` computes the missing points as
- *        `Surface_location`s, which `face_location()` converts to face locations. A curve that consists of a single
- *        point adds a vertex and no edge
+ *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a vertex or a
+ *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Surface_location`, `Surface_point`,
+ *        `Curve_point` or `Curve_place`, a point in space that lies on the surface up to \f$10^{-6}\f$ of the diagonal
+ *        of the bounding box, or a `std::variant` of several of these. A point in space is searched for in the faces
+ *        around the previous point, and then in all faces. Any two consecutive points must lie in a common face. For
+ *        other polylines, `complete_polyline()` computes the missing points. A curve that consists of a single point
+ *        adds a vertex and no edge
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -253,10 +253,12 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_location_error if a face is null, barycentric coordinates are negative, NaN or do not sum to one
  *            within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` are the
  *            positions of the curve and of the point in it
+ * \exception Vertex_out_of_range_error if a vertex does not belong to any face, with the same elements
  * \exception Invalid_curve_error if a curve has no points, or two consecutive points do not lie in a common face;
  *            `elements()` are the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
- *            points in space, also if any face that is examined is not a triangle
+ *            points in space, also if any face that is examined is not a triangle; if vertices, `Surface_location`s or
+ *            `Surface_point`s are given, also if a `Surface_mesh` contains removed vertices or edges
  * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite;
  *            `elements()` contains the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
@@ -278,7 +280,7 @@ std::enable_if_t<!internal::has_triangulation<TriangleMesh>, Curve_insertion_rep
       "the first argument of insert_curves() must be a mesh that can be changed, a model of MutableFaceGraph");
   constexpr bool are_curves = internal::is_insertable_curve<CurveRange, TriangleMesh> ||
                               internal::is_range_of_insertable_curves<CurveRange, TriangleMesh>;
-  static_assert(are_curves, "the curves must be ranges of Face_locations of the mesh, Curve_points or points in space");
+  static_assert(are_curves, "the curves must be ranges of vertices, Face_locations or other points of the mesh");
   const auto& options =
       internal::options_of<internal_np::vertex_point_t, internal_np::edge_is_constrained_t, internal_np::face_patch_t,
                            internal_np::visitor_t, internal_np::snapping_tolerance_t>(np...);

@@ -147,7 +147,7 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 35
   FG::insert_curves(mesh, isolines);
 #elif MISTAKE == 36
-  FG::insert_curves(changed, of_mesh);
+  FG::insert_curves(changed, levels);
 #elif MISTAKE == 37
   FG::insert_curves(changed, isolines, CGAL::parameters::edge_is_constrained_map(marks));
 #elif MISTAKE == 38

@@ -3,13 +3,17 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CURVE_INSERTION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CURVE_INSERTION_H
 
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Nearest_face.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Metric_surface.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Bbox_3.h>
@@ -809,8 +813,16 @@ constexpr bool
     is_point_in_space<T, std::void_t<decltype(std::declval<const T&>().x()), decltype(std::declval<const T&>().y()),
                                      decltype(std::declval<const T&>().z())>> = true;
 
+/* Detects the other surface points that `surface_location()` accepts, and variants. */
 template <class T, class Mesh>
-constexpr bool is_point_of_curve = is_face_location_of<T, Mesh> || has_face_location<T, Mesh> || is_point_in_space<T>;
+constexpr bool is_point_by_index =
+    Is_variant<T>::value || std::is_convertible<const T&, const Surface_location&>::value ||
+    std::is_convertible<const T&, const Surface_point&>::value ||
+    std::is_convertible<const T&, typename boost::graph_traits<Mesh>::vertex_descriptor>::value;
+
+template <class T, class Mesh>
+constexpr bool is_point_of_curve =
+    is_face_location_of<T, Mesh> || has_face_location<T, Mesh> || is_point_in_space<T> || is_point_by_index<T, Mesh>;
 
 /* Detects ranges of these. */
 template <class T, class Mesh, class = void>
@@ -895,7 +907,15 @@ private:
   template <class T>
   void add_point(const T& p)
   {
-    const Place place = place_of(p);
+    if constexpr(Is_variant<T>::value)
+      std::visit([this](const auto& q) { this->add_place(q, this->place_of(q)); }, p);
+    else
+      add_place(p, place_of(p));
+  }
+
+  template <class T>
+  void add_place(const T& p, const Place& place)
+  {
     const std::size_t node = m_insertion.add_point(place.face, place.weights, given_weights(p, place));
     if(m_point > 0 && !m_insertion.add_segment(m_last_node, node, {{m_last_face, place.face}}))
       throw Invalid_curve_error(name() +
@@ -920,8 +940,20 @@ private:
                       m_snap);
     else if constexpr(has_face_location<T, Mesh>)
       return place_of(p.location);
+    else if constexpr(is_point_by_index<T, Mesh>)
+      return place_by_index(p);
     else
       return place_in_space(half_of(p));
+  }
+
+  template <class T>
+  Place place_by_index(const T& p)
+  {
+    if(!m_surface)
+      m_surface.emplace(m_mesh, Embedded_metric<Mesh, PointMap>(m_points));
+    const auto convert = [&] { return face_location(*m_surface, m_mesh, located_place(*m_surface, p)); };
+    const auto [f, weights] = located_by_name(convert, "curve ", Element{m_curve}, ", point ", Element{m_point});
+    return place_at(f, weights, m_snap);
   }
 
   // Returns the weights as given, or those of the place in double.
@@ -995,8 +1027,9 @@ private:
   double m_snap;
   Insertion& m_insertion;
   std::optional<Nearest_face<Mesh, Corners>> m_nearest_face;
-  double m_diagonal = -1;               // negative until it is computed
-  std::size_t m_curve = 0, m_point = 0; // the one being read
+  std::optional<Metric_surface<Mesh, Embedded_metric<Mesh, PointMap>>> m_surface; // numbers the elements of the mesh
+  double m_diagonal = -1;                                                         // negative until it is computed
+  std::size_t m_curve = 0, m_point = 0;                                           // the one being read
   std::size_t m_last_node = Insertion::none;
   Face m_last_face = Graph::null_face();
 };
