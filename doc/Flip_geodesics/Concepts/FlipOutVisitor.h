@@ -31,6 +31,7 @@
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
+ * \cgalHasModels{CGAL::Flip_geodesics::Time_stop_predicate}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Flip_geodesics::shorten()`

@@ -197,9 +197,11 @@ decltype(auto) restarted(const StopPredicate& stop)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when a given time has elapsed since the construction of the predicate. Functions that compute several curves
-/// one after the other measure the time of each curve separately. \cgalModels{FlipOutStopPredicate}
-class Time_stop_predicate
+/// Stops when a given time has elapsed since the construction of the object. As a stop predicate it limits the time of
+/// shortening; functions that compute several curves one after the other measure the time of each curve separately. As a
+/// visitor it limits the time of any other long computation, such as a search, a tree or a distance field.
+/// \cgalModels{FlipOutStopPredicate} \cgalModels{FlipOutVisitor}
+class Time_stop_predicate : public Default_shortening_visitor
 {
 public:
   /// Sets the limit and starts the timer.
@@ -213,9 +215,11 @@ public:
   /// Returns `ITERATION_LIMIT` if the time has elapsed, otherwise `CONTINUE`.
   Stop_decision operator()(const Shortening_step&) const
   {
-    return std::chrono::steady_clock::now() - m_start >= m_limit ? Stop_decision::ITERATION_LIMIT
-                                                                 : Stop_decision::CONTINUE;
+    return go_further() ? Stop_decision::CONTINUE : Stop_decision::ITERATION_LIMIT;
   }
+
+  /// Returns whether the time has not elapsed.
+  bool go_further() const { return std::chrono::steady_clock::now() - m_start < m_limit; }
 
   /// Returns a predicate with the same limit whose timer starts now.
   Time_stop_predicate restarted() const { return Time_stop_predicate(m_limit); }
