@@ -194,7 +194,9 @@ public:
     m_method =
         parameters::choose_parameter(parameters::get_parameter(options, internal::search_method_parameter), standard);
     m_looks_back = has_bound && m_method == Search_method::LOOK_BACK;
-    m_haste = m_method != Search_method::LOOK_BACK ? 1 : (m_landmarks != nullptr ? haste_with_landmarks : haste);
+    m_bound_weight = m_method != Search_method::LOOK_BACK
+                         ? 1
+                         : (m_landmarks != nullptr ? bound_weight_with_landmarks : bound_weight);
     if(m_landmarks == nullptr)
       return;
     CGAL_precondition(m_method == Search_method::LOOK_BACK);
@@ -320,7 +322,7 @@ private:
   // A zigzag along a straight line is longer by at most 2 / sqrt(3) on a regular triangulation, and sqrt(2) on a grid.
   static constexpr double most_zigzag = 1.5;
   // The factors of the bound (weighted A*). Landmarks provide bounds that are nearly attained.
-  static constexpr double haste = 1.1, haste_with_landmarks = 1.02;
+  static constexpr double bound_weight = 1.1, bound_weight_with_landmarks = 1.02;
   // A path that is shorter by less than this fraction of its last edge does not advance a vertex in the queue.
   static constexpr double least_gain = 0.2;
 
@@ -459,7 +461,7 @@ private:
     double bound = m_is_bounded ? m_triangulation->metric().distance_lower_bound(place, m_target_place) : 0;
     if(m_landmarks != nullptr && m_target != null_index)
       bound = (std::max)(bound, m_landmarks->distance_lower_bound(v, m_target));
-    return internal::unfused(m_haste * bound);
+    return internal::unfused(m_bound_weight * bound);
   }
 
   // Returns the distance of a neighbor, or that measured from an ancestor if it is smaller.
@@ -483,7 +485,7 @@ private:
   const Triangulation* m_triangulation;
   Search_method m_method = Search_method::A_STAR;
   bool m_looks_back = false;
-  double m_haste = 1;
+  double m_bound_weight = 1;
   internal::Label_setting_search<Search_labels> m_search;
   const Landmark_distances* m_landmarks = nullptr;
   Vertex_index m_target = null_index; // null if the search proceeds in all directions
