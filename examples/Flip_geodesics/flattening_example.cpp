@@ -68,8 +68,7 @@ try {
     FG::shorten(network);
   }
 
-  FG::refine(network);
-  const FG::Conformal_flattening<Triangulation> flattening(network);
+  const FG::Conformal_flattening<Triangulation> flattening = FG::refine_and_flatten(network);
   auto subdivision = FG::common_subdivision(triangulation, mesh);
   Mesh& result = subdivision.mesh();
   auto texture_coordinates = result.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", {}).first;

@@ -298,6 +298,52 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flattened_is_told)
   BOOST_CHECK_EXCEPTION((Flattening{hill_uncut, 1e-30}), FG::Flattening_error, names("differ from 2 pi"));
 }
 
+// The cut graph passes a vertex that is collinear with its ends up to rounding errors.
+BOOST_AUTO_TEST_CASE(a_cut_graph_that_touches_a_vertex_is_flattened)
+{
+  const Mesh mesh = to_mesh<Mesh>(torus(24, 12, 3, 1));
+  FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
+  FG::Edge_path_network<FG::Intrinsic_triangulation<Mesh>> network(triangulation);
+  FG::add_cut_graph(network);
+  FG::shorten_cut_graph(network);
+  const auto flattening = FG::refine_and_flatten(network);
+  BOOST_TEST(flattening.angle_error() <= 1e-10);
+  BOOST_TEST(flattening.layout_error() < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(edges_are_split_until_scale_factors_exist)
+{
+  for(const Mesh_soup& soup : {cone(3, 2, 1, 4), cone(3, 1, 1, 2), cone(4, 1, 1, 2)}) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation triangulation(mesh);
+    Network uncut(triangulation);
+    const Flattening flattening = FG::refine_and_flatten(uncut);
+    BOOST_TEST(flattening.angle_error() <= 1e-10);
+    BOOST_TEST(flattening.layout_error() < 1e-7);
+    BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-7);
+  }
+}
+
+// Scale factors at the tip would be far below the precision of coordinates.
+BOOST_AUTO_TEST_CASE(a_long_spike_must_be_cut)
+{
+  const Mesh_soup soup = cone(8, 4, 1, 60);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  Triangulation triangulation(mesh);
+  Network uncut(triangulation);
+  std::size_t tip = 0;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    tip = soup.points[v][2] > soup.points[tip][2] ? v : tip;
+  BOOST_CHECK_EXCEPTION(FG::refine_and_flatten(uncut), FG::Flattening_error,
+                        [tip](const FG::Flattening_error& e) { return e.elements() == std::vector<std::size_t>{tip}; });
+
+  // With a cut from the border to the tip.
+  Triangulation again(mesh);
+  Network network(again);
+  add_path(network, FG::Vertex_index(static_cast<FG::Index>(tip)), FG::Vertex_index(disk_vertex(8, 4, 4)));
+  BOOST_TEST(FG::refine_and_flatten(network).angle_error() <= 1e-10);
+}
+
 #else
 
 BOOST_AUTO_TEST_CASE(conformal_flattening_needs_eigen)

@@ -7,6 +7,7 @@
 #include "Double_triangulation.h"
 #include "Edge_path_graph_archetype.h"
 #include "Plain_triangulation.h"
+#include "Triangulation_of_mesh_archetype.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
 #include "mesh_soup.h"
@@ -315,7 +316,26 @@ std::vector<double> solutions(const Mesh& mesh)
   return result;
 }
 
+// The scale factors of a cone, by a model of `IntrinsicTriangulationOfMesh`.
+template <class Model>
+std::vector<double> scales_of_cone()
+{
+  const Mesh mesh = to_mesh<Mesh>(cone(3, 2, 1, 4));
+  Model triangulation(mesh);
+  FG::Edge_path_network<Model> network(triangulation);
+  const FG::Conformal_flattening<Model> flattening = FG::refine_and_flatten(network);
+  std::vector<double> result;
+  for(FG::Index copy = 0; copy < flattening.number_of_copies(); ++copy)
+    result.push_back(flattening.log_scale(FG::Vertex_copy_index(copy)));
+  return result;
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(refinement_for_a_flattening_needs_no_more_than_the_concept)
+{
+  BOOST_TEST(scales_of_cone<Triangulation_of_mesh_archetype<Triangulation>>() == scales_of_cone<Triangulation>());
+}
 
 // Models that have nothing but what the pages of the concepts say.
 BOOST_AUTO_TEST_CASE(no_mesh_is_needed)

@@ -15,7 +15,7 @@ struct Flattened_mesh
 {
   Mesh mesh;          ///< with the positions of corners in the plane, see `texture_of()`
   std::string report; ///< a line for people
-  std::string defect; ///< why the texture is not injective; empty if each triangle is counterclockwise
+  std::string defect; ///< why the texture is not injective; empty if it is, up to rounding errors
 };
 
 /// Cuts a surface along shortened curves and flattens it conformally. \throws Bad_input

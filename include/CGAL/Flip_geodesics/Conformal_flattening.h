@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/refine.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -24,8 +25,10 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <queue>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -115,13 +118,13 @@ private:
  *
  * Each vertex is assigned a scale factor \f$e^{u}\f$, and edges are assigned the lengths \f$e^{(u_i+u_j)/2}\,l_{ij}\f$,
  * such that the faces fit together in the plane. At the border of the cut surface \f$u = 0\f$: lengths are preserved
- * there, so that both sides of a seam have the same length. The scale factors of vertices at which the cut ends, such
- * as cone points, are free.
+ * there, so that both sides of a seam have the same length. At a vertex at which the cut ends, such as a cone point,
+ * the sum of the angles is not prescribed.
  *
  * The factors minimize a convex function, whose minimum is found by Newton's method with the cotangent Laplacian. This
  * requires a few sparse factorizations. Faces that temporarily violate the triangle inequality are treated as
- * degenerate, as in the paper. If such a face remains at the end, an exception is thrown; in that case, flip the
- * triangulation to Delaunay or refine it.
+ * degenerate, as in the paper. If such a face remains at the end, the triangulation has no solution, and an exception
+ * is thrown. `refine_and_flatten()` splits the edges of such faces until a solution exists.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -148,14 +151,14 @@ public:
    */
   template <class Network>
   Conformal_flattening(const Network& network, double tolerance)
-    : m_triangulation(&network.triangulation())
-    , m_faces(all_faces(network.triangulation()))
-    , m_surface(network.triangulation(), m_faces, [&network](Halfedge_index h) { return network.is_occupied(h); })
-    , m_log_scales(static_cast<std::size_t>(m_surface.number_of_copies()), 0.0)
+    : Conformal_flattening(network, Unscaled())
   {
-    check_disk(network);
-    number_free_copies();
     minimize(tolerance);
+    if(const std::vector<Halfedge_index> sides = overlong_sides(m_log_scales); !sides.empty())
+      throw Flattening_error("the conformal factors violate the triangle inequality in " +
+                                 std::to_string(sides.size()) + " faces; use refine_and_flatten()",
+                             {static_cast<std::size_t>(m_triangulation->tail(sides.front()).idx())});
+    check_angles(tolerance);
     lay_out(network);
   }
 
@@ -178,6 +181,7 @@ public:
   /*!
    * Transfers the flattening to a common subdivision, linearly within the intrinsic faces. The result can be used as
    * texture coordinates of a mesh.
+   * \pre no edge of the triangulation connects a vertex to itself, as is the case after `refine_and_flatten()`
    * \param subdivision a `Surface_subdivision` made by `common_subdivision()` of the triangulation in the state in
    *        which the triangulation was flattened
    * \param out a writable property map whose keys are the halfedges of the subdivided mesh and whose values can be
@@ -204,9 +208,26 @@ public:
   int iterations() const { return m_iterations; }
 
 private:
+  friend struct internal::Internals<Conformal_flattening>;
+
   using Vector = Eigen::VectorXd;
   using Values = internal::Indexed_by<Vertex_copy_index, std::vector<double>>;
   using Matrix = Eigen::SparseMatrix<double>;
+
+  struct Unscaled
+  {
+  };
+
+  template <class Network>
+  Conformal_flattening(const Network& network, Unscaled)
+    : m_triangulation(&network.triangulation())
+    , m_faces(all_faces(network.triangulation()))
+    , m_surface(network.triangulation(), m_faces, [&network](Halfedge_index h) { return network.is_occupied(h); })
+    , m_log_scales(static_cast<std::size_t>(m_surface.number_of_copies()), 0.0)
+  {
+    check_disk(network);
+    number_free_copies();
+  }
 
   static std::vector<Intrinsic_face> all_faces(const Triangulation& triangulation)
   {
@@ -232,8 +253,8 @@ private:
     for(const Intrinsic_face& face : m_faces)
       if(!internal::Plane_triangle(face.lengths).has_finite_cotangents())
         internal::throw_naming<Degenerate_face_error>(
-            "an intrinsic face at vertex ", face.vertices[0],
-            " is degenerate; flip to a Delaunay triangulation first, or mollify the metric");
+            "an intrinsic face at vertex ", face.vertices[0], ", with sides of length ", face.lengths[0], ", ",
+            face.lengths[1], " and ", face.lengths[2], ", is degenerate in double precision; remesh the surface there");
   }
 
   // Traverses faces breadth first, not across cuts, and calls visit(face, side, next face). Returns the number of faces
@@ -330,28 +351,58 @@ private:
     return result;
   }
 
+  // Returns the factors after the first step of Newton's method, undamped.
+  Values first_estimate() const
+  {
+    Vector step;
+    const bool is_found = m_number_of_free > 0 && newton_step(m_log_scales, defects(m_log_scales), step);
+    return is_found ? moved(step, 1) : m_log_scales;
+  }
+
+  bool newton_step(const Values& u, const Vector& gradient, Vector& step) const
+  {
+    Eigen::SimplicialLDLT<Matrix> solver(hessian(u));
+    if(solver.info() != Eigen::Success)
+      return false;
+    step = solver.solve(-gradient);
+    return step.allFinite();
+  }
+
+  Values moved(const Vector& step, double t) const
+  {
+    Values u = m_log_scales;
+    for(Vertex_copy_index copy : internal::descriptors<Vertex_copy_index>(number_of_copies()))
+      if(m_free[copy] != null_index)
+        u[copy] += t * step[m_free[copy]];
+    return u;
+  }
+
   void minimize(double tolerance)
   {
     constexpr int most_iterations = 200;
     if(m_number_of_free == 0)
       return;
-    Vector gradient = defects(m_log_scales);
-    Eigen::SimplicialLDLT<Matrix> solver;
-    for(; m_iterations < most_iterations && gradient.lpNorm<Eigen::Infinity>() > tolerance; ++m_iterations) {
-      const Matrix matrix = hessian(m_log_scales);
-      solver.compute(matrix);
-      if(solver.info() != Eigen::Success)
-        break;
-      const Vector step = solver.solve(-gradient);
-      if(!step.allFinite() || !move_along(step, gradient))
-        break;
-    }
+    Vector gradient = defects(m_log_scales), step;
+    while(m_iterations < most_iterations && gradient.lpNorm<Eigen::Infinity>() > tolerance &&
+          newton_step(m_log_scales, gradient, step) && move_along(step, gradient))
+      ++m_iterations;
     m_angle_error = gradient.lpNorm<Eigen::Infinity>();
+  }
+
+  // Returns the longest side of each face in which the scaled lengths violate the triangle inequality.
+  std::vector<Halfedge_index> overlong_sides(const Values& u) const
+  {
+    std::vector<Halfedge_index> result;
     for(const Intrinsic_face& face : m_faces)
-      if(!(scaled(face, m_log_scales).area > 0))
-        internal::throw_naming<Flattening_error>(
-            "the conformal factors violate the triangle inequality in the face at vertex ", face.vertices[0],
-            "; flip the triangulation to Delaunay or refine it");
+      if(const internal::Plane_triangle triangle = scaled(face, u); !(triangle.area > 0)) {
+        const auto longest = std::max_element(triangle.lengths.begin(), triangle.lengths.end());
+        result.push_back(face.halfedges[static_cast<std::size_t>(longest - triangle.lengths.begin())]);
+      }
+    return result;
+  }
+
+  void check_angles(double tolerance) const
+  {
     if(!(m_angle_error <= tolerance))
       throw Flattening_error("the angle sums still differ from 2 pi by " + internal::written(m_angle_error) +
                              "; some faces of the triangulation are too thin for double precision");
@@ -365,10 +416,7 @@ private:
     if(!(slope < 0))
       return false;
     for(double t = 1; t > internal::least_line_search_step; t /= 2) {
-      Values u = m_log_scales;
-      for(Vertex_copy_index copy : internal::descriptors<Vertex_copy_index>(number_of_copies()))
-        if(m_free[copy] != null_index)
-          u[copy] += t * step[m_free[copy]];
+      Values u = moved(step, t);
       Vector next = defects(u);
       if(next.dot(step) <= -0.9 * slope) {
         m_log_scales = std::move(u);
@@ -478,6 +526,194 @@ private:
   double m_angle_error = 0, m_layout_error = 0;
   int m_iterations = 0;
 };
+
+namespace internal {
+
+template <class Triangulation>
+struct Internals<Conformal_flattening<Triangulation>>
+{
+  using Flattening = Conformal_flattening<Triangulation>;
+
+  /*
+   * Flattens a surface. Returns the sides to be split, and no result, if scaled lengths violate the triangle inequality
+   * in some faces, or edges connect a vertex to itself.
+   *
+   * The conformal factors of smooth surfaces solve a linear equation, of which the first step of Newton's method solves
+   * the discretization. If the faces are small enough for this solution, the method converges fast.
+   * \throws Flattening_error as `refine_and_flatten()` does
+   */
+  template <class Network>
+  static std::vector<Halfedge_index> flatten(const Network& network, std::optional<Flattening>& result)
+  {
+    Flattening flattening(network, typename Flattening::Unscaled());
+    const auto estimate = flattening.first_estimate();
+    check_scales(flattening, estimate);
+    std::vector<Halfedge_index> sides = flattening.overlong_sides(estimate);
+    for(const Intrinsic_face& face : flattening.m_faces)
+      for(int i = 0; i < 3; ++i)
+        if(face.vertices[i] == face.vertices[(i + 1) % 3])
+          sides.push_back(face.halfedges[i]); // `carry_to()` could not distinguish the ends
+    if(!sides.empty())
+      return sides;
+    flattening.minimize(default_angle_sum_tolerance);
+    sides = flattening.overlong_sides(flattening.m_log_scales);
+    if(!sides.empty())
+      return sides;
+    flattening.check_angles(default_angle_sum_tolerance);
+    flattening.lay_out(network);
+    result.emplace(std::move(flattening));
+    return {};
+  }
+
+private:
+  template <class Values>
+  static void check_scales(const Flattening& flattening, const Values& log_scales)
+  {
+    Vertex_copy_index extreme = null_index;
+    for(Vertex_copy_index copy : descriptors<Vertex_copy_index>(flattening.number_of_copies()))
+      if(!flattening.m_triangulation->is_inserted(flattening.vertex(copy)) &&
+         std::abs(log_scales[copy]) > (extreme == null_index ? largest_log_scale : std::abs(log_scales[extreme])))
+        extreme = copy;
+    if(extreme == null_index)
+      return;
+    const auto v = static_cast<std::size_t>(flattening.vertex(extreme).idx());
+    throw Flattening_error("the conformal factors degenerate: lengths at vertex " + std::to_string(v) +
+                               " would be multiplied by about 1e" +
+                               std::to_string(std::lround(log_scales[extreme] / std::log(10))) +
+                               "; cut the surface to this vertex",
+                           {v});
+  }
+};
+
+/*
+ * Replaces each halfedge of a chain that passes a vertex so closely that the face between them is degenerate in double
+ * precision by the two other sides of this face. Returns whether there was one.
+ */
+template <class Network>
+bool replace_near_sides(const Network& network, std::vector<Halfedge_index>& chain)
+{
+  const auto& triangulation = network.triangulation();
+  using Triangulation = typename Network::Triangulation;
+  const auto is_near = [&](Halfedge_index h) {
+    if(triangulation.is_border(h))
+      return false;
+    const Halfedge_index hn = triangulation.next(h);
+    const double length = triangulation.length(h);
+    const Plane_triangle face({length, triangulation.length(hn), triangulation.length(triangulation.next(hn))});
+    return face.lengths[1] < length && face.lengths[2] < length &&
+           2 * face.area < passed_vertex_height * length * length;
+  };
+  const std::size_t size = chain.size();
+  for(std::size_t i = 0; i < chain.size();) {
+    const Halfedge_index h = chain[i], t = Triangulation::twin(h);
+    if(is_near(h)) {
+      chain[i] = Triangulation::twin(triangulation.next(triangulation.next(h)));
+      chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(i) + 1, Triangulation::twin(triangulation.next(h)));
+    } else if(is_near(t)) {
+      chain[i] = triangulation.next(t);
+      chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(i) + 1, triangulation.next(triangulation.next(t)));
+    } else {
+      ++i;
+    }
+  }
+  return chain.size() != size;
+}
+
+/* Splits an edge near its midpoint. Returns whether double precision permits it. */
+template <class Network>
+bool split_in_half(Network& network, Halfedge_index h)
+{
+  const auto& triangulation = network.triangulation();
+  try {
+    const auto point = point_on_edge(triangulation, triangulation.is_border(h) ? twin_index(h) : h, 0.5);
+    if(point)
+      network.split_edge(triangulation.is_border(h) ? twin_index(h) : h, point->location, point->gap);
+    return point.has_value();
+  } catch(const Insertion_error&) {
+    return false;
+  }
+}
+
+/*
+ * Moves curves onto vertices that they pass so closely that faces next to them are degenerate in double precision.
+ * Returns whether there were any.
+ */
+template <class Network>
+bool move_to_near_vertices(Network& network)
+{
+  struct Chain
+  {
+    std::vector<Halfedge_index> halfedges;
+    bool is_closed;
+  };
+  std::vector<Chain> chains;
+  bool is_changed = false;
+  for(Curve_index c : network.curves()) {
+    chains.push_back({network.halfedges(c), network.is_closed(c)});
+    is_changed = replace_near_sides(network, chains.back().halfedges) || is_changed;
+  }
+  if(!is_changed)
+    return false;
+  network.clear();
+  for(const Chain& chain : chains)
+    network.add_curve(chain.halfedges, parameters::is_closed(chain.is_closed));
+  return true;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsOperators
+ *
+ * Refines a triangulation and flattens its surface, cut open along the curves of a network.
+ *
+ * The triangulation is refined by `refine()` with the default options, and edges that connect a vertex to itself are
+ * split. As long as the lengths that are scaled by the conformal factors violate the triangle inequality in some faces,
+ * the longest sides of these faces are split at their midpoints. Curves that pass a vertex at a distance of less than
+ * \f$10^{-9}\f$ of an edge are moved onto it first; then the order of overlapping curves and fixed nodes are lost.
+ *
+ * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface
+ * \param np the named parameter `visitor` of `refine()`, for the refinement
+ * \return the flattening, with a tolerance of 1e-10 radians
+ * \throws Flattening_error if the cut surface is not a disk, a scale factor is outside the range from
+ *         \f$10^{-9}\f$ to \f$10^9\f$, so that coordinates in the plane are too inaccurate, or splitting edges does not
+ *         help. In the last two cases, the element is a vertex, and the surface should be cut to it
+ * \throws Degenerate_face_error if a face is degenerate in double precision
+ * \throws Occupied_triangulation_error as `refine()` does
+ */
+template <class Network, class... NamedParameters>
+Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network& network, const NamedParameters&... np)
+{
+  using Triangulation = typename Network::Triangulation;
+  using Internals = internal::Internals<Conformal_flattening<Triangulation>>;
+  constexpr int most_rounds = 40;
+  const Triangulation& triangulation = network.triangulation();
+  do
+    flip_to_delaunay(network.triangulation(), np...);
+  while(internal::move_to_near_vertices(network));
+  do
+    refine(network, Refinement_options(), np...);
+  while(internal::move_to_near_vertices(network)); // inserted ones
+  const Index most_vertices = 2 * triangulation.number_of_vertices() + 1000;
+  std::optional<Conformal_flattening<Triangulation>> result;
+  for(int round = 0;; ++round) {
+    std::vector<Halfedge_index> sides = Internals::flatten(network, result);
+    if(result)
+      return std::move(*result);
+    const auto v = static_cast<std::size_t>(triangulation.tail(sides.front()).idx());
+    for(Halfedge_index& h : sides)
+      h = internal::first_side(Triangulation::edge(h));
+    std::sort(sides.begin(), sides.end());
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+    bool is_changed = false;
+    for(Halfedge_index h : sides)
+      is_changed = internal::split_in_half(network, h) || is_changed;
+    if(!is_changed || round == most_rounds || triangulation.number_of_vertices() > most_vertices)
+      throw Flattening_error("the conformal factors violate the triangle inequality near vertex " + std::to_string(v) +
+                                 ", however small the faces are; cut the surface to this vertex",
+                             {v});
+  }
+}
 
 } // namespace Flip_geodesics
 } // namespace CGAL

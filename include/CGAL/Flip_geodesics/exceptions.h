@@ -291,8 +291,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a surface to be flattened is not a topological disk, or a conformal factor makes a face violate the
-/// triangle inequality.
+/// Is thrown if a surface to be flattened is not a topological disk, a conformal factor makes a face violate the triangle
+/// inequality, or a conformal factor is beyond the precision of coordinates; `elements()` is the vertex to which the
+/// surface should be cut, if it is known.
 class Flattening_error : public Error
 {
 public:

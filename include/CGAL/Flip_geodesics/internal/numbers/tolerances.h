@@ -431,6 +431,14 @@ inline constexpr double converged_energy = 1e-12, eigenvalue_shift = 1e-6;
 /* Added to each diagonal entry of a Hessian of order one, which may have empty rows where all faces are degenerate. */
 inline constexpr double hessian_regularization = 1e-12;
 
+/* The largest logarithm of a conformal factor, 10^9 or 10^-9, in absolute value. Beyond it, faces of a usual size are
+ * smaller in the plane than the rounding errors of its coordinates. */
+inline constexpr double largest_log_scale = 20.7;
+
+/* The height of a face over a side that lies under a curve, relative to the side, below which the curve is moved onto
+ * the opposite vertex before it is flattened: 10^7 u, so that what is not moved has seven digits. */
+inline constexpr double passed_vertex_height = 1e-9;
+
 /* Steps of a line search below these parts of the full step are not tried any more. */
 inline constexpr double least_line_search_step = 1e-10, least_mean_step = 0x1p-40;
 
