@@ -345,6 +345,22 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/nearly_twice.polylines.txt "4 1 0 0 0.5 0.5 0 0 1 0 1e-17 1 0\n")
   flip_geodesics_add_program_test(certify_nearly_coincident_points 0 "certificates: 1 PROVEN" certify no_seam.obj --draw
                                   nearly_twice.polylines.txt)
+  # The loop passes a vertex at a distance of 1e-17.
+  add_test(NAME program_small_torus COMMAND generate_torus small_torus.off 6 3 WORKING_DIRECTORY ${program_dir})
+  flip_geodesics_add_program_test(certify_loops_written 0 "2 LOCALLY_SHORTEST" loops small_torus.off -o
+                                  loops.polylines.txt)
+  set_tests_properties(program_certify_loops_written PROPERTIES DEPENDS program_small_torus)
+  flip_geodesics_add_program_test(certify_loops 0 "certificates: 1 PROVEN 1 WITHIN_ROUNDING" certify small_torus.off
+                                  --draw loops.polylines.txt)
+  set_tests_properties(program_certify_loops PROPERTIES DEPENDS program_certify_loops_written)
+  file(WRITE ${program_dir}/closed.polylines.txt "5 0 0 0 1 0 0 1 1 0 0 1 0 0 0 0\n")
+  flip_geodesics_add_program_test(certify_closed 1 "BENT_JOINT at point 0, .*where the closed curve begins and ends"
+                                  certify no_seam.obj --draw closed.polylines.txt)
+  file(WRITE ${program_dir}/collinear.off "OFF\n6 6 0\n0 0 0\n1 0 0\n2 0 0\n1 1 0\n1 -1 0\n1 2 0.5\n"
+                                          "3 0 1 3\n3 1 2 3\n3 0 2 1\n3 0 4 2\n3 3 5 0\n3 3 2 5\n")
+  file(WRITE ${program_dir}/collinear.polylines.txt "4 1 1 0 1 0 0 1 0 0 1 -1 0\n")
+  flip_geodesics_add_program_test(certify_degenerate_faces 1 "sides of degenerate faces are crossed, so repair the mesh"
+                                  certify collinear.off --draw collinear.polylines.txt)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)

@@ -73,15 +73,31 @@ Curve_result certified_curve(const Mesh& mesh, const Triangulation& triangulatio
   Curve_result result = result_along(triangulation, request, request.points);
   result.status = "GIVEN";
   result.certificate = to_string(certificate.verdict());
-  if(!certificate.is_locally_shortest()) {
+  // Curves that touch a vertex are written with points that differ from it by rounding errors, on either side.
+  constexpr double rounding = 1e-9; // radians
+  if(!certificate.is_locally_shortest() && certificate.verdict != FG::Verdict::UNDECIDED &&
+     certificate.bend <= rounding) {
+    result.certificate = "WITHIN_ROUNDING";
+  } else if(!certificate.is_locally_shortest()) {
     std::ostringstream why;
     why << "it is not locally shortest: " << result.certificate << " at point " << certificate.number << ", by "
         << certificate.bend << " radians";
     if(certificate.vertex != Mesh::null_vertex())
       why << " at vertex " << certificate.vertex.idx();
+    if(request.is_closed && certificate.number == 0)
+      why << ", where the closed curve begins and ends";
     result.error = why.str();
   }
   return result;
+}
+
+bool has_degenerate_faces(const Mesh& mesh)
+{
+  return std::any_of(mesh.faces_begin(), mesh.faces_end(), [&](Mesh::Face_index f) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    return CGAL::collinear(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                           mesh.point(mesh.target(mesh.next(h))));
+  });
 }
 
 // A slit of one edge would have both ends in common on its two sides, and could not open: it gets a vertex in its
@@ -173,6 +189,10 @@ std::vector<Curve_result> certified_curves(const Mesh& mesh, const std::vector<N
       results.back().name = curve.name;
       results.back().is_pulled_tight = false;
       results.back().error = with_advice_to_repair(error);
+      const bool is_invalid = dynamic_cast<const FG::Invalid_curve_error*>(&error) != nullptr;
+      if(is_invalid && has_degenerate_faces(mesh))
+        results.back().error += "; points do not determine which sides of degenerate faces are crossed, so repair the "
+                                "mesh, and compute the curves on the repaired mesh";
     }
     progress.add_steps(1);
   }
