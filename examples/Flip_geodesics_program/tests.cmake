@@ -361,6 +361,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/collinear.polylines.txt "4 1 1 0 1 0 0 1 0 0 1 -1 0\n")
   flip_geodesics_add_program_test(certify_degenerate_faces 1 "sides of degenerate faces are crossed, so repair the mesh"
                                   certify collinear.off --draw collinear.polylines.txt)
+  flip_geodesics_add_program_test(points_off_the_mesh 0 "3 points are not on the mesh, at a distance of up to 3 .off_surface.polylines.txt line 1"
+                                  path no_seam.obj --draw off_surface.polylines.txt)
+  file(WRITE ${program_dir}/off_surface.polylines.txt "3 0 0 1 1 0 2 1 1 3\n")
+  flip_geodesics_add_program_test(point_off_the_mesh 0 "1 point is not on the mesh, at a distance of 0.5 .--to" path
+                                  no_seam.obj --from 0 --to 1.0,1.0,0.5)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)
@@ -497,7 +502,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   distance torus.off --source 3 --map x.csv --avoid wall.txt)
   flip_geodesics_add_program_test(distance_inside_obstacle 2
                                   "point 1.0,2.0,0.3 lies inside an obstacle of --avoid; choose another point" distance
-                                  torus.off --source 1.0,2.0,0.3 --map x.csv --avoid all_faces.txt)
+                                  torus.off --source 1.0,2.0,0.3 --map x.csv --avoid all_faces.txt --quiet)
   flip_geodesics_add_program_test(trace_from_wall 2 "vertex 3 lies on a barrier" trace torus.off --trace 3,0,1 --avoid
                                   wall.txt)
   flip_geodesics_add_program_test(trace_to_wall 0 "1 BORDER" trace torus.off --trace 13,3,9 --avoid wall.txt)

@@ -47,7 +47,7 @@ inline Curve_request read_polyline_in_space(Text_scanner& words, const Surface_p
   if(curve.is_closed)
     points.pop_back();
   for(const Point_3& p : points)
-    curve.points.push_back(project(p));
+    curve.points.push_back(project(p, words.place()));
   return curve;
 }
 

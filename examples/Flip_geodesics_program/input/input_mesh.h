@@ -6,6 +6,7 @@
 #include "bad_input.h"
 #include "input/input_text.h"
 #include "program_mesh.h"
+#include "readable.h"
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
 
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,7 +93,8 @@ public:
     return std::find(parts.begin(), parts.end(), number) != parts.end();
   }
 
-  /// Lines about the file, what a repair did, and which of the vertices that the user named it has split.
+  /// Lines about the file, what a repair did, which of the vertices that the user named it has split, and how far points
+  /// are from the mesh.
   std::vector<std::string> remarks() const
   {
     std::vector<std::string> lines = m_remarks;
@@ -100,7 +103,27 @@ public:
         lines.push_back("repair: " + line);
     for(const auto& point_and_line : m_splits)
       lines.push_back(point_and_line.second);
+    if(m_number_of_projections > 0) {
+      std::ostringstream line;
+      line << counted(m_number_of_projections, "point is", "points are") << " not on the mesh, at a distance of "
+           << (m_number_of_projections > 1 ? "up to " : "") << m_farthest.first << " (" << m_farthest.second
+           << "); the nearest points of the mesh are used";
+      lines.push_back(line.str());
+    }
     return lines;
+  }
+
+  /// Remembers that a point was replaced by the nearest point of the mesh, at a distance.
+  void note_projection(double distance, const std::string& name) const
+  {
+    constexpr double rounding = 1e-6; // of the size, as coordinates are often written with six digits
+    if(!m_size)
+      m_size = size_of(m_mesh);
+    if(!(distance > rounding * *m_size))
+      return;
+    ++m_number_of_projections;
+    if(distance > m_farthest.first)
+      m_farthest = {distance, name};
   }
 
 private:
@@ -116,6 +139,9 @@ private:
   std::optional<Repair_report> m_report;
   std::vector<std::string> m_remarks;
   std::optional<Input_text> m_text;
+  mutable std::optional<double> m_size; // of the mesh, once it is required
+  mutable std::size_t m_number_of_projections = 0;
+  mutable std::pair<double, std::string> m_farthest;   // distance, and where the point is
   mutable std::map<std::size_t, std::string> m_splits; // the requested ones, by the vertex in the file
 };
 

@@ -101,13 +101,13 @@ private:
   {
     if(!m_project) {
       check_coordinates_to_project(m_mesh, name);
-      m_project.emplace(m_mesh);
+      m_project.emplace(m_input_mesh);
     }
     for(int i = 0; i < 3; ++i)
       if(std::abs(p[i]) > largest_coordinate_to_project)
         throw Bad_input(name +
                         ": a point has a coordinate beyond 1e60, so it cannot be projected onto the mesh; scale both");
-    return (*m_project)(p);
+    return (*m_project)(p, name);
   }
 
   const Input_mesh& m_input_mesh;

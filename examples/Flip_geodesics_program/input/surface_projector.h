@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_SURFACE_PROJECTOR_H
 
 #include "bad_input.h"
+#include "input/input_mesh.h"
 #include "program_mesh.h"
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
@@ -11,6 +12,7 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/squared_distance_3.h>
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR >= 1060000000
@@ -42,21 +44,25 @@ class Surface_projector
 
 public:
   /// \throws Bad_input if no face has an area
-  explicit Surface_projector(const Mesh& mesh)
-    : m_mesh(mesh)
+  explicit Surface_projector(const Input_mesh& mesh)
+    : m_input_mesh(mesh)
+    , m_mesh(mesh)
   {
     std::vector<Mesh::Face_index> faces;
-    std::copy_if(mesh.faces().begin(), mesh.faces().end(), std::back_inserter(faces),
+    std::copy_if(m_mesh.faces().begin(), m_mesh.faces().end(), std::back_inserter(faces),
                  [&](Mesh::Face_index f) { return has_area(f); });
     if(faces.empty())
       throw Bad_input("all faces of the mesh are degenerate, so points cannot be projected onto it; correct the mesh");
-    m_tree.insert(faces.begin(), faces.end(), mesh);
+    m_tree.insert(faces.begin(), faces.end(), m_mesh);
     m_tree.build();
   }
 
-  CGAL::Flip_geodesics::Surface_location operator()(const Point_3& p) const
+  /// \param name where the point is, for a remark if it is not on the mesh
+  CGAL::Flip_geodesics::Surface_location operator()(const Point_3& p, const std::string& name) const
   {
     const auto location = CGAL::Polygon_mesh_processing::locate_with_AABB_tree(p, m_tree, m_mesh);
+    m_input_mesh.note_projection(
+        std::sqrt(CGAL::squared_distance(p, CGAL::Polygon_mesh_processing::construct_point(location, m_mesh))), name);
     CGAL::Flip_geodesics::Surface_location result;
     result.halfedge = index_of(m_mesh.halfedge(location.first));
     for(std::size_t i = 0; i < 3; ++i)
@@ -75,6 +81,7 @@ private:
     return square != 0 && std::isfinite(1 / square);
   }
 
+  const Input_mesh& m_input_mesh;
   const Mesh& m_mesh;
   Tree m_tree;
 };
