@@ -5,6 +5,7 @@
 
 #include "bad_input.h"
 #include "decimal_numbers.h"
+#include "file_name.h"
 #include "program_options.h"
 #include "run/parallel_runs.h"
 
@@ -76,6 +77,8 @@ public:
   {
     m_app.parse(argc, argv);
     m_options.command = m_app.get_subcommands().front()->get_name();
+    m_options.format = format_name(m_options.format);
+    m_options.output_format = format_name(m_options.output_format);
     for(const Choice& choice : m_choices)
       if(choice.command->get_name() == m_options.command)
         check(choice);
@@ -271,7 +274,8 @@ private:
     add("--force", m_options.is_replacing_input, "allow a result to replace an input file");
     add("-q,--quiet", m_options.is_quiet, "do not print the table or the progress");
     add_text("--json", "FILE", m_options.results.json, "write all results as JSON; - for standard output");
-    add_text("--output-format", "NAME", m_options.output_format, "use this format if --output is -, standard output");
+    add_text("--output-format", "NAME", m_options.output_format,
+             "write this format to standard output, -o -: an extension");
   }
 
   void add_ends()
@@ -548,7 +552,7 @@ private:
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
     m_group = m_points;
     add_text("--trace", "POINT,ANGLE,LENGTH", m_options.traces,
-             "trace a geodesic of this length from a point, at an angle in radians; may be repeated")
+             "trace a geodesic of this length, at an angle in radians, over at most 1000000 edges; may be repeated")
         ->allow_extra_args(false)
         ->required();
     m_group = "Metric and obstacles";

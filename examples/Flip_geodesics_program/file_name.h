@@ -27,6 +27,13 @@ inline std::string extension(const std::string& file)
   return dot == std::string::npos || file[dot] != '.' ? "" : lower_case(file.substr(dot + 1));
 }
 
+/// The name of a format as users write it: an extension, with or without the dot.
+inline std::string format_name(const std::string& text)
+{
+  const std::string name = lower_case(text.substr(text.find_first_not_of('.') == 1 ? 1 : 0));
+  return name == "polylines.txt" ? "polylines" : name;
+}
+
 } // namespace program
 
 #endif // CGAL_FLIP_GEODESICS_PROGRAM_FILE_NAME_H

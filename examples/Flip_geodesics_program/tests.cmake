@@ -366,6 +366,13 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/off_surface.polylines.txt "3 0 0 1 1 0 2 1 1 3\n")
   flip_geodesics_add_program_test(point_off_the_mesh 0 "1 point is not on the mesh, at a distance of 0.5 .--to" path
                                   no_seam.obj --from 0 --to 1.0,1.0,0.5)
+  flip_geodesics_add_program_test(output_format_with_extension 0 "^2 0 0 0 1 1 0\n$" path no_seam.obj --from 0 --to 2 -o -
+                                  --output-format .polylines.txt --quiet)
+  flip_geodesics_add_program_test(format_of_result 2 "not known as a format of input.*--output-format for a result" path
+                                  torus.off --from 0 --to 2 -o x.obj --format polylines.txt)
+  flip_geodesics_add_program_test(format_on_standard_output 2 "standard output, and --format that of the mesh; use one of obj"
+                                  path torus.off --from 0 --to 2 -o - --format off)
+  flip_geodesics_add_program_test(trace_limit 0 "at most 1000000 edges" trace --help)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)

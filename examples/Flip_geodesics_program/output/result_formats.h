@@ -21,7 +21,7 @@ namespace program {
 inline std::string result_format(const Options& options, const std::string& name)
 {
   if(is_standard_output(name))
-    return lower_case(options.output_format);
+    return options.output_format;
   const std::string polylines = ".polylines.txt";
   const bool are_polylines =
       name.size() > polylines.size() && name.compare(name.size() - polylines.size(), polylines.size(), polylines) == 0;
@@ -57,11 +57,12 @@ inline void check_result_format(const Options& options, const std::string& optio
     return;
   std::string formats;
   for(const std::string& format : known)
-    formats += ' ' + format + (format == "polylines" && !is_standard_output(name) ? ".txt" : "");
-  throw Bad_input(
-      is_standard_output(name)
-          ? "--output-format determines the format of " + option + " on standard output; use one of" + formats
-          : printable(name) + ": the extension determines the format of " + option + "; use one of" + formats);
+    formats += ' ' + format + (format == "polylines" ? ".txt" : "");
+  throw Bad_input(is_standard_output(name)
+                      ? "--output-format determines the format of " + option + " on standard output" +
+                            (options.format.empty() ? "" : ", and --format that of the mesh") + "; use one of" + formats
+                      : printable(name) + ": the extension determines the format of " + option + "; use one of" +
+                            formats);
 }
 
 /// Refuses names with which a page or a file of lines would replace a mesh by a slip in the command line.
