@@ -565,6 +565,17 @@ struct Internals<Conformal_flattening<Triangulation>>
     return {};
   }
 
+  /* Returns a vertex of the input among the corners of the faces of some sides, if there is one. */
+  static std::vector<std::size_t> input_vertex_near(const Triangulation& triangulation,
+                                                    const std::vector<Halfedge_index>& sides)
+  {
+    for(Halfedge_index h : sides)
+      for(int i = 0; i < 3; ++i, h = triangulation.next(h))
+        if(const Vertex_index v = triangulation.tail(h); !triangulation.is_inserted(v))
+          return {static_cast<std::size_t>(v.idx())};
+    return {};
+  }
+
 private:
   template <class Values>
   static void check_scales(const Flattening& flattening, const Values& log_scales)
@@ -667,10 +678,11 @@ bool move_to_near_vertices(Network& network)
  *
  * Refines a triangulation and flattens its surface, cut open along the curves of a network.
  *
- * The triangulation is refined by `refine()` with the default options, and edges that connect a vertex to itself are
- * split. As long as the lengths that are scaled by the conformal factors violate the triangle inequality in some faces,
- * the longest sides of these faces are split at their midpoints. Curves that pass a vertex at a distance of less than
- * \f$10^{-9}\f$ of an edge are moved onto it first; then the order of overlapping curves and fixed nodes are lost.
+ * The triangulation is refined by `refine()` with the default bounds, by at most ten times its vertices and 10 000
+ * more, and edges that connect a vertex to itself are split. As long as the lengths that are scaled by the conformal
+ * factors violate the triangle inequality in some faces, the longest sides of these faces are split at their midpoints.
+ * Curves that pass a vertex at a distance of less than \f$10^{-9}\f$ of an edge are moved onto it first; then the order
+ * of overlapping curves and fixed nodes are lost.
  *
  * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface
  * \param np the named parameter `visitor` of `refine()`, for the refinement
@@ -691,8 +703,10 @@ Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network
   do
     flip_to_delaunay(network.triangulation(), np...);
   while(internal::move_to_near_vertices(network));
+  Refinement_options bounds;
+  bounds.maximum_insertions = 10000 + 10 * static_cast<std::size_t>(triangulation.number_of_vertices());
   do
-    refine(network, Refinement_options(), np...);
+    refine(network, bounds, np...);
   while(internal::move_to_near_vertices(network)); // inserted ones
   const Index most_vertices = 2 * triangulation.number_of_vertices() + 1000;
   std::optional<Conformal_flattening<Triangulation>> result;
@@ -700,7 +714,7 @@ Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network
     std::vector<Halfedge_index> sides = Internals::flatten(network, result);
     if(result)
       return std::move(*result);
-    const auto v = static_cast<std::size_t>(triangulation.tail(sides.front()).idx());
+    const std::vector<std::size_t> tip = Internals::input_vertex_near(triangulation, sides);
     for(Halfedge_index& h : sides)
       h = internal::first_side(Triangulation::edge(h));
     std::sort(sides.begin(), sides.end());
@@ -709,9 +723,10 @@ Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network
     for(Halfedge_index h : sides)
       is_changed = internal::split_in_half(network, h) || is_changed;
     if(!is_changed || round == most_rounds || triangulation.number_of_vertices() > most_vertices)
-      throw Flattening_error("the conformal factors violate the triangle inequality near vertex " + std::to_string(v) +
-                                 ", however small the faces are; cut the surface to this vertex",
-                             {v});
+      throw Flattening_error("the conformal factors violate the triangle inequality however small the faces are; " +
+                                 (tip.empty() ? std::string("cut the surface differently")
+                                              : "cut the surface to vertex " + std::to_string(tip.front())),
+                             tip);
   }
 }
 
