@@ -77,7 +77,7 @@ Curve_result certified_curve(const Mesh& mesh, const Triangulation& triangulatio
   constexpr double rounding = 1e-9; // radians
   if(!certificate.is_locally_shortest() && certificate.verdict != FG::Verdict::UNDECIDED &&
      certificate.bend <= rounding) {
-    result.certificate = "WITHIN_ROUNDING";
+    result.certificate = "STRAIGHT_WITHIN_ROUNDING";
   } else if(!certificate.is_locally_shortest()) {
     std::ostringstream why;
     why << "it is not locally shortest: " << result.certificate << " at point " << certificate.number << ", by "
