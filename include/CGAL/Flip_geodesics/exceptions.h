@@ -77,7 +77,7 @@ template <class T>
 constexpr bool is_element<T, std::void_t<decltype(std::declval<const T&>().idx())>> = true;
 
 /* Throws an error whose message consists of the given parts. The descriptors and elements among these are written as
- * numbers, and are the elements of the error. */
+ * numbers, and are the elements of the error. Other numbers keep their value. */
 template <class Exception, class... Parts>
 [[noreturn]] void throw_naming(const Parts&... parts)
 {
@@ -88,6 +88,8 @@ template <class Exception, class... Parts>
     if constexpr(is_element<std::decay_t<decltype(part)>>) {
       text << part.idx();
       elements.push_back(static_cast<std::size_t>(part.idx()));
+    } else if constexpr(std::is_floating_point<std::decay_t<decltype(part)>>::value) {
+      text << written(part);
     } else {
       text << part;
     }
