@@ -26,10 +26,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 #endif
@@ -98,6 +100,7 @@ void check_identities(const Mesh& mesh, const Triangulation& triangulation)
   const Operators operators(triangulation);
   const Eigen::Index n = static_cast<Eigen::Index>(mesh.number_of_vertices());
   const Operators::Matrix weak = operators.weak_laplacian(), gradient = operators.gradient();
+  BOOST_TEST((weak.isCompressed() && weak.outerIndexPtr()[0] == 0));
   const double scale = weak.coeffs().abs().maxCoeff();
   BOOST_TEST(largest(weak * Vector::Ones(n)) < 1e-11 * scale);
   BOOST_TEST(Operators::Matrix(weak - Operators::Matrix(weak.transpose())).norm() < 1e-12 * weak.norm());
@@ -226,6 +229,9 @@ BOOST_AUTO_TEST_CASE(problems_without_a_solution_and_bad_input_are_refused)
   const Operators operators(triangulation);
   using Problem = FG::Dirichlet_problem<Operators>;
   BOOST_CHECK_THROW(Problem(operators, {0_v}), FG::Singular_problem_error);
+  BOOST_CHECK_EXCEPTION(
+      Problem(operators, {FG::Vertex_index(triangulation.number_of_vertices() - 2)}), FG::Singular_problem_error,
+      [](const std::exception& e) { return std::string(e.what()).find("of vertex 0;") != std::string::npos; });
   BOOST_CHECK_THROW(Problem(operators, {0_v, FG::null_index}), FG::Vertex_out_of_range_error);
   BOOST_CHECK_THROW(Problem(operators, {0_v, 1000_v}), FG::Vertex_out_of_range_error);
 
