@@ -116,9 +116,7 @@ private:
 
 } // namespace Flip_geodesics_test
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 template <class Triangulation>
 struct Internals<Flip_geodesics_test::Plain_view<Triangulation>>
@@ -177,8 +175,6 @@ private:
   bool m_is_filtered;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // FLIP_GEODESICS_TEST_RECORDING_TRAITS_H

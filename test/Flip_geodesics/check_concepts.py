@@ -17,7 +17,7 @@ from pathlib import Path
 TESTS = ['test_archetypes.cpp', 'test_operators.cpp', 'test_edge_path_graph.cpp']
 ROW = re.compile(r'^\| (.*) \| (.*) \| (.*)\|$')
 NAME = re.compile(r'`(\w+)(?:\(\))?`')
-INTERNAL = re.compile(r'^namespace internal \{.*?^\} // namespace internal', re.MULTILINE | re.DOTALL)
+INTERNAL = re.compile(r'^namespace (?:[\w:]*::)?internal \{.*?^\} // namespace [\w:]*internal', re.MULTILINE | re.DOTALL)
 TEMPLATE = re.compile(r'^template <class (?:Triangulation_?|Network_?|Search)\b[^;{]*?[>\n](?:class (\w+)|[^;{(]*?\b(\w+)\()',
                       re.MULTILINE)
 

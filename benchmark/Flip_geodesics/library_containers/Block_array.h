@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A deque of Boost with blocks of the same size. */
 template <class T>
@@ -35,8 +33,6 @@ private:
   boost::container::deque<T, void, Options> m_records;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_BLOCK_ARRAY_H

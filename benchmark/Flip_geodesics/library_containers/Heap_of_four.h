@@ -9,9 +9,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 inline std::uint64_t ordered_bits(double number)
 {
@@ -51,8 +49,6 @@ private:
   std::vector<Entry> m_entries;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_HEAP_OF_FOUR_H

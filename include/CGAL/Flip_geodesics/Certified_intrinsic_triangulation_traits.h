@@ -16,8 +16,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsTraits
@@ -344,7 +343,6 @@ private:
   }
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_CERTIFIED_INTRINSIC_TRIANGULATION_TRAITS_H

@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
@@ -730,7 +729,6 @@ Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network
   }
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_CONFORMAL_FLATTENING_H

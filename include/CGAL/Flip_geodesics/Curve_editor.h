@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Reports the effect of a move of a `Curve_editor`.
@@ -338,7 +337,6 @@ private:
   bool m_is_closed;
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_CURVE_EDITOR_H

@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric;
@@ -291,7 +290,6 @@ OutputIterator write_points(const Triangulation& triangulation, const typename T
 }
 
 } // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_CURVE_POINT_H

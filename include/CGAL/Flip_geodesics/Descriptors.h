@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// The type of the numbers of elements.
@@ -257,8 +256,7 @@ Iterator_range<Descriptor_iterator<Key>> descriptors(Index end)
 }
 
 } // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 namespace std {
 
@@ -280,8 +278,7 @@ struct hash<CGAL::Flip_geodesics::Edge_index>
 
 } // namespace std
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsCurves
@@ -368,7 +365,6 @@ enum class Wedge_state {
   FIXED     ///< the node is fixed, and the wedge is not inspected
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_DESCRIPTORS_H

@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsOperators
@@ -285,7 +284,6 @@ private:
   bool m_is_computed = false;
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_DIRECTION_FIELD_H

@@ -29,8 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsCurves
@@ -763,7 +762,6 @@ void order_overlapping_curves(Network& network)
     conflict.raise();
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H

@@ -26,8 +26,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsTraits
@@ -503,7 +502,6 @@ Radicand common_radicand(const TriangleMesh& mesh)
   return common_radicand<Radicand>(mesh, Embedded_metric<TriangleMesh, Point_map>(get(CGAL::vertex_point, mesh)));
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_EXACT_INTRINSIC_TRIANGULATION_TRAITS_H

@@ -33,8 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /* Returns whether the face on the left of h closes and, if the twin's face is known, both sides agree in length and
@@ -937,7 +936,6 @@ OutputIterator intrinsic_faces(const Triangulation& triangulation, OutputIterato
   return out;
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H

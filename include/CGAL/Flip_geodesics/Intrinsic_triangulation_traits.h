@@ -18,8 +18,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 template <class NT, class K>
 class Exact_intrinsic_triangulation_traits;
@@ -367,7 +366,6 @@ public:
   Compute_length compute_length_object() const { return {}; }                         ///< a functor of this type
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_TRAITS_H

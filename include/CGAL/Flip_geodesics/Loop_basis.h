@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /*
@@ -486,7 +485,6 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
   });
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_LOOP_BASIS_H

@@ -26,8 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsOperators
@@ -367,7 +366,6 @@ private:
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factors;
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_OPERATORS_H

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsRepair
 /// Lists the kinds of repairs made by `polygon_soup_to_triangle_mesh()`, which a `Repair_report` counts.
@@ -210,7 +209,6 @@ struct Internals<Repair_report>
 
 } // namespace internal
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_REPAIR_REPORT_H

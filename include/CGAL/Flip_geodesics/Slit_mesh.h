@@ -111,8 +111,7 @@ struct property_map<CGAL::Flip_geodesics::Slit_mesh<TriangleMesh>, boost::vertex
 } // namespace boost
 #endif
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
@@ -344,13 +343,11 @@ private:
   std::map<Mesh_vertex, std::size_t> m_number_of_copies; // of vertices at slits
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #ifndef DOXYGEN_RUNNING
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 template <class M>
 const std::vector<typename Slit_mesh<M>::Vertex>& vertices(const Slit_mesh<M>& mesh)
@@ -530,8 +527,7 @@ internal::Slit_mesh_points<M> get(boost::vertex_point_t tag, const Slit_mesh<M>&
   return {get(tag, mesh.mesh())};
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // DOXYGEN_RUNNING
 

@@ -16,8 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsCurves
@@ -415,7 +414,6 @@ Vertex_index nearest_vertex(const Input_mesh& input, const Surface_location& p)
 
 } // namespace internal
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_SURFACE_POINT_H

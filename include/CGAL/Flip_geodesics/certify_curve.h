@@ -33,8 +33,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
 /// The type of a surface point of a curve that was not computed by this package, in the forms used by other packages: a
@@ -374,7 +373,6 @@ Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, co
   return internal::Given_curve_certifier<Triangulation>(triangulation, given)(places.size(), is_closed);
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_CERTIFY_CURVE_H

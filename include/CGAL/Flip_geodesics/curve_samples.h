@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsTangents
@@ -418,7 +417,6 @@ double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first
   return angle_between(surface, p, a.direction(0), b.direction(0));
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_CURVE_SAMPLES_H

@@ -12,8 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
@@ -88,7 +87,6 @@ Index add_cut_graph(Network& network, const NamedParameters&... np)
   return Flip_geodesics::add_cut_graph(network, std::vector<Vertex_index>(), np...);
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_CUT_GRAPH_H

@@ -14,8 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// Reports the outcome of `flip_to_delaunay()`.
@@ -180,7 +179,6 @@ bool is_delaunay(const Triangulation& triangulation)
   return true;
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_DELAUNAY_H

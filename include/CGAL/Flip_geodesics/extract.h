@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
@@ -235,7 +234,6 @@ private:
   const Triangulation& m_triangulation;
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_EXTRACT_H

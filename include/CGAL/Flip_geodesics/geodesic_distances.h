@@ -44,8 +44,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
 /// Reports how many paths of a tree are globally shortest. Paths are compared only with those that a search has found.
@@ -1139,7 +1138,6 @@ Distances_report geodesic_distance_matrix(const TriangleMesh& mesh, const PointR
   return computed.report;
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_GEODESIC_DISTANCES_H

@@ -23,8 +23,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
@@ -374,7 +373,6 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation,
   });
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_GEODESIC_LOOPS_H

@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTangents
 /// States why the search for a mean ended.
@@ -362,7 +361,6 @@ Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const
   return Flip_geodesics::geodesic_mean(mesh, points, weights, np...);
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_GEODESIC_MEAN_H

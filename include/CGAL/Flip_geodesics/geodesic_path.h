@@ -19,8 +19,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #endif
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 #ifdef DOXYGEN_RUNNING
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -228,7 +227,6 @@ Geodesics_result<OutputIterator> geodesic_network(const TriangleMesh& mesh, cons
       internal::compute_network<Form>(mesh, copies, internal::curve_options(np...)), out);
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_GEODESIC_PATH_H

@@ -34,8 +34,7 @@
 #include <tbb/parallel_for.h>
 #endif
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
 /// Contains the result of `geodesic_paths()` for one path: its points, in the form that `geodesic_path()` writes, and
@@ -311,7 +310,6 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
   }
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H

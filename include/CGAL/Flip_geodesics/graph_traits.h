@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Iterates over the smallest halfedges of the faces of a triangulation, as faces. */
 template <class Triangulation>
@@ -184,9 +182,7 @@ struct Intrinsic_graph_traits
   static face_descriptor null_face() { return {}; }
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 /*!
  * \file

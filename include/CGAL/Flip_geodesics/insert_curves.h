@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
@@ -306,7 +305,6 @@ std::enable_if_t<!internal::has_triangulation<TriangleMesh>, Curve_insertion_rep
   return report;
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_INSERT_CURVES_H

@@ -15,8 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /* A search along the current edges of a triangulation. */
@@ -171,7 +170,6 @@ std::vector<Halfedge_index> shortest_intrinsic_edge_path(const Triangulation& tr
   return path;
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_INTRINSIC_EDGE_PATH_H

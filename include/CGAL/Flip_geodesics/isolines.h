@@ -26,8 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsIsolines
 /// The point type of the vertex points that a mesh stores itself.
@@ -333,7 +332,6 @@ OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, 
       });
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_ISOLINES_H

@@ -35,8 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 // Callers include the definition, since most users of a metric do not need it.
@@ -941,7 +940,6 @@ struct Internals<Weighted_metric<Metric>> : Internals_of_lengths
 
 } // namespace internal
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_METRICS_H

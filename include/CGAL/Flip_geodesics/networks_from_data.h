@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Specifies the treatment of vertices at which more than two regions, or regions and the border, meet.
@@ -361,7 +360,6 @@ std::vector<Vertex_index> snap_polyline(const Triangulation& triangulation, cons
   return path;
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_NETWORKS_FROM_DATA_H

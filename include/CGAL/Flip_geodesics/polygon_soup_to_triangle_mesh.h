@@ -38,8 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
@@ -307,7 +306,6 @@ Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const Poly
   return internal::Internals<Repair_report>::make(std::move(record));
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_POLYGON_SOUP_TO_TRIANGLE_MESH_H

@@ -18,8 +18,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// Specifies the bounds and limits of `refine()`.
@@ -219,7 +218,6 @@ Refinement_report refine(Triangulation& triangulation, const Refinement_options&
       triangulation, [](const auto&) {}, options, visitor.get());
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_REFINE_H

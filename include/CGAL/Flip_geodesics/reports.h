@@ -11,8 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsProving
@@ -211,7 +210,6 @@ struct Shortening_report
   Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_report::verdict); }
 };
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_REPORTS_H

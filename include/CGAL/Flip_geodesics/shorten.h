@@ -17,8 +17,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsShortening
@@ -289,7 +288,6 @@ Shortening_report shorten(Network& network, const NamedParameters&... np)
   return internal::shorten(network, internal::stop_predicate_of(options), visitor.get());
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_SHORTEN_H

@@ -28,8 +28,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
 /// States how a search for paths of different classes ended.
@@ -448,7 +447,6 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(cons
       internal::compute_on_surface(internal::Mesh_surfaces(mesh, options), compute), out);
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_SHORTEST_PATHS_BY_CLASS_H

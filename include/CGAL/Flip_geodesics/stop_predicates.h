@@ -17,8 +17,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Lists the decisions of a stop predicate on the next step.
@@ -304,7 +303,6 @@ decltype(auto) stop_predicate_of(const NamedParameters& np)
 
 } // namespace internal
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_STOP_PREDICATES_H

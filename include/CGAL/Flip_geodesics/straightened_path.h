@@ -17,8 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /*
@@ -280,7 +279,6 @@ std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_i
   return flips;
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_STRAIGHTENED_PATH_H

@@ -28,8 +28,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsSubdivision
 /// Describes the origin of a vertex of a `Surface_subdivision`.
@@ -800,7 +799,6 @@ Surface_location location_in_face(const Triangulation& triangulation, Halfedge_i
   return finder.result();
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_SUBDIVIDE_H

@@ -26,8 +26,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 template <class TriangleMesh>
 struct Curve_place;
@@ -405,7 +404,6 @@ Surface_location trace_start(const Triangulation& triangulation, const TriangleM
 }
 
 } // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_SURFACE_POINTS_H

@@ -34,8 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /*!
  * \ingroup PkgFlipGeodesicsTangents
@@ -532,7 +531,6 @@ auto parallel_transport(const TriangleMesh& mesh, const LocationRange& curve, co
   return typename Surface::Metric::Kernel::Vector_3(v[0], v[1], v[2]);
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_TANGENT_VECTORS_H

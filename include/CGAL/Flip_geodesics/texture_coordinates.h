@@ -30,8 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTangents
 /// Reports the result of `texture_coordinates()`.
@@ -243,7 +242,6 @@ Texture_report texture_coordinates(
   return report;
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_TEXTURE_COORDINATES_H

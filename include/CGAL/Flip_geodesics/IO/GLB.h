@@ -19,8 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /*
@@ -357,7 +356,6 @@ void write_GLB(Destination&& destination, const Parts&... parts)
 }
 
 } // namespace IO
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_IO_GLB_H

@@ -13,8 +13,7 @@
 #include <ostream>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 class Obj_writer
@@ -154,7 +153,6 @@ inline void write_MTL(std::ostream& out)
 }
 
 } // namespace IO
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_IO_OBJ_H

@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 class Ply_writer
@@ -182,7 +181,6 @@ void write_PLY(Destination&& destination, const Parts&... parts)
 }
 
 } // namespace IO
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_IO_PLY_H

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /* In binary files, the numbers of all arrays follow the XML, each array preceded by its number of bytes. */
@@ -284,7 +283,6 @@ void write_VTP(Destination&& destination, const Parts&... parts)
 }
 
 } // namespace IO
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_IO_VTP_H

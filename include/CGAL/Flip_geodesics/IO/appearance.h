@@ -9,9 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace IO {
+namespace CGAL::Flip_geodesics::IO {
 
 /*!
  * \ingroup PkgFlipGeodesicsIO
@@ -137,8 +135,6 @@ struct Vertex_values
   VertexMap map;    ///< the values at vertices
 };
 
-} // namespace IO
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::IO
 
 #endif // CGAL_FLIP_GEODESICS_IO_APPEARANCE_H

@@ -23,8 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
@@ -494,7 +493,6 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
   }
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_IO_NETWORK_H

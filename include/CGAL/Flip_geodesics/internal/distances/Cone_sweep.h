@@ -20,9 +20,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Distances along an edge, which is the x-axis from 0 on: those from a pseudo-source in the plane of a face, plus the
@@ -895,8 +893,6 @@ private:
   std::size_t m_updates = 0;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_CONE_SWEEP_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns the side of the face of h that starts at one of its vertices. */
 template <class Input>
@@ -334,8 +332,6 @@ private:
   const std::vector<std::pair<Input_halfedge_index, Index>>& m_parts_by_face;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_FIELD_QUERY_H

@@ -8,9 +8,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns the bits of a nonnegative number as an integer, which preserves the order. */
 inline std::uint64_t ordered_bits(double number)
@@ -140,8 +138,6 @@ private:
   bool m_has_hole = false; // at the top
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_HEAP_OF_FOUR_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The sides of a piece crossed by a curve may have this length, in units of the tolerance. All of the piece is then
  * within the tolerance of its corners, and its centroid within the tolerance of all points of its sides, since no
@@ -789,8 +787,6 @@ private:
   std::vector<Ends> m_ends; // of the curves
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ISOLINE_TRACER_H

@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * The labels of the vertices that a search has reached: the distance, the halfedge through which the path arrives, and
@@ -395,8 +393,6 @@ private:
   Interruption* m_interruption;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_LABEL_SETTING_SEARCH_H

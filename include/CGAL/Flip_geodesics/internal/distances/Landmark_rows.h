@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * For each vertex a row of values, one for each of several functions. The values of a function at two vertices differ
@@ -302,8 +300,6 @@ private:
   std::vector<Known_vertex> m_known; // the goal, or neighbors of it
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_LANDMARK_ROWS_H

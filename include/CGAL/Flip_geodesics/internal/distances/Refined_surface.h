@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The source of points that no source reaches. */
 inline constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
@@ -393,8 +391,6 @@ private:
   std::vector<double> m_lengths; // by side
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_REFINED_SURFACE_H

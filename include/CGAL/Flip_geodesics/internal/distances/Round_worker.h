@@ -19,9 +19,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * A priority queue from which all entries up to some key are removed at once, in an unspecified but deterministic
@@ -682,8 +680,6 @@ private:
   Scratch m_scratch;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ROUND_WORKER_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The direction in which a path starts, of any length, in the frame of a halfedge that has the first face on its left
  * or is the border edge along which the path starts; if the source is a vertex, the halfedge starts there. */
@@ -283,8 +281,6 @@ private:
   std::multimap<std::pair<Input_halfedge_index, double>, Known_rays> m_known; // by the first coordinate of the source
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_SOURCE_DIRECTIONS_H

@@ -22,9 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * A double-double number for algorithms written for doubles: it is converted from a double, compared, and infinite
@@ -374,8 +372,6 @@ private:
   Block_array<Side> m_sides;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_UNFOLDED_FACES_H

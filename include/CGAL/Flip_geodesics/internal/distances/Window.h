@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Whether a window must still be propagated over the face that it enters, was among the last windows of its edge to be
  * propagated, or was propagated before. */
@@ -657,8 +655,6 @@ private:
   std::vector<Vertex_opening> m_openings;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_H

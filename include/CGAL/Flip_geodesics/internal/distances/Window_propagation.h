@@ -25,9 +25,7 @@
 #include <mutex>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The weights of a point of a face, at the tail of a halfedge, its head and the third vertex; they sum to one. */
 using Face_weights = std::array<double, 3>;
@@ -468,8 +466,6 @@ private:
   std::uint32_t m_round = 0;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A part of an edge through which straight rays pass, in the frame that is drawn at `Window_search`. */
 template <class Number>
@@ -683,8 +681,6 @@ private:
   bool m_may_come_round = false;      // whether a vertex may not be farther away than the one from which its path comes
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_SEARCH_H

@@ -20,9 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * The input of a triangulation with surface points as additional vertices: it provides what strips and their predicates
@@ -276,8 +274,6 @@ Portal_turn largest_turn(const Triangulation& triangulation, const Strip<Triangu
   return result;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_EDGE_SEQUENCES_OF_PLACES_H

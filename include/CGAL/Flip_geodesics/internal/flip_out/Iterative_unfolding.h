@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The face in which an edge sequence ends, given by one of its halfedges. If the sequence runs along an edge, it is the
  * face on the left. */
@@ -431,8 +429,6 @@ private:
   std::vector<Index> m_shape, m_shape_before;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_ITERATIVE_UNFOLDING_H

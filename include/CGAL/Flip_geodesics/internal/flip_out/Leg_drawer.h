@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A path between two vertices that meets no other path: along a halfedge, or across several, each given as a side of
  * the face that the path leaves. */
@@ -343,8 +341,6 @@ private:
   std::set<Edge_index> m_drawn; // by this drawer
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_LEG_DRAWER_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A straight line from vertex to vertex, given by its edge sequence, and its directions at both ends, which are known
  * at vertices of the input only. */
@@ -739,8 +737,6 @@ private:
   mutable Decision_statistics m_statistics;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_LEG_MOVER_H

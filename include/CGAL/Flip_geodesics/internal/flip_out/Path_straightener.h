@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Canonical surface points, any two consecutive ones in a common input face: the points of one or several straight
  * lines. */
@@ -577,8 +575,6 @@ private:
   Order_conflict m_conflict; // of the last path that was shortened
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_PATH_STRAIGHTENER_H

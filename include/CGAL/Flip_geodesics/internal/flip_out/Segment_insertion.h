@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* An edge crossed by a straight segment from vertex to vertex, and its left end. */
 struct Crossed_edge
@@ -404,8 +402,6 @@ bool insert_leg(Triangulation& triangulation, Input_halfedge_index along, const 
   return true;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_SEGMENT_INSERTION_H

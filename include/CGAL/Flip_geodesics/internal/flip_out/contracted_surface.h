@@ -25,9 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The types that result from the named parameters. */
 template <class TriangleMesh, class NamedParameters>
@@ -395,8 +393,6 @@ void note_contraction(const Triangulation& triangulation, Shortening_report& rep
     curve.are_zero_edges_contracted = triangulation.input().is_contracted();
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CONTRACTED_SURFACE_H

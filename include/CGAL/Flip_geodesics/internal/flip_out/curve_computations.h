@@ -29,8 +29,7 @@ namespace CGAL {
 
 class Epick;
 
-namespace Flip_geodesics {
-namespace internal {
+namespace Flip_geodesics::internal {
 namespace compiled {
 
 template <class TriangleMesh>
@@ -116,8 +115,7 @@ Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
                                                    const std::vector<Vertices_of<TriangleMesh>>& curves,
                                                    const NamedParameters& np);
 
-} // namespace internal
-} // namespace Flip_geodesics
+} // namespace Flip_geodesics::internal
 } // namespace CGAL
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H

@@ -19,9 +19,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * A wedge that was free when it was queued. Its joint is identified by both segments, since the arriving one can get
@@ -477,8 +475,6 @@ private:
   std::vector<Joint> m_affected;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FLIP_OUT_H

@@ -8,9 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns whether the angle clockwise from one halfedge of a vertex to another is below pi, with neither the border nor
  * a halfedge that `is_blocked` in between. If so, sets `turn` to that angle. */
@@ -116,8 +114,6 @@ double flip_out_wedge(const Triangulation& triangulation, Halfedge_index a, Half
   return length;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FLIP_OUT_WEDGE_H

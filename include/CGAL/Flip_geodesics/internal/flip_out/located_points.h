@@ -23,9 +23,7 @@
 
 // Points of the surface as given by users, and the output of curves between such points.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Returns the greatest distance of points from the surface, which is infinite unless given. \throws
@@ -217,8 +215,6 @@ std::vector<Form> polyline_forms(const Triangulation& triangulation, const Trian
   return points;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_LOCATED_POINTS_H

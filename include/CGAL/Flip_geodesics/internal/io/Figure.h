@@ -41,9 +41,7 @@
 
 // Conversion of a writer's arguments to a figure.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 using Figure_point = std::array<double, 3>;
 using Figure_triangle = std::array<std::size_t, 3>;
@@ -791,8 +789,6 @@ void write_parts(Destination& destination, const Parts&... parts)
     write_to(destination, Writer(figure, format), format);
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_IO_FIGURE_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The complete state of a network apart from its triangulation, including the ids of segments. */
 struct Network_state
@@ -894,8 +892,6 @@ void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfed
     throw Invalid_curve_error("a closed curve does not end where it starts", {position});
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_SEGMENT_STORE_H

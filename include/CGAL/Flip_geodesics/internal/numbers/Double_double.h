@@ -11,9 +11,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Numbers of about 106 bits: the unevaluated sum of two doubles, the second at most half a unit in the last place of
@@ -162,8 +160,6 @@ private:
   std::size_t m_size = 0;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_DOUBLE_DOUBLE_H

@@ -29,8 +29,7 @@ namespace CGAL {
 template <typename ET>
 class Lazy_exact_nt;
 
-namespace Flip_geodesics {
-namespace internal {
+namespace Flip_geodesics::internal {
 
 /*
  * Boost's integers, which need no other library. CGAL/boost_mp.h, which declares them to CGAL, includes GMP where CGAL
@@ -283,8 +282,7 @@ double rounded_number(const NT& x)
   return result == 0 && !(x == NT(0)) ? (std::numeric_limits<double>::min)() : result;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
+} // namespace Flip_geodesics::internal
 } // namespace CGAL
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_INTEGER_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns the root of an integer, rounded down, by Newton's method from above; Boost 1.74's own root takes 3 to 20
  * times as long. \pre n >= 0 */
@@ -517,8 +515,6 @@ private:
   mutable Float m_inverse, m_root;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_MULTIQUADRATIC_H

@@ -31,9 +31,7 @@
 #define CGAL_FLIP_GEODESICS_UNFUSED_REGISTER "+m"
 #endif
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Returns a product to be added to another number, rounded separately, so that results do not depend on the processor
@@ -65,8 +63,6 @@ template <class NT>
 inline constexpr bool is_within_double = std::is_arithmetic<NT>::value&& std::numeric_limits<NT>::radix == 2 &&
                                          std::numeric_limits<NT>::digits <= std::numeric_limits<double>::digits;
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_IEEE_ARITHMETIC_H

@@ -20,9 +20,7 @@
 
 // Exact predicates of points in space, in double first.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Computes the exact sign of the determinant of the vectors from one place to three others. The predicates of CGAL's
@@ -280,8 +278,6 @@ Sign orientation_along(std::size_t axis, const Place& p, const Place& q, const P
   return sign_of_cross(Exact_vector<Place>(p, q), Exact_vector<Place>(p, r), axis);
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_ORIENTATION_H

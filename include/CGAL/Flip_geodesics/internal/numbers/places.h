@@ -13,9 +13,7 @@
 
 // Points in space with coordinates in double or rational ones, vectors between them, and exact predicates.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 template <class Number>
 Number dot(const std::array<Number, 3>& u, const std::array<Number, 3>& v)
@@ -152,8 +150,6 @@ inline std::array<Double_double, 3> precise_difference(const Rational_place& p, 
   return result;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_PLACES_H

@@ -11,9 +11,7 @@
 #include <cmath>
 #include <complex>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A vector in the plane of unfolded faces. */
 using Plane_vector = std::complex<double>;
@@ -113,8 +111,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_PLANE_VECTORS_H

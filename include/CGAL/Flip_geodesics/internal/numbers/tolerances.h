@@ -11,9 +11,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 // ---- Rounding errors
 
@@ -468,8 +466,6 @@ inline constexpr double confirmed_gap = 1e-10;               // of a path's leng
 inline constexpr double proven_gap = 1e-12;                  // of a path's length, above its lower bound
 inline constexpr double reported_bend = 1e-8;                // radians, far above the error of a measured angle
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_TOLERANCES_H

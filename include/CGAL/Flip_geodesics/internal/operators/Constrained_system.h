@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Splits a symmetric system over all vertices into the free ones and those with given values: the free block, whose
@@ -277,8 +275,6 @@ private:
   std::vector<Storage_index> m_first_neighbor, m_neighbors;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_OPERATORS_CONSTRAINED_SYSTEM_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A path of edges, and the flips of the input that create these edges. */
 struct Flipped_start
@@ -465,8 +463,6 @@ private:
   Vertex_index m_in_the_way = null_index;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_SHORTEST_TREE_REPAIR_H

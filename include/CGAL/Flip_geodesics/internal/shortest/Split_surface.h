@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A halfedge of a split surface that is new, or whose links differ from those of the original halfedge. */
 struct Split_side
@@ -306,9 +304,7 @@ public:
   using Numbered_surface<Split_surface<TriangleMesh>>::Numbered_surface;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 namespace boost {
 
@@ -320,9 +316,7 @@ struct graph_traits<CGAL::Flip_geodesics::internal::Split_surface<TriangleMesh>>
 
 } // namespace boost
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The position of a vertex of a split surface, given by the data of the original metric, up to an error. */
 template <class Place>
@@ -586,8 +580,6 @@ Surface_polyline curve_below(const Network& network, const Surface& surface)
   return result;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_SPLIT_SURFACE_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * The labels of vertices in a growing tree: unknown, with an offered path that waits in the queue, or with an accepted
@@ -786,8 +784,6 @@ bool can_be_folded(const Triangulation& triangulation, const std::vector<Halfedg
          std::any_of(arc.begin(), arc.end(), [&](Halfedge_index h) { return triangulation.length(h) <= rounding; });
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_GEODESIC_TREE_PARTS_H

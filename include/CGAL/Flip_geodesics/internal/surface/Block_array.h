@@ -8,9 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * A stack of records in blocks of one size. It takes the memory of its contents plus at most some spare blocks, whereas
@@ -78,8 +76,6 @@ private:
   std::size_t m_size = 0;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_BLOCK_ARRAY_H

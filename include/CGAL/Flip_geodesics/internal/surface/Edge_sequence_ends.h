@@ -9,9 +9,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * An approximate position for a point to be inserted: the piece of an input face at a gap of the edge sequence of a
@@ -172,8 +170,6 @@ std::array<double, 3> weights_on_side(const Input_mesh& input, Input_halfedge_in
   return weights;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_EDGE_SEQUENCE_ENDS_H

@@ -24,8 +24,7 @@ namespace CGAL {
 template <typename P>
 class Surface_mesh;
 
-namespace Flip_geodesics {
-namespace internal {
+namespace Flip_geodesics::internal {
 
 /* The functions of the graph concepts, found by argument-dependent lookup; inside classes, members would hide them. */
 template <class Descriptor, class TriangleMesh>
@@ -407,8 +406,7 @@ private:
   std::shared_ptr<const Mesh> m_contracted_mesh; // to which `m_mesh` then refers
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
+} // namespace Flip_geodesics::internal
 } // namespace CGAL
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INDEXED_MESH_H

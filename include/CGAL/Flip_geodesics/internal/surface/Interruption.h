@@ -14,9 +14,7 @@
 #include <thread>
 #include <type_traits>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Calls a visitor at regular intervals to determine whether a search continues. Once interrupted, it remains
  * interrupted. */
@@ -162,8 +160,6 @@ auto result_unless_stopped(const NamedParameters& np, const Compute& compute)
   }
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INTERRUPTION_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The barycentric coordinates of a point of a triangle, and its distance from the origin. */
 struct Nearest_weights
@@ -250,8 +248,6 @@ private:
   std::vector<Node> m_nodes; // in preorder; empty before the tree is built
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_NEAREST_FACE_H

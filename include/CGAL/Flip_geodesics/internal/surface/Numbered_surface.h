@@ -7,9 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The indices of a surface that is numbered already and is its own mesh, as base of its `Indexed_mesh`. */
 template <class Surface>
@@ -99,8 +97,6 @@ struct Numbered_surface_traits
   static halfedge_descriptor null_halfedge() { return halfedge_descriptor(); }
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_NUMBERED_SURFACE_H

@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Assigns slots to the elements of a sequence, in blocks, in the order of their first use. Data of the elements is then
@@ -82,8 +80,6 @@ private:
   std::size_t m_number_of_slots = block_size;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_SLOT_TABLE_H

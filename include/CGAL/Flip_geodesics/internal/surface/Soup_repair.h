@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A triangle of a soup, with the number of its polygon, and whether its orientation is opposite to that one's. */
 struct Soup_triangle : std::array<std::size_t, 3>
@@ -1142,8 +1140,6 @@ private:
   bool m_is_manifold = false;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_SOUP_REPAIR_H

@@ -29,9 +29,7 @@
 
 // The faces of a metric. If the metric has exact squared lengths, faces are made of these.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns whether squares of a length and products of squares are normal doubles, by the range in tolerances.h. */
 inline bool is_usable_length(double length) { return length > least_length && length < greatest_length; }
@@ -426,8 +424,6 @@ auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_inde
   return known_input_face_geometry(triangulation, h);
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CHECKS_H

@@ -16,9 +16,7 @@
 
 // Static assertions that name each member that a model of a concept lacks, or that has other parameters.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Detects visitors with all members that are called for a network while its curves are shortened. */
 template <class Visitor, class Network, class = void>
@@ -257,8 +255,6 @@ constexpr bool is_intrinsic_triangulation()
 #undef CGAL_FLIP_GEODESICS_HAS_TYPE
 #undef CGAL_FLIP_GEODESICS_HAS
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CONCEPTS_H

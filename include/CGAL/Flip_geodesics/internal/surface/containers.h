@@ -18,9 +18,7 @@
 
 // Arrays that take little time and memory for large meshes, and variables shared by several threads.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Converts a number of elements to a bound of indices; throws `Invalid_mesh_error` if it is too large. */
 template <class Count>
@@ -213,8 +211,6 @@ private:
   Lazy_array<Cached_decision> m_decisions;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CONTAINERS_H

@@ -29,8 +29,7 @@ namespace CGAL {
 template <typename ET>
 class Lazy_exact_nt;
 
-namespace Flip_geodesics {
-namespace internal {
+namespace Flip_geodesics::internal {
 
 /* The capabilities of a number type regarding square roots and exactness. */
 enum class Number_kind {
@@ -514,8 +513,7 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
+} // namespace Flip_geodesics::internal
 } // namespace CGAL
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_EXACT_GEOMETRIES_H

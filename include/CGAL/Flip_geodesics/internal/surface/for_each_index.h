@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Calls function(i) for i from 0 to n - 1, in any order and at the same time with CGAL::Parallel_tag. */
 template <class ConcurrencyTag, class Function>
@@ -61,8 +59,6 @@ std::size_t thread_index()
   return 0;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_FOR_EACH_INDEX_H

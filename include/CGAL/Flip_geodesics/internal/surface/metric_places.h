@@ -22,9 +22,7 @@
 // The positions of the vertices of an `Embedded_metric`: approximate ones with error bounds, and precise ones, which are
 // stored.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Coordinates of models are often short; the numbers derived from them are then short as well. */
 inline void take_out_power_of_two(std::array<std::array<Integer, 3>, 3>& vectors)
@@ -180,8 +178,6 @@ private:
   std::unique_ptr<Entries> m_entries;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_METRIC_PLACES_H

@@ -18,8 +18,7 @@
 
 // Compile-time checks that report frequent mistakes by a readable message.
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 
 enum class Stop_decision;
 struct Shortening_step;
@@ -228,7 +227,6 @@ struct Internals
 };
 
 } // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_MISTAKES_H

@@ -19,9 +19,7 @@
 
 // Reads the coordinates of points: as doubles, or exactly if the kernel's number type has rational values.
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns the double to which a number rounds. */
 template <class NT>
@@ -130,8 +128,6 @@ std::array<std::array<double, 3>, 3> rounded_sides(const Point& p, const Point& 
   return {{side(p, q), side(q, r), side(r, p)}};
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_POINT_COORDINATES_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Evaluates a `Logarithmic_map` at many points: a path to a point consists of the path to the vertex at which it bends
@@ -162,8 +160,6 @@ private:
   Indexed_by<Vertex_index, std::vector<std::optional<End>>> m_vertices;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LOGARITHM_EVERYWHERE_H

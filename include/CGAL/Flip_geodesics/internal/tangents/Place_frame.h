@@ -15,9 +15,7 @@
 #include <complex>
 #include <cstddef>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns the direction, of length 1, of a side of the face of h in the frame in which h is the positive real axis. */
 template <class Triangulation>
@@ -238,8 +236,6 @@ private:
   Vertex_fan m_fan;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_PLACE_FRAME_H

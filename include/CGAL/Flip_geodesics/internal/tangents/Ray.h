@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A direction in the face of a halfedge: the coefficients of the vectors from the tail of the halfedge to its head and
  * to the third corner. Each is 0, or has an absolute value between 1e-100 and 1e100. */
@@ -646,8 +644,6 @@ private:
   const Triangulation& m_triangulation;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_RAY_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A part of a curve that crosses edges but passes no vertex: its first face, given by any halfedge, and the crossed
  * edges. */
@@ -448,8 +446,6 @@ private:
   std::vector<Sleeve_segment> m_legs;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_TRANSPORT_SLEEVE_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Windows by the halfedge on which they lie. */
 class Windows_by_halfedge
@@ -571,8 +569,6 @@ private:
   std::vector<Left_out> m_left_out;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_CLASS_PATHS_H

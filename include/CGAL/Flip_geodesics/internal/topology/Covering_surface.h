@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A lift from which a search continues, with lower bounds of the paths from the source to it, and of those to the
  * target by way of it. */
@@ -442,9 +440,7 @@ public:
   using Numbered_surface<Covering_surface<TriangleMesh>>::Numbered_surface;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 namespace boost {
 
@@ -456,9 +452,7 @@ struct graph_traits<CGAL::Flip_geodesics::internal::Covering_surface<TriangleMes
 
 } // namespace boost
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The metric of a covering surface, which is that of the surface below. A model of IntrinsicMetric. */
 template <class TriangleMesh, class Metric>
@@ -556,8 +550,6 @@ struct Internals<Covering_metric<TriangleMesh, Metric>> : Internals_of_members<C
   static constexpr bool has_exact_faces = internal::has_exact_faces<Metric>;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_COVERING_SURFACE_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 [[noreturn]] inline void throw_meeting_umbrellas(Vertex_index v)
 {
@@ -534,8 +532,6 @@ private:
   std::vector<Loop> m_generators;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_EDGE_FOREST_H

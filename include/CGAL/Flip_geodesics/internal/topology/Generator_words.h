@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Pseudorandom numbers, the same in each run [SLF14]. */
 inline std::uint64_t scrambled(std::uint64_t n)
@@ -368,8 +366,6 @@ private:
   std::vector<std::uint64_t> m_sums; // by word
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_GENERATOR_WORDS_H

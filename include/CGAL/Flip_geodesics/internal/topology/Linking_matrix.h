@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* A point of a face: the weighted mean of its corners; `whole` is the sum of the weights. */
 struct Weighted_place
@@ -508,8 +506,6 @@ private:
   bool m_is_generic = true; // no points of the projection are collinear
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_LINKING_MATRIX_H

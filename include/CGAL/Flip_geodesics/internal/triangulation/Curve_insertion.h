@@ -44,9 +44,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * The constrained Delaunay triangulation of a face, given by nodes and segments between them. Crossing segments get a
@@ -1034,8 +1032,6 @@ private:
   Face m_last_face = Graph::null_face();
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CURVE_INSERTION_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns the third corner of a triangle on the left of the segment from p to q, by its distances from q and from p. */
 inline std::complex<double> apex_of(const std::complex<double>& p, const std::complex<double>& q, double from_q,
@@ -1060,8 +1058,6 @@ private:
   Counts m_counts;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_DELAUNAY_REFINER_H

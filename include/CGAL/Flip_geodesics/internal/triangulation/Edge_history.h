@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Values computed for the edges that flips created, by the version of the edge: one more than the position of its flip
@@ -706,8 +704,6 @@ private:
   mutable Short_lock m_lock_of_input; // guards these two
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_HISTORY_H

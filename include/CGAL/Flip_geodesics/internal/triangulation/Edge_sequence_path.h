@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * A path on the input surface as the sequence of input edges that it crosses, composed of pieces. Shortened without
@@ -308,8 +306,6 @@ private:
   std::vector<Bundle> m_bundles; // still to be followed
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_SEQUENCE_PATH_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * What the log of an `Intrinsic_triangulation` stores of a flip: enough to undo it, and to derive the crossings of the
@@ -623,8 +621,6 @@ private:
   Block_array<Record> m_records;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_HALFEDGE_STORE_H

@@ -12,9 +12,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Calls function(h) for each edge of the faces around v. */
 template <class Triangulation, class Function>
@@ -141,8 +139,6 @@ private:
   std::deque<Edge_index> m_queue;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_LAWSON_FLIPS_H

@@ -24,9 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 struct Overlay_vertex_element
 {
@@ -1007,8 +1005,6 @@ private:
   Per_overlay_halfedge<halfedge_descriptor> m_halfedges;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_H

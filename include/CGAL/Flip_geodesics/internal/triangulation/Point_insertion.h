@@ -33,9 +33,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The position of a point of an input face in the intrinsic triangulation. */
 struct Located_point
@@ -685,8 +683,6 @@ Vertex_index insert_point(Triangulation& triangulation, Editor editor, Located_p
   return x;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_POINT_INSERTION_H

@@ -26,8 +26,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /*
@@ -474,7 +473,6 @@ internal::Edge_straightness<Triangulation> edge_straightness(const Triangulation
   return internal::Edge_straightness<Triangulation>(triangulation);
 }
 
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_COMPARISON_H

@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * The faces at a vertex form one umbrella, or several at a non-manifold vertex. Each of several umbrellas ends at the
@@ -195,8 +193,6 @@ void check_has_no_curves(const Triangulation& triangulation, const std::string& 
     throw Occupied_triangulation_error(what_is_impossible + " in a triangulation in which a network has curves");
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OUTGOING_HALFEDGES_H

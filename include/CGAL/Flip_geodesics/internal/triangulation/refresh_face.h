@@ -21,9 +21,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Computes the angle clockwise from halfedge a to halfedge b around an inserted point inside an input face. Directions
@@ -311,8 +309,6 @@ bool refresh_wedge(Triangulation& triangulation, Halfedge_index a, Halfedge_inde
   return true;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_REFRESH_FACE_H

@@ -21,9 +21,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Input faces in exact numbers, each computed once and given by a halfedge with the face on its left. */
 class Exact_face_cache
@@ -331,8 +329,6 @@ private:
   std::uint64_t m_work_limit;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_EXACT_SIGN_H

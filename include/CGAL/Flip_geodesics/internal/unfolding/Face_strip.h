@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The vectors of the sides of a face, starting with some halfedge. */
 using Face_vectors = std::array<Plane_vector, 3>;
@@ -198,8 +196,6 @@ private:
   std::size_t m_entered = 0; // the number of faces that have been entered
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_FACE_STRIP_H

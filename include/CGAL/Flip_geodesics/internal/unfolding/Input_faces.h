@@ -16,9 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* The ends of a portal, as seen along the path. */
 enum Portal_side : std::size_t { LEFT_END, RIGHT_END };
@@ -426,8 +424,6 @@ private:
   Funnel m_funnel;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_INPUT_FACES_H

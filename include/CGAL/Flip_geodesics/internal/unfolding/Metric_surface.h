@@ -22,8 +22,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Flip_geodesics {
+namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /*
@@ -159,7 +158,6 @@ Surface_by_name<TriangleMesh, NamedParameters> make_surface(const TriangleMesh& 
 }
 
 } // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_METRIC_SURFACE_H

@@ -25,9 +25,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * The reason why the line of an edge sequence is not a locally shortest path: an end of the crossed edge with this
@@ -596,8 +594,6 @@ private:
   Decision_statistics& m_statistics;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRAIGHT_STRIP_H

@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Returns the difference of the barycentric coordinates of two points, whose weights can have any sum. The products are
@@ -984,8 +982,6 @@ private:
   Exact_input_faces<Triangulation> m_faces;
 };
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRIP_H

@@ -16,9 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Flip_geodesics {
-namespace internal {
+namespace CGAL::Flip_geodesics::internal {
 
 /* Returns the halfedge that follows h counterclockwise around its tail. \pre h is not on the border */
 template <class Input_mesh>
@@ -223,8 +221,6 @@ Vertex_fan umbrella_of(const Triangulation& triangulation, Input_halfedge_index 
   return result;
 }
 
-} // namespace internal
-} // namespace Flip_geodesics
-} // namespace CGAL
+} // namespace CGAL::Flip_geodesics::internal
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_VERTEX_FAN_H
