@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(splines_are_halved_a_number_of_times_that_makes_sense)
   for(int rounds : {-1, 31, std::numeric_limits<int>::max()})
     BOOST_CHECK_THROW(FG::geodesic_spline(mesh, controls, FG::Spline_kind::BEZIER, std::back_inserter(points),
                                           CGAL::parameters::number_of_iterations(rounds)),
-                      FG::Invalid_curve_error);
+                      FG::Invalid_parameter_error);
   BOOST_CHECK(points.empty());
   FG::geodesic_spline(mesh, controls, FG::Spline_kind::BEZIER, std::back_inserter(points),
                       CGAL::parameters::number_of_iterations(0));

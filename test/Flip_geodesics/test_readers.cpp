@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
   BOOST_CHECK_EQUAL(message("a.ply", ply + "end_header\n0 0 0\n"), "read: 1 points, 0 faces");
   check_has(message("a.ply", "ply\nformat ascii 1.0\nproperty float x\n"), "a.ply line 3: there is a property before");
-  check_has(message("a.ply", ply + "end_header\n0 0 0 0\n"), "a.ply line 8: there are data");
+  check_has(message("a.ply", ply + "end_header\n0 0 0 0\n"), "a.ply line 8: there is data");
   check_has(message("a.ply", ply + "end_header\n0 0\n"), "a.ply line 8: vertex 0 is cut off");
   check_has(message("a.ply", ply + "end_header\n0 0 1e39\n"),
             "a.ply line 8: vertex 0 has '1e39', which is out of range");

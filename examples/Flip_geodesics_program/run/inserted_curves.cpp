@@ -75,8 +75,9 @@ Curve_result certified_curve(const Mesh& mesh, const Triangulation& triangulatio
   result.certificate = to_string(certificate.verdict());
   // Curves that touch a vertex are written with points that differ from it by rounding errors, on either side.
   constexpr double rounding = 1e-9; // radians
-  if(!certificate.is_locally_shortest() && certificate.verdict != FG::Verdict::UNDECIDED &&
-     certificate.bend <= rounding) {
+  if(!certificate.is_locally_shortest() && certificate.verdict() != FG::Verdict::UNDECIDED &&
+     certificate.bend <= rounding)
+  {
     result.certificate = "STRAIGHT_WITHIN_ROUNDING";
   } else if(!certificate.is_locally_shortest()) {
     std::ostringstream why;

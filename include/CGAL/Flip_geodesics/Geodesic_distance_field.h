@@ -312,13 +312,13 @@ public:
                                     ", but must not be negative");
     for(const Surface_location& target : limits.targets)
       internal::check_location(m_triangulation.input(), target);
+    m_is_computed = true;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const std::size_t between_looks = 200 * limits.targets.size();
     m_parts_by_face = internal::parts_by_face(m_triangulation.input(), m_propagation.parts());
     const std::size_t most = limits.windows(static_cast<std::size_t>(m_triangulation.input().number_of_vertices()));
     internal::Interruption interruption(visitor.get());
     Distance_field_report report;
-    m_is_computed = true;
     for(;;) {
       const double wanted = (std::min)(limits.radius, farthest(limits.targets));
       const double bound = wanted < infinity ? std::nextafter(wanted, infinity) : infinity;

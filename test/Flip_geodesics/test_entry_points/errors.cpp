@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(errors_name_their_elements)
       [&] {
         of_vertices.distance(FG::Surface_location{0_input_h, {{1, 1, 1}}});
       },
-      {0}, "a field for vertices only is queried in the face of halfedge 0");
+      {0}, "a field with the extent VERTICES_ONLY is queried in the face of halfedge 0");
   FG::Geodesic_tree<Triangulation> tree(t);
   tree.grow(3_v);
   const FG::Input_halfedge_index elsewhere = t.input().outgoing(1_v);

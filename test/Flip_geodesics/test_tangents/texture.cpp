@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -201,9 +202,9 @@ BOOST_AUTO_TEST_CASE(files_have_the_places_of_corners)
     points += word == "v" ? 1 : 0;
   }
   BOOST_TEST(points == mesh.number_of_vertices());
-  BOOST_TEST(places.size() == 3 * report.faces);
+  BOOST_TEST(places.size() < 3 * report.faces);
+  BOOST_TEST((std::set<Place>(places.begin(), places.end()).size() == places.size()), "places are written once");
   BOOST_REQUIRE(faces.size() == mesh.number_of_faces());
-  std::size_t next = 0;
   for(const auto f : mesh.faces()) {
     std::istringstream words(faces[f]);
     std::string word;
@@ -215,9 +216,8 @@ BOOST_AUTO_TEST_CASE(files_have_the_places_of_corners)
         BOOST_TEST(word == vertex);
         continue;
       }
-      BOOST_TEST(word == vertex + '/' + std::to_string(next + 1));
-      BOOST_TEST((places[next] == map[h]));
-      ++next;
+      BOOST_TEST_REQUIRE(word.find(vertex + '/') == 0u);
+      BOOST_TEST((places.at(std::stoul(word.substr(vertex.size() + 1)) - 1) == map[h]));
     }
   }
 
