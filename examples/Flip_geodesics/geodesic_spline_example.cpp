@@ -9,6 +9,7 @@
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,6 +7,7 @@
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/metrics.h>

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/Exact_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/certify_curve.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>

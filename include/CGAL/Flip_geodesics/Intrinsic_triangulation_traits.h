@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -27,12 +28,6 @@ template <class K, class NT = typename K::FT>
 class Intrinsic_triangulation_traits;
 
 namespace internal {
-
-/* Has a class been defined, and not only declared? */
-template <class T, class = void>
-constexpr bool is_defined = false;
-template <class T>
-constexpr bool is_defined<T, std::void_t<decltype(sizeof(T))>> = true;
 
 /* Ends the compilation if the header is missing. */
 template <class Traits>

@@ -6,7 +6,6 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Leg_drawer.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
@@ -535,6 +534,21 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
       compute_path_through<Form, TriangleMesh, NamedParameters>(mesh, locate, np), out);
 }
 
+/* Implements `geodesic_path()` for ends that are not vertices; declared in its header. */
+template <class TriangleMesh>
+struct Path_between_points
+{
+  template <class Source, class Target, class OutputIterator, class NamedParameters>
+  static Geodesic_result<OutputIterator> compute(const TriangleMesh& mesh, const Source& source, const Target& target,
+                                                 OutputIterator out, const NamedParameters& np)
+  {
+    const auto locate = [&](const auto& triangulation) {
+      return located_ends(triangulation, mesh, source, target, np);
+    };
+    return geodesic_through_located(mesh, locate, out, np);
+  }
+};
+
 } // namespace internal
 
 /*!
@@ -575,27 +589,6 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
   const auto& options = internal::curve_options<internal::Point_distance_parameter>(np...);
   const auto locate = [&](const auto& triangulation) {
     return internal::located(triangulation, mesh, locations, options);
-  };
-  return internal::geodesic_through_located(mesh, locate, out, options);
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsFunctions
- *
- * Computes a geodesic between two points of any types: vertices of the mesh,
- * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or points in
- * space. Parameters, exceptions and complexity are those of `geodesic_path_through()`.
- */
-template <
-    class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters,
-    std::enable_if_t<
-        !(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>), int> = 0>
-Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const Source& source, const Target& target,
-                                              OutputIterator out, const NamedParameters&... np)
-{
-  const auto& options = internal::curve_options<internal::Point_distance_parameter>(np...);
-  const auto locate = [&](const auto& triangulation) {
-    return internal::located_ends(triangulation, mesh, source, target, options);
   };
   return internal::geodesic_through_located(mesh, locate, out, options);
 }

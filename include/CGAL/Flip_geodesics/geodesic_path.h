@@ -16,6 +16,8 @@
 #include <vector>
 
 #ifndef CGAL_FLIP_GEODESICS_DECLARATIONS_ONLY
+#include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #endif
 
@@ -28,48 +30,16 @@ template <class TriangleMesh>
 using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 #endif
 
-/// \ingroup PkgFlipGeodesicsFunctions
-/// Contains the result of a function that computes one curve.
-template <class OutputIterator>
-struct Geodesic_result
-{
-  OutputIterator out;       ///< the past-the-end iterator of the output
-  Shortening_report report; ///< the report, which has exactly one curve
-
-  double length() const { return report.length(); }            ///< returns the length of the curve
-  Shortening_status status() const { return report.status(); } ///< returns how the shortening ended
-  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on the curve
-};
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// Contains the result of a function that computes several curves.
-template <class OutputIterator>
-struct Geodesics_result
-{
-  OutputIterator out;       ///< the past-the-end iterator of the output
-  Shortening_report report; ///< the report, with one entry per curve
-
-  double length() const { return report.length(); }            ///< returns the total length of the curves
-  Shortening_status status() const { return report.status(); } ///< returns the combined status of all curves
-  Verdict verdict() const { return report.verdict(); }         ///< returns the combined verdict on all curves
-
-  std::size_t number_of_curves() const { return report.curves.size(); } ///< returns the number of curves
-  /// Returns the length of curve `i`.
-  double length(std::size_t i) const { return report.curves.at(i).length; }
-  /// Returns the status of curve `i`.
-  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; }
-  /// Returns the verdict of curve `i`.
-  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }
-};
-
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic, that is, a locally shortest path, between two vertices of a triangle mesh.
  *
  * A nearly shortest edge path (`Search_method::LOOK_BACK`) is straightened by `add_straightened_path()` and then
- * shortened to a geodesic as by `shorten()`. The functions of `curves_through_points.h` accept end points anywhere on
- * the surface.
+ * shortened to a geodesic by `shorten()`.
+ *
+ * This header includes `curves_through_points.h` and `geodesic_paths.h`, except in programs that link the compiled
+ * library.
  *
  * \note The geodesic is not necessarily a globally shortest path, since a path on the other side of a hole or a bump
  * may be shorter, and the path from `target` to `source` may differ; see `shortest_path()`.
@@ -149,6 +119,37 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_ver
   using Form = internal::Form_by_name<TriangleMesh, internal::Joined<NamedParameters...>, OutputIterator>;
   return internal::write_computed<Geodesic_result<OutputIterator>>(
       internal::compute_path<Form>(mesh, source, target, internal::curve_options(np...)), out);
+}
+
+namespace internal {
+
+// Defined in `curves_through_points.h`.
+template <class TriangleMesh>
+struct Path_between_points;
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Computes a geodesic between two points of any types: vertices of the mesh,
+ * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or points in
+ * space. Parameters, exceptions and complexity are those of `geodesic_path_through()`. Programs that link the compiled
+ * library must also include `curves_through_points.h`.
+ */
+template <
+    class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters,
+    std::enable_if_t<
+        !(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>), int> = 0>
+Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const Source& source, const Target& target,
+                                              OutputIterator out, const NamedParameters&... np)
+{
+  using Paths = internal::Path_between_points<TriangleMesh>;
+  static_assert(internal::is_defined<Paths>,
+                "for ends that are not vertices, include <CGAL/Flip_geodesics/curves_through_points.h> as well");
+  if constexpr(internal::is_defined<Paths>)
+    return Paths::compute(mesh, source, target, out,
+                          internal::curve_options<internal::Point_distance_parameter>(np...));
 }
 
 /*!

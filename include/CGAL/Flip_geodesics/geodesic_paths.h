@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H
 
 #include <CGAL/Flip_geodesics/curves_through_points.h>
-#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/contracted_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/located_points.h>

@@ -210,6 +210,40 @@ struct Shortening_report
   Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_report::verdict); }
 };
 
+/// \ingroup PkgFlipGeodesicsFunctions
+/// Contains the result of a function that computes one curve.
+template <class OutputIterator>
+struct Geodesic_result
+{
+  OutputIterator out;       ///< the past-the-end iterator of the output
+  Shortening_report report; ///< the report, which has exactly one curve
+
+  double length() const { return report.length(); }            ///< returns the length of the curve
+  Shortening_status status() const { return report.status(); } ///< returns how the shortening ended
+  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on the curve
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// Contains the result of a function that computes several curves.
+template <class OutputIterator>
+struct Geodesics_result
+{
+  OutputIterator out;       ///< the past-the-end iterator of the output
+  Shortening_report report; ///< the report, with one entry per curve
+
+  double length() const { return report.length(); }            ///< returns the total length of the curves
+  Shortening_status status() const { return report.status(); } ///< returns the combined status of all curves
+  Verdict verdict() const { return report.verdict(); }         ///< returns the combined verdict on all curves
+
+  std::size_t number_of_curves() const { return report.curves.size(); } ///< returns the number of curves
+  /// Returns the length of curve `i`.
+  double length(std::size_t i) const { return report.curves.at(i).length; }
+  /// Returns the status of curve `i`.
+  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; }
+  /// Returns the verdict of curve `i`.
+  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }
+};
+
 } // namespace CGAL::Flip_geodesics
 
 #endif // CGAL_FLIP_GEODESICS_REPORTS_H

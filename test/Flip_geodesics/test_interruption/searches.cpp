@@ -7,6 +7,7 @@
 #include "generated_meshes.h"
 #include "test_interruption/stopping.h"
 
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>

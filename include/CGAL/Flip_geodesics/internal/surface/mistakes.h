@@ -26,6 +26,12 @@ struct Surface_location;
 
 namespace internal {
 
+/* Whether a class is defined, not only declared. */
+template <class T, class = void>
+constexpr bool is_defined = false;
+template <class T>
+constexpr bool is_defined<T, std::void_t<decltype(sizeof(T))>> = true;
+
 /* Detects traits, as opposed to kernels, by the type of what a halfedge stores. */
 template <class T, class = void>
 constexpr bool is_triangulation_traits = false;
