@@ -3,7 +3,8 @@
 #
 # Builds flip_geodesics and runs it on real meshes and a generated one, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
-#   bash examples/run.sh                with two processors, the first geodesic takes half a minute, everything three
+#   bash examples/run.sh                with two processors, the first geodesic takes half a minute, and the
+#                                       whole script three minutes
 #   bash examples/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #
 # Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of

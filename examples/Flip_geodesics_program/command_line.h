@@ -322,7 +322,7 @@ private:
              "read one path per line, given by its vertices; `o v v ...` is a loop, `! v ...` fixes vertices");
     add_text("--segmentation", "FILE", m_options.segmentation,
              "read one face label per line, and shorten the boundaries between faces with different labels");
-    add("--free-junctions", m_options.has_free_junctions, "allow the vertices at which boundaries meet to move")
+    add("--free-junctions", m_options.has_free_junctions, "let junctions of boundaries move")
         ->needs(m_command->get_option("--segmentation"));
     add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
   }
@@ -339,7 +339,8 @@ private:
   void add_arithmetic()
   {
     m_group = "Computation";
-    add_text("--kernel", "NAME", m_options.kernel, "use exact predicates (certified) or double [certified]")
+    add_text("--kernel", "NAME", m_options.kernel,
+             "evaluate predicates exactly (certified) or in floating point (double) [certified]")
         ->check(one_of({"certified", "double"}));
     add_mollify();
     add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");
@@ -391,7 +392,8 @@ private:
 
   void add_stop_length()
   {
-    add("--stop-length", "RATIO", m_options.stop_length, {0, 1}, "stop at this fraction of the initial length [0]");
+    add("--stop-length", "RATIO", m_options.stop_length, {0, 1},
+        "stop shortening at this fraction of the initial length [0]");
   }
 
   void add_files_of_curves()
@@ -407,7 +409,7 @@ private:
         "write equally spaced points, at most this far apart, instead of the crossings with edges");
     add_text("--page", "FILE", m_options.results.page, "write a page for a browser: surface, curves and flips");
     add_text("--polylines", "FILE", m_options.results.polylines,
-             "write one line `curve a b t x y z` per point, which is (1-t) a + t b on an edge");
+             "write one line `curve a b t x y z` per point: (1-t) a + t b on edge ab, and its coordinates");
     add_text("--stats", "FILE", m_options.results.stats, "write one line per curve as CSV");
     add_text("--insert", "FILE", m_options.meshes.insertion,
              "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
@@ -476,7 +478,7 @@ private:
     add_weights();
     add_stop_length();
     add("--stop-curve-length", "RATIO", m_options.stop_curve_length, {0, 1},
-        "stop each curve at this fraction of its initial length [0]");
+        "stop shortening each curve at this fraction of its initial length [0]");
     add_files_of_curves();
 
     begin("spline", "Compute geodesic Bezier curves and B-splines",

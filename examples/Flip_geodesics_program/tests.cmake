@@ -244,7 +244,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   set_tests_properties(program_reads_its_obj PROPERTIES DEPENDS program_path)
   flip_geodesics_add_program_test(not_repaired 2 "turned.off: the edge.*or use --repair" path turned.off --from 0 --to
                                   1)
-  flip_geodesics_add_program_test(repair 0 "LOCALLY_SHORTEST.*repair: 1 polygon with more than three corners" path
+  flip_geodesics_add_program_test(repair 0 "LOCALLY_SHORTEST.*repair: 1 polygon triangulated: more than three corners" path
                                   pyramid.off --repair --from 0 --to 2)
   flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" path repaired.off --from 0 --to 2)
   set_tests_properties(program_repair_again PROPERTIES DEPENDS program_only_repaired)
@@ -390,11 +390,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                     flatten spike.off --network base.txt --output x.obj)
     flip_geodesics_add_program_test(flatten_through_corners 0 "1 cut. 4 vertices, flattened in" flatten tetrahedron.off
                                     --network corners.txt --output flat_tetrahedron.obj)
-    flip_geodesics_add_program_test(flatten_pieces 2 "quad_seam.obj: the mesh cannot be flattened: the cut surface is not connected" flatten
+    flip_geodesics_add_program_test(flatten_pieces 2 "quad_seam.obj: the mesh cannot be flattened because the cut surface is not connected" flatten
                                     quad_seam.obj --repair --seams --output x.obj)
-    flip_geodesics_add_program_test(flatten_components 2 "two_parts.off: the mesh cannot be flattened: it has 2 components"
+    flip_geodesics_add_program_test(flatten_components 2 "two_parts.off: the mesh cannot be flattened because it has 2 components"
                                     flatten two_parts.off --output x.obj)
-    flip_geodesics_add_program_test(flatten_no_disk 2 "cannot be flattened: the cut surface is not a disk" flatten torus.off
+    flip_geodesics_add_program_test(flatten_no_disk 2 "cannot be flattened because the cut surface is not a disk" flatten torus.off
                                     --network joined_network.txt --output x.obj)
     # Corners of one vertex have the same texture coordinates on one side of the cut.
     flip_geodesics_add_program_test(flatten_cut_torus 0 "0 cuts.*flattened" flatten disk.off --output flat_disk.obj)
@@ -484,7 +484,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   150 --ways 2 --avoid wall.txt)
   flip_geodesics_add_program_test(ways_inside_obstacle 1 "vertex 13 lies inside an obstacle" shortest
                                   ${pair_beside_wall} --ways 2 --avoid all_faces.txt)
-  flip_geodesics_add_program_test(ways_given_up 1 "the search was aborted at .* vertices of the covering" shortest
+  flip_geodesics_add_program_test(ways_given_up 1 "the search reached the memory limit after .* vertices of the universal cover" shortest
                                   torus.off --from 13 --to 150 --ways 30 --most-memory 0.1)
   flip_geodesics_add_program_test(no_ways 2 "--ways: '0' is out of range. use at least 1" shortest torus.off --from 0
                                   --to 1 --ways 0)

@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(shortest_paths)
 
 // ---------------------------------------------------------------- curves through points
 
-// Points in faces and on edges: free geodesic segments, and curves through inserted vertices.
+// Points in faces and on edges: free legs, and curves through inserted vertices.
 BOOST_AUTO_TEST_CASE(curves_through_points)
 {
   compare<Certified>("curves_through_points", Depends_on::ARITHMETIC,

@@ -36,7 +36,9 @@ inline Curve_request read_polyline_in_space(Text_scanner& words, const Surface_p
     for(double& coordinate : x) {
       coordinate = words.number<double>(words.next_word(), element);
       if(std::abs(coordinate) > largest_coordinate_to_project)
-        words.fail(element, "has a coordinate beyond 1e60, so it cannot be projected onto the mesh; scale both");
+        words.fail(
+            element,
+            "has a coordinate beyond 1e60, so it cannot be projected onto the mesh; scale the mesh and the points");
     }
     points.emplace_back(x[0], x[1], x[2]);
   }

@@ -105,8 +105,8 @@ private:
     }
     for(int i = 0; i < 3; ++i)
       if(std::abs(p[i]) > largest_coordinate_to_project)
-        throw Bad_input(name +
-                        ": a point has a coordinate beyond 1e60, so it cannot be projected onto the mesh; scale both");
+        throw Bad_input(name + ": a point has a coordinate beyond 1e60, so it cannot be projected onto the mesh; scale "
+                               "the mesh and the points");
     return (*m_project)(p, name);
   }
 

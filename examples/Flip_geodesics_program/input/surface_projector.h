@@ -95,7 +95,8 @@ inline void check_coordinates_to_project(const Mesh& mesh, const std::string& na
     for(int i = 0; i < 3; ++i)
       if(std::abs(mesh.point(v)[i]) > largest_coordinate_to_project)
         throw Bad_input(name + ": vertex " + std::to_string(v) +
-                        " of the mesh has a coordinate beyond 1e60, so points cannot be projected onto it; scale both");
+                        " of the mesh has a coordinate beyond 1e60, so points cannot be projected onto it; scale the "
+                        "mesh and the points");
 }
 
 } // namespace program

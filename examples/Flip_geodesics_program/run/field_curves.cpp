@@ -169,7 +169,7 @@ std::string missing_levels(const std::vector<double>& levels, const std::set<dou
       if(level >= farthest)
         out << "the farthest vertex is " << farthest << " away\n";
       else
-        out << "the tolerance of " << tolerance << " does not distinguish it from a point\n";
+        out << "the isoline is smaller than the tolerance " << tolerance << "; use a smaller --tolerance\n";
     }
   return out.str();
 }
@@ -241,8 +241,12 @@ void add_isolines(const Slit_surface& surface, const Field_on_mesh& field, const
                  CGAL::parameters::visitor(std::ref(visitor)));
   });
   result.remarks = missing_levels(levels, found, farthest, tolerance);
-  if(request.spacing > 0 && request.spacing >= farthest)
-    result.remarks += "no isoline at a multiple of --spacing: the farthest vertex is nearer\n";
+  if(request.spacing > 0 && request.spacing >= farthest) {
+    std::ostringstream out;
+    out << "no isoline at a multiple of --spacing: the farthest vertex is only " << farthest
+        << " away, which is not more than --spacing\n";
+    result.remarks += out.str();
+  }
 }
 
 void add_boundaries(const Slit_surface& surface, const Field_on_mesh& field, const Field_request& request,

@@ -190,7 +190,7 @@ try {
 } catch(const FG::Error& error) {
   const bool is_degenerate = dynamic_cast<const FG::Degenerate_face_error*>(&error) != nullptr;
   const std::size_t components = is_degenerate ? 1 : number_of_components(mesh);
-  throw Bad_input(name + ": the mesh cannot be flattened: " +
+  throw Bad_input(name + ": the mesh cannot be flattened because " +
                   (components > 1 ? "it has " + readable(components) + " components; flatten them separately"
                                   : with_advice_to_repair(error)));
 }

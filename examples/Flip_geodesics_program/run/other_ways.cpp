@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  // What the searches of one pair take for a vertex of the covering, in bytes.
+  // What the searches of one pair take for a vertex of the cover, in bytes.
   static constexpr double bytes_per_vertex = 1200;
 
   // Why a pair has no paths if one of its ends is not on the surface, and else nothing.
@@ -97,8 +97,8 @@ private:
       for(std::size_t i = 0; i < paths.size(); ++i)
         m_ways.curves.push_back(way(pair, i, report, paths[i]));
       if(paths.size() < m_request.number && report.status == FG::Class_search_status::COVERING_LIMIT)
-        add_failure(pair, "the search was aborted at " + readable(report.visited) +
-                              " vertices of the covering; request fewer paths or increase --most-memory");
+        add_failure(pair, "the search reached the memory limit after " + readable(report.visited) +
+                              " vertices of the universal cover; request fewer paths or increase --most-memory");
       note_others(pair, report);
     } catch(const FG::Disconnected_endpoints_error& error) {
       add_failure(pair,

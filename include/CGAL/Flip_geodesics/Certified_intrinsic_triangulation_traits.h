@@ -106,8 +106,8 @@ public:
     Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
   };
 
-  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, and stores the error
-  /// bound of a layout.
+  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, and stores with each
+  /// vector the error bound of placing the face in the plane.
   class Construct_face_3
   {
   public:
@@ -125,7 +125,7 @@ public:
   };
 
   /// Constructs a face from lengths as `Intrinsic_triangulation_traits::Construct_face_from_lengths` does, and stores
-  /// the error bound of a layout.
+  /// with each vector the error bound of placing the face in the plane.
   class Construct_face_from_lengths
   {
   public:

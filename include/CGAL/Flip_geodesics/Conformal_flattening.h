@@ -686,9 +686,9 @@ bool move_to_near_vertices(Network& network)
  * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface
  * \param np the named parameter `visitor` of `refine()`, for the refinement
  * \return the flattening, with a tolerance of 1e-10 radians
- * \throws Flattening_error if the cut surface is not a disk, a scale factor is outside the range from
- *         \f$10^{-9}\f$ to \f$10^9\f$, so that coordinates in the plane are too inaccurate, or splitting edges does not
- *         help. In the last two cases, the element is a vertex, and the surface should be cut to it
+ * \throws Flattening_error if the cut surface is not a disk, a scale factor is outside the range from \f$10^{-9}\f$ to
+ *         \f$10^9\f$, which makes coordinates in the plane too inaccurate, or splitting edges does not help. In the
+ *         last two cases, the element is a vertex, and the surface should be cut to it
  * \throws Degenerate_face_error if a face is degenerate in double precision
  * \throws Occupied_triangulation_error as `refine()` does
  */

@@ -27,9 +27,9 @@ namespace CGAL::Flip_geodesics {
 /// Reports the effect of a move of a `Curve_editor`.
 struct Move_report
 {
-  std::size_t legs = 0;              ///< the number of geodesic segments that were recomputed, one or two
-  std::size_t legs_by_flips = 0;     ///< the number of these segments that required edge flips
-  Verdict verdict = Verdict::PROVEN; ///< the worst verdict on the recomputed segments
+  std::size_t legs = 0;              ///< the number of legs that were recomputed, one or two
+  std::size_t legs_by_flips = 0;     ///< the number of these legs that required edge flips
+  Verdict verdict = Verdict::PROVEN; ///< the worst verdict on the recomputed legs
 };
 
 /*!
@@ -37,24 +37,24 @@ struct Move_report
  *
  * Represents an editable curve through points of the surface: its end points, waypoints or control points can be moved.
  *
- * Each geodesic segment, from one point to the next, is shortened independently, as by `geodesics_through()`, so
- * segments may cross. When a point moves, each segment at this point is deformed continuously with it: the new segment
- * is obtained by shortening the concatenation of the old segment and the path of the move. The other segments are
- * bitwise unchanged, and `undo()` undoes moves.
+ * Each *leg*, the geodesic from one point to the next, is shortened independently, as by `geodesics_through()`, so legs
+ * may cross. When a point moves, each leg at this point is deformed continuously with it: the new leg is obtained by
+ * shortening the concatenation of the old leg and the path of the move. The other legs are bitwise unchanged, and
+ * `undo()` undoes moves.
  *
- * A segment is stored as the sequence of edges that it crosses. The time of a move depends only on the segments at the
- * moved point and not on previous moves; it is roughly the time to extract these segments, multiplied by the number of
- * rows of vertices over which they sweep. The segment is unfolded, shortened with a funnel algorithm, and certified as
- * by `certify()`, regardless of the traits. Only if this fails are edges flipped, as by `shorten()`; these flips are
- * then undone.
+ * A leg is stored as the sequence of edges that it crosses. The time of a move depends only on the legs at the moved
+ * point and not on previous moves; it is roughly the time to extract these legs, multiplied by the number of rows of
+ * vertices over which they sweep. The leg is unfolded, shortened with a funnel algorithm, and certified as by
+ * `certify()`, regardless of the traits. Only if this fails are edges flipped, as by `shorten()`; these flips are then
+ * undone.
  *
- * Guarantee: a segment is a bitwise reproducible function of its end points and its edge sequence, and does not depend
- * on the moves that led to it. If a homotopy class has only one geodesic, as on surfaces whose vertices have angles of
+ * Guarantee: a leg is a bitwise reproducible function of its end points and its edge sequence, and does not depend on
+ * the moves that led to it. If a homotopy class has only one geodesic, as on surfaces whose vertices have angles of
  * \f$2\pi\f$ or more, the moves affect the result only through the class. On other surfaces a class can contain several
- * geodesics, and a segment remains at the geodesic to which it was shortened.
+ * geodesics, and a leg remains at the geodesic to which it was shortened.
  *
- * The invariant is that each segment starts at the end of the previous one and is a geodesic if `verdict()` confirms
- * it, and that the triangulation is unchanged.
+ * The invariant is that each leg starts at the end of the previous one and is a geodesic if `verdict()` confirms it,
+ * and that the triangulation is unchanged.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulationOfMesh`
  */
@@ -68,14 +68,14 @@ public:
   using Triangulation = Triangulation_; ///< the type of the triangulation
 
   /*!
-   * Constructs a curve whose segments are obtained by shortening short edge paths.
+   * Constructs a curve whose legs are obtained by shortening short edge paths.
    *
    * \param triangulation a triangulation of the input without flips and curves. It must outlive the editor, and is
    *        unchanged after each call
    * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts, such
    *        that no two consecutive points coincide; a closed curve does not repeat the first point
-   * \param np the named parameter `is_closed`, a `bool`: whether a segment leads from the last point to the first;
-   *        `false` by default
+   * \param np the named parameter `is_closed`, a `bool`: whether a leg connects the last point to the first; `false` by
+   *        default
    * \throws Invalid_curve_error if there are fewer than two points, or two consecutive ones coincide
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
@@ -112,15 +112,16 @@ public:
   std::size_t number_of_points() const { return m_points.size(); }
   /// Returns point `i` as a canonical location; see `Intrinsic_triangulation::location()`.
   const Surface_location& point(std::size_t i) const { return m_points[i]; }
-  /// Returns whether a segment leads from the last point to the first.
+  /// Returns whether a leg connects the last point to the first.
   bool is_closed() const { return m_is_closed; }
-  /// Returns the number of geodesic segments; segment `i` leads from point `i` to the next one.
+  /// Returns the number of legs; leg `i` leads from point `i` to the next one.
   std::size_t number_of_legs() const { return m_points.size() - (m_is_closed ? 0 : 1); }
-  /// Returns the points of a segment: its ends, its crossings of edges, and the vertices that it passes. Two
-  /// consecutive points lie in one face. If a segment runs along a degenerate face, the position of a crossing on its
-  /// edge may be ambiguous, so that points go back and forth; length and verdict are still those of the segment.
+  /// Returns the points of a leg: its ends, its crossings with edges, and the vertices that it passes. Two consecutive
+  /// points lie in one face. If a leg runs along a degenerate face, the positions of its crossings with edges of this
+  /// face may be ambiguous; consecutive points may then move back and forth along it. The length and the verdict are
+  /// still those of the leg.
   const std::vector<Surface_location>& leg(std::size_t i) const { return m_legs[i].points; }
-  /// Returns the points of all segments, one segment after the other.
+  /// Returns the points of all legs, one leg after the other.
   std::vector<std::vector<Surface_location>> legs() const
   {
     std::vector<std::vector<Surface_location>> result;
@@ -128,7 +129,7 @@ public:
       result.push_back(leg.points);
     return result;
   }
-  /// Returns the length of a segment.
+  /// Returns the length of a leg.
   double length(std::size_t i) const { return m_legs[i].length; }
   /// Returns the length of the curve.
   double length() const
@@ -138,11 +139,11 @@ public:
       sum += leg.length;
     return sum;
   }
-  /// Returns the verdict on a segment, obtained by exact arithmetic on the input coordinates. A segment can fail to be
-  /// a geodesic only if it requires flips and crosses itself, or if it exceeds the precision of the traits. Nothing is
+  /// Returns the verdict on a leg, obtained by exact arithmetic on the input coordinates. A leg can fail to be a
+  /// geodesic only if it requires flips and crosses itself, or if it exceeds the precision of the traits. Nothing is
   /// certified if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
-  /// Returns the verdict on the curve, which is the worst one of its segments.
+  /// Returns the verdict on the curve, which is the worst one of its legs.
   Verdict verdict() const
   {
     Verdict worst = Verdict::PROVEN;
@@ -167,15 +168,15 @@ public:
    *
    * \param i the number of the point
    * \param to the new position
-   * \return a report on the recomputed segments
+   * \return a report on the recomputed legs
    * \pre `i < number_of_points()`
    * \throws Invalid_curve_error if the new position coincides with the previous or the next point
    * \throws Invalid_location_error if `to` is not a point of the surface
    * \throws Disconnected_endpoints_error if no edge path connects the positions
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
-   * \throws Crossing_curves_error if a segment requires flips, and its path crosses itself
-   * \throws Ambiguous_order_error if a segment requires flips, and the search for an order of its overlapping segments
-   *         is aborted
+   * \throws Crossing_curves_error if a leg requires flips, and its path crosses itself
+   * \throws Ambiguous_order_error if a leg requires flips, and the search for an order of its overlapping segments is
+   *         aborted
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
@@ -189,11 +190,11 @@ public:
   }
 
   /*!
-   * Moves a point along a given path, which determines the homotopy classes of its segments.
+   * Moves a point along a given path, which determines the homotopy classes of its legs.
    * \param i the number of the point
    * \param way the path: it must start at `point(i)` and end at the new position, and any two consecutive locations
    *        must lie in one face
-   * \return a report on the recomputed segments
+   * \return a report on the recomputed legs
    * \pre `i < number_of_points()`
    * \throws Invalid_curve_error if the path starts elsewhere, or two consecutive locations have no common face, in
    *         which case `elements()` contains the position in the path; also in the cases listed for `move()`
@@ -220,8 +221,8 @@ public:
   /// Returns the number of moves that `undo()` can undo.
   std::size_t number_of_moves() const { return m_moves.size(); }
 
-  /// Undoes the last move and restores the previous segments bitwise, in the time needed to swap them. Returns `false`
-  /// if there is no move to undo.
+  /// Undoes the last move and restores the previous legs bitwise, in the time needed to swap them. Returns `false` if
+  /// there is no move to undo.
   bool undo()
   {
     if(m_moves.empty())
@@ -234,7 +235,7 @@ public:
     return true;
   }
 
-  /// Discards the history of moves, which frees the memory of the previous segments.
+  /// Discards the history of moves, which frees the memory of the previous legs.
   void forget_moves() { m_moves.clear(); }
 
   /// @}
@@ -258,7 +259,7 @@ private:
     if(way.empty()) // the positions coincide
       return report;
     Move move = {i, m_points[i], {}};
-    for(bool is_start : {false, true}) // the segments that end and start here
+    for(bool is_start : {false, true}) // the legs that end and start here
       if(is_start ? has_next : has_previous) {
         const std::size_t l = is_start ? i : (i + n - 1) % n;
         move.legs.push_back({l, m_mover.moved(m_legs[l], is_start, way, to)});

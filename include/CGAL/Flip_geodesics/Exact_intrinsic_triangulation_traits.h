@@ -311,7 +311,8 @@ public:
     }
   };
 
-  /// Compares a turn with \f$\pi\f$. \throws Uncertain_conversion_exception if intervals do not determine the sign
+  /// Compares a turn with \f$\pi\f$. \throws Uncertain_conversion_exception if interval arithmetic cannot decide the
+  /// comparison
   class Compare_turn_with_straight
   {
   public:
@@ -370,7 +371,7 @@ public:
   /*!
    * Determines whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$ plus
    * `angle_tolerance()`.
-   * \throws Uncertain_conversion_exception if intervals do not determine the sign
+   * \throws Uncertain_conversion_exception if interval arithmetic cannot decide the comparison
    */
   class Is_locally_delaunay : Functor_with_unit
   {
@@ -494,7 +495,7 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
 
 /// \ingroup PkgFlipGeodesicsTraits
 /// Computes the number \f$d\f$ for which the area of every face of a mesh, embedded in space by its own points, is a
-/// rational multiple of \f$\sqrt d\f$. The exceptions are those of the overload with a metric.
+/// rational multiple of \f$\sqrt d\f$. The exceptions are those of `common_radicand()` with a metric.
 template <class Radicand, class TriangleMesh>
 Radicand common_radicand(const TriangleMesh& mesh)
 {

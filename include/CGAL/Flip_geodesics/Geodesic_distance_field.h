@@ -102,8 +102,8 @@ struct Distance_field_report
 {
   Distance_field_status status = Distance_field_status::COMPLETE; ///< why the computation ended
   std::size_t windows = 0;                                        ///< the total number of windows created
-  /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, so that distances
-  /// are too long.
+  /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, so distances are
+  /// too long.
   bool has_flat_face = false;
   /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of its value. The errors grow
   /// with the number of faces that paths cross, and with the number of those edges that are long compared with the

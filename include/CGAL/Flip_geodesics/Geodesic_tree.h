@@ -663,8 +663,8 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
  * direction of the path to each vertex.
  *
  * The directions are angles on the surface, counterclockwise from an input edge, in \f$[0, \mathtt{total\_angle})\f$.
- * They are measured with the input coordinates, so that errors do not accumulate over flips. If a path passes a vertex
- * whose angles sum to more than \f$2\pi\f$, all vertices whose paths pass that vertex have the same angle. The map is
+ * They are measured with the input coordinates, so errors do not accumulate over flips. If a path passes a vertex whose
+ * angles sum to more than \f$2\pi\f$, all vertices whose paths pass that vertex have the same angle. The map is
  * discontinuous across the cut locus, that is, the set of points that shortest paths reach from two sides. It is also
  * discontinuous at paths of the tree that are not shortest, which `make_shortest()` replaces.
  *
@@ -689,8 +689,8 @@ Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree,
     throw Invalid_location_error("the halfedge of angle zero does not belong to the mesh");
   if(is_zero_told && triangulation.input().tail(zero) != tree.source())
     throw Invalid_location_error("the halfedge of angle zero, " + std::to_string(zero.idx()) +
-                                     ", does not start at the source of the tree, vertex " +
-                                     std::to_string(tree.source().idx()),
+                                     ", does not start at vertex " + std::to_string(tree.source().idx()) +
+                                     ", the source of the tree",
                                  {static_cast<std::size_t>(zero.idx())});
   const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
   Vertex_logarithmic_map map(triangulation.number_of_vertices(), directions.total(), directions.has_border());

@@ -229,7 +229,7 @@ public:
   /// the face is not a triangle, is degenerate, or does not have finite coordinates and lengths.
   /// @{
 
-  /// Returns the other side of the edge.
+  /// Returns the opposite halfedge of `h`.
   static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }
   /// Returns the edge of `h`.
   static Edge_index edge(Halfedge_index h) { return internal::edge_of(h); }
@@ -519,7 +519,8 @@ public:
   /*!
    * Returns whether a turn, which leads clockwise around a vertex from halfedge `from` to halfedge `to`, is at least
    * \f$\pi\f$.
-   * \pre the turn has at least one corner, and was below \f$\pi\f$ before the last one; `from == to` means a full turn
+   * \pre the turn has at least one corner, and was below \f$\pi\f$ before its last corner was added; `from == to` means
+   * a full turn
    */
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const
   {
@@ -654,7 +655,7 @@ public:
   }
 
   /*!
-   * Makes a point of the surface a vertex, by splitting the face or the edge of this triangulation that contains it.
+   * Inserts a point of the surface as a vertex by splitting the face or edge that contains it.
    *
    * The position of the point with respect to the input faces and the edge sequences is determined exactly. The point
    * lies in the face or on the edge that is split, and the edge sequences of the new edges are correct, even if the
@@ -686,7 +687,7 @@ public:
   }
 
   /*!
-   * Makes a point of the surface a vertex, as `insert()` without a callback, and calls `on_split` if an edge is split.
+   * Inserts a point of the surface as a vertex, and calls `on_split` if this splits an edge.
    *
    * The arguments of `on_split` are two halfedges: `first`, which now has part of its former length, and `second`,
    * which leads from the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
@@ -768,8 +769,8 @@ public:
 
   /*!
    * Returns the number of input edges that start at the common tail of `from` and `to`, strictly inside the wedge
-   * clockwise from `from` to `to`; `from == to` means a full turn. Linear in the degree of the wedge. \pre the wedge
-   * does not contain the border
+   * clockwise from `from` to `to`; `from == to` means a full turn. Linear in the number of edges in the wedge. \pre the
+   * wedge does not contain the border
    */
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
   {

@@ -357,8 +357,9 @@ private:
       if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
         throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
       if(end != null_index && input.tail(h) != end)
-        internal::throw_naming<Invalid_curve_error>("a curve is not connected at position ",
-                                                    internal::Element{position});
+        internal::throw_naming<Invalid_curve_error>("halfedge ", internal::Element{position},
+                                                    " of a curve does not start where halfedge ", position - 1,
+                                                    " ends");
       start = start == null_index ? input.tail(h) : start;
       end = input.tail(internal::twin_index(h));
       ++position;

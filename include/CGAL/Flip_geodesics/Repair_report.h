@@ -58,13 +58,13 @@ inline std::string describe(Repair repair, std::size_t count)
   case Repair::POLYGONS_SPLIT:
     return counted("polygon", "polygons", "split at a point that is passed twice");
   case Repair::POLYGONS_TRIANGULATED:
-    return counted("polygon", "polygons", "with more than three corners triangulated");
+    return counted("polygon", "polygons", "triangulated: more than three corners");
   case Repair::DUPLICATES_DROPPED:
     return counted("triangle", "triangles", "removed: the same corners as another triangle");
   case Repair::POLYGONS_REVERSED:
     return counted("polygon", "polygons", "reversed to match the orientation of the neighbors");
   case Repair::EDGES_CUT:
-    return counted("edge", "edges", "with more than two faces cut open");
+    return counted("edge", "edges", "cut open: more than two faces");
   case Repair::VERTICES_SPLIT:
     return counted("vertex", "vertices", "added where faces met without a common edge");
   case Repair::POINTS_MERGED:
@@ -122,7 +122,7 @@ public:
   /// Returns how often a repair was made.
   std::size_t number_of(Repair repair) const { return m_record.counts[static_cast<std::size_t>(repair)]; }
 
-  /// Returns whether no repair was made, so that the mesh is identical to the soup.
+  /// Returns whether no repair was made, in which case the mesh is identical to the soup.
   bool is_empty() const
   {
     return std::all_of(m_record.counts.begin(), m_record.counts.end(), [](std::size_t count) { return count == 0; });

@@ -42,9 +42,9 @@ struct Surface_location
  * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from it.
  *
  * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is either
- * a side of a face that contains the location, or starts at the location. The free functions pass both as a `std::pair`
- * of a halfedge of the mesh and an angle. A function that chooses the halfedge itself uses the halfedge of the
- * location, or its twin if that halfedge is on the border. For a `Face_location`, the halfedge of the location is
+ * a side of a face that contains the location, or starts at the location. The free functions take and return both as a
+ * `std::pair` of a halfedge of the mesh and an angle. A function that chooses the halfedge itself uses the halfedge of
+ * the location, or its twin if that halfedge is on the border. For a `Face_location`, the halfedge of the location is
  * `halfedge(face, mesh)`; for a vertex, it starts there. There are only two exceptions: a `Trace_report` refers to the
  * side through which the geodesic has entered its last face, and `logarithmic_map()` of a tree refers, if the source
  * lies on the border or was inserted, to a direction that its documentation specifies.
@@ -167,7 +167,7 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
  *
  * Represents a point of the surface by vertices of the input: \f$(1-t-u)\,a + t\,b + u\,c\f$.
  *
- * At a vertex, `a == b`, and `t` is 0. On an edge, `a` is the nearer end, so that `t` lies in (0, 1/2] and has a small
+ * At a vertex, `a == b`, and `t` is 0. On an edge, `a` is the nearer end, so `t` lies in (0, 1/2] and has a small
  * relative error close to vertices; `u` is 0, and `c` is null. Inside a face, which occurs only for inserted points,
  * `a` is the vertex with the largest weight.
  *

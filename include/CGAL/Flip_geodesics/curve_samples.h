@@ -191,7 +191,7 @@ private:
   struct Place_on_leg
   {
     std::size_t leg;
-    double part; // of the geodesic segment
+    double part; // of the leg
   };
 
   Place_on_leg place(double length) const
@@ -216,7 +216,7 @@ private:
 
   const Triangulation& m_triangulation;
   internal::Transport_sleeve<Triangulation> m_sleeve;
-  std::vector<typename internal::Transport_sleeve<Triangulation>::Start> m_starts; // of the geodesic segments
+  std::vector<typename internal::Transport_sleeve<Triangulation>::Start> m_starts; // of the legs
   std::vector<double> m_lengths;                                                   // up to each location
 };
 

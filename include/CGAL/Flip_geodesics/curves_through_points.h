@@ -47,15 +47,15 @@ enum class Spline_kind {
  * Casteljau's algorithm with geodesics instead of straight lines. In the plane, the points at which pieces meet lie
  * exactly on the B&eacute;zier curve, up to rounding errors.
  *
- * Each geodesic segment of a control polygon is shortened independently, in a triangulation that is restored for the
- * next one. Segments may therefore pass through control points, overlap, and cross one another, so the control polygon
- * may cross itself. A segment of the next level is obtained by shortening a path that leads from the midpoint of one
- * segment over the control point to the midpoint of the next, so that the curve stays in the homotopy class of the
- * polygon. `add_curve_along()` turns the pieces of the finished curve into a curve of a network, and thus into edges of
- * a triangulation.
+ * Each *leg* of a control polygon, the geodesic between two consecutive control points, is shortened independently, in
+ * a triangulation that is restored for the next one. Legs may therefore pass through control points, overlap, and cross
+ * one another, so the control polygon may cross itself. A leg of the next level is obtained by shortening a path that
+ * leads from the midpoint of one leg over the control point to the midpoint of the next, so that the curve stays in the
+ * homotopy class of the polygon. `add_curve_along()` turns the pieces of the finished curve into a curve of a network,
+ * and thus into edges of a triangulation.
  *
- * The invariant is that each segment is a geodesic that starts at the end of the previous one, and that the
- * triangulation is unchanged.
+ * The invariant is that each leg is a geodesic that starts at the end of the previous one, and that the triangulation
+ * is unchanged.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -69,8 +69,8 @@ public:
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
    * \param control_points a range of at least two points of the surface, of any type that `surface_location()` accepts;
-   *        a closed spline has at least three and does not repeat the first. Consecutive points may coincide, so that
-   *        the segment between them has length zero
+   *        a closed spline has at least three and does not repeat the first. Consecutive points may coincide; the leg
+   *        between them then has length zero
    * \param kind the type of the spline
    * \throws Invalid_curve_error if there are fewer than two points, or fewer than three for a closed spline
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
@@ -88,16 +88,16 @@ public:
   }
 
   /*!
-   * Constructs a spline from a control polygon whose segments are already geodesics, such as those of a `Curve_editor`.
-   * With segments of an editor, the curve stays in the homotopy class of the polygon while control points are dragged.
+   * Constructs a spline from a control polygon whose legs are already geodesics, such as those of a `Curve_editor`.
+   * With legs of an editor, the curve stays in the homotopy class of the polygon while control points are dragged.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
-   * \param legs the segments, each starting at the end of the previous one; any two consecutive locations must lie in
-   *        one face, and the last segment of a closed spline ends where the first starts
+   * \param legs the legs, each starting at the end of the previous one; any two consecutive locations must lie in one
+   *        face, and the last leg of a closed spline ends where the first starts
    * \param kind the type of the spline
-   * \throws Invalid_curve_error if no segment is given, or fewer than three for a closed spline, if a segment has fewer
-   *         than two locations, or if two consecutive locations do not lie in a common face
+   * \throws Invalid_curve_error if no leg is given, or fewer than three for a closed spline, if a leg has fewer than
+   *         two locations, or if two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -110,7 +110,7 @@ public:
   {
     if(legs.size() < (kind == Spline_kind::CLOSED_CUBIC_B_SPLINE ? 3u : 1u))
       throw Invalid_curve_error(
-          "a spline requires at least one segment of its control polygon, and a closed spline at least three");
+          "a spline requires at least one leg of its control polygon, and a closed spline at least three");
     for(const std::vector<Surface_location>& leg : legs)
       m_legs.push_back({internal::canonical_polyline(triangulation.input(), leg, false)});
     start(kind);
@@ -119,8 +119,8 @@ public:
   /*!
    * Subdivides every piece at its midpoint, which doubles the number of pieces.
    * \throws Insertion_error if the subdivision is too fine for the number type
-   * \throws Crossing_curves_error if two consecutive segments, taken together, cross themselves
-   * \throws Ambiguous_order_error if the search for an order of the overlapping parts of two consecutive segments is
+   * \throws Crossing_curves_error if two consecutive legs, taken together, cross themselves
+   * \throws Ambiguous_order_error if the search for an order of the overlapping parts of two consecutive legs is
    *         aborted
    */
   void refine()
@@ -204,9 +204,9 @@ public:
   const Shortening_report& report() const { return m_report; }
   /// Returns the length of the finished curve. \throws Invalid_parameter_error before `finish()`
   double length() const { return finished().length; }
-  /// Returns whether the segments of the finished curve are geodesics. \throws Invalid_parameter_error before `finish()`
+  /// Returns whether the legs of the finished curve are geodesics. \throws Invalid_parameter_error before `finish()`
   Shortening_status status() const { return finished().status; }
-  /// Returns the verdict on all segments of the finished curve together. \throws Invalid_parameter_error before `finish()`
+  /// Returns the verdict on all legs of the finished curve together. \throws Invalid_parameter_error before `finish()`
   Verdict verdict() const { return finished().verdict; }
 
 private:
@@ -255,7 +255,7 @@ private:
     return {m_straightener.straightened(path)};
   }
 
-  // De Casteljau: the outer halves of each level are the segments of the two halves.
+  // De Casteljau: the outer halves of each level are the legs of the two halves.
   void divide_piece(std::vector<Leg> legs, std::vector<Leg>& result)
   {
     std::vector<Leg> rest; // of the second half, the last first
@@ -278,7 +278,7 @@ private:
     result.back().ends_piece = true;
   }
 
-  // Constructs the pieces from the segments of the control polygon.
+  // Constructs the pieces from the legs of the control polygon.
   void start(Spline_kind kind)
   {
     if(kind == Spline_kind::BEZIER)
@@ -288,7 +288,7 @@ private:
     m_control_length = polygon_length();
   }
 
-  // Segments are divided into thirds, and the lines that cut the corners off at their midpoints [F02].
+  // Legs are divided into thirds, and the lines that cut the corners off at their midpoints [F02].
   void make_cubic(bool is_closed)
   {
     const std::size_t n = m_legs.size();
@@ -298,7 +298,7 @@ private:
       first[i] = std::move(third);
       std::tie(middle[i], last[i]) = divided(rest, 0.5);
     }
-    std::vector<Leg> before(n), after(n); // what leads to and from the middle third of each segment
+    std::vector<Leg> before(n), after(n); // what leads to and from the middle third of each leg
     before[0] = first[0];
     after[n - 1] = last[n - 1];
     for(std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i)
@@ -323,11 +323,11 @@ private:
  * Adds a curve through points of the surface. The points become vertices, at which the nodes of the curve are fixed,
  * and consecutive points are connected.
  *
- * A curve through two points is a shortest edge path. A curve through more points consists of geodesic segments between
- * consecutive points, each obtained by shortening such a path separately, so that each segment passes the other points
- * on the same sides as the geodesic; the edges that the segments cross are flipped. A segment that crosses a curve of
- * the network remains an edge path; `order_overlapping_curves()` then detects whether the curves cross. The initial
- * length is that of the edge paths.
+ * A curve through two points is a shortest edge path. A curve through more points consists of *legs*, which connect
+ * consecutive points. Each leg is first shortened on its own, with the other points ignored, and therefore passes each
+ * of the other points on the same side as the unobstructed geodesic does. The edges that the legs cross are flipped. A
+ * leg that crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects whether the
+ * curves cross. The initial length is that of the edge paths.
  *
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
@@ -335,7 +335,7 @@ private:
  * \param np the named parameter `is_closed`, a `bool`: whether the curve is closed; `false` by default
  * \return the index of the curve
  * \throws Invalid_curve_error if fewer than two points are given, or all points coincide
- * \throws Crossing_curves_error if segments cross each other between vertices; `elements()` are the ends of the crossed
+ * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` are the ends of the crossed
  *         edge. In this case no curve is added, but points may have become vertices, and edges may have been flipped
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
@@ -381,25 +381,25 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a curve along geodesic segments on the surface, such as the pieces of a `Geodesic_spline`, or the segments of a
- * `Curve_editor` or of `geodesics_through()`.
+ * Adds a curve along given legs, which are geodesics on the surface, such as the pieces of a `Geodesic_spline`, or the
+ * legs of a `Curve_editor` or of `geodesics_through()`.
  *
- * The ends of the segments become vertices, at which the curve is fixed. The segments become edges of the
- * triangulation; to this end, the edges that they cross are flipped. A segment that is not a geodesic is shortened to
- * one in its homotopy class.
+ * The ends of the legs become vertices, at which the curve is fixed. The legs become edges of the triangulation; to
+ * this end, the edges that they cross are flipped. A leg that is not a geodesic is shortened to one in its homotopy
+ * class.
  *
  * \param network the network
- * \param legs the segments, each starting at the end of the previous one; any two consecutive points of a segment must
- *        lie in a common face of the input
- * \param np the named parameter `is_closed`, a `bool`: whether the last segment ends where the first starts, and the
- *        curve is closed; `false` by default
+ * \param legs the legs, each starting at the end of the previous one; any two consecutive points of a leg must lie in a
+ *        common face of the input
+ * \param np the named parameter `is_closed`, a `bool`: whether the last leg ends where the first starts, and the curve
+ *        is closed; `false` by default
  * \return the index of the curve
  * \pre no edge of the triangulation in these faces crosses an input edge
- * \throws Invalid_curve_error if a segment has fewer than two points, consecutive points have no common face, or all
- *         segments are points
- * \throws Crossing_curves_error if segments cross each other or a curve of the network between vertices; `elements()`
- *         are the ends of the crossed edge. In this case no curve is added, but points may have become vertices, and
- *         edges may have been flipped
+ * \throws Invalid_curve_error if a leg has fewer than two points, consecutive points have no common face, or all legs
+ *         are points
+ * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()` are
+ *         the ends of the crossed edge. In this case no curve is added, but points may have become vertices, and edges
+ *         may have been flipped
  * \throws Ambiguous_order_error if the search for an order of overlapping segments is aborted
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does
@@ -432,12 +432,12 @@ Curve_index add_curve_along(Network& network, const std::vector<std::vector<Surf
 /// Contains geodesics between consecutive points, each computed separately.
 struct Free_legs
 {
-  std::vector<std::vector<Surface_location>> legs; ///< the points of each segment: its ends and its crossings of edges
-  Shortening_report report;                        ///< the report on all segments together, as one curve
+  std::vector<std::vector<Surface_location>> legs; ///< the points of each leg: its ends and its crossings with edges
+  Shortening_report report;                        ///< the report on all legs together, as one curve
 
-  double length() const { return report.length(); }            ///< returns the total length of the segments
-  Shortening_status status() const { return report.status(); } ///< returns whether each segment is a geodesic
-  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on all segments
+  double length() const { return report.length(); }            ///< returns the total length of the legs
+  Shortening_status status() const { return report.status(); } ///< returns whether each leg is a geodesic
+  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on all legs
 };
 
 namespace internal {
@@ -470,16 +470,16 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
  *
  * Computes geodesics between consecutive points, by shortening a shortest edge path between each pair.
  *
- * The triangulation is restored for the next segment. Segments therefore do not block one another, and may cross,
- * unlike those of `add_curve_through()`; a triangulation that contains all segments need not exist. A segment between
- * two coincident points consists of that point twice. If all points coincide, the curve is a point, and its status is
+ * The triangulation is restored for the next leg. Legs therefore do not block one another, and may cross, unlike those
+ * of `add_curve_through()`; a triangulation that contains all legs need not exist. A leg between two coincident points
+ * consists of that point twice. If all points coincide, the curve is a point, and its status is
  * `Shortening_status::CONTRACTED`.
  *
  * \param triangulation a triangulation of the input without flips and curves, which is unchanged afterwards
  * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts
- * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, for each segment. If the predicate
- *        has a member `restarted()`, the result of that member is used for each segment
- * \return the segments, and a report
+ * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, for each leg. If the predicate has
+ *        a member `restarted()`, the result of that member is used for each leg
+ * \return the legs, and a report
  * \throws Invalid_curve_error if fewer than two points are given
  * \throws Occupied_triangulation_error if a network has curves in the triangulation
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
@@ -566,8 +566,8 @@ struct Path_between_points
  *        `surface_location()` describes how points are snapped, and which point of the mesh represents a point in space
  * \param out an output iterator that receives the points of the path, in the form described at `geodesic_path()`
  * \param np an optional sequence of named parameters as for `geodesic_path()`, where the stop predicate is applied to
- *        each geodesic segment between two points, and `greatest_point_distance`, the greatest distance from the
- *        surface at which a point in space is accepted
+ *        each leg between two points, and `greatest_point_distance`, the greatest distance from the surface at which a
+ *        point in space is accepted
  * \return the past-the-end output iterator, and a report with exactly one curve, which includes
  *         `Curve_report::point_distances`
  * \throws Invalid_location_error if a location is not a point of the surface

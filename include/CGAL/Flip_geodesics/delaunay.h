@@ -116,7 +116,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * Delaunay triangulation. If networks have curves in it, it becomes the intrinsic constrained Delaunay triangulation
  * (iCDT) of all these curves \cgalCite{SC20,section 6.3}.
  *
- * The named parameters and exceptions are those of the overload with edges.
+ * The named parameters and exceptions are those of `flip_to_delaunay()` for given edges.
  *
  * \return a report on all edges
  *

@@ -65,8 +65,8 @@ struct Distances_report
   /// `WITHIN_TOLERANCE` if the figures are exact up to rounding errors, and no shortest path is shorter than the one
   /// found by more than 1e-10 of its length. `UNDECIDED` otherwise, that is, if the search was aborted or stopped, or
   /// encountered a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. If the search
-  /// encounters a face whose height is at most 1e-10 of its base, or if rounding errors may exceed this tolerance, the
-  /// figures are confirmed only by a search with outward-rounded bounds.
+  /// encounters a face whose height is at most 1e-10 of its base, or if rounding errors may exceed this tolerance, a
+  /// second search with outward-rounded bounds is run to confirm the figures, provided that all sources are vertices.
   Verdict verdict = Verdict::UNDECIDED;
   /// Whether the paths are locally shortest, including those that were not replaced, as reported by
   /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
@@ -102,7 +102,7 @@ bool count_longer(const Tree& tree, const Search& search, Distances_report& repo
 }
 
 /*
- * Returns an upper bound of the lengths of the requested paths: the limit of the tree, or its longest path if it
+ * Returns an upper bound on the lengths of the requested paths: the limit of the tree, or its longest path if it
  * contains all vertices.
  */
 template <class Tree>
@@ -139,7 +139,7 @@ void replace_longer(Tree& tree, const Search& search, Interruption& interruption
   count_longer(tree, search, report);
 }
 
-/* The paths found by a search with outward rounding, with upper bounds of their lengths. */
+/* The paths found by a search with outward rounding, with upper bounds on their lengths. */
 template <class Triangulation, class Search>
 class Paths_of_search
 {

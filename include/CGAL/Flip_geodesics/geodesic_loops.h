@@ -356,7 +356,7 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  *
  * Such a loop passes through a vertex of every network that cuts the surface into disks. Therefore only loops through
  * vertices of a cut graph are searched, and each search extends up to half the length of the shortest loop found so
- * far. Parameters and exceptions are those of the overload with a vertex.
+ * far. The parameters and exceptions are those of `shortest_loop()` through a given vertex.
  *
  * \return the halfedges of the loop; empty if no such loop exists
  *

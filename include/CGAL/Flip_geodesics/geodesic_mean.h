@@ -351,7 +351,8 @@ Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// Computes a Karcher (Riemannian) mean of points with equal weights; see the overload with weights.
+/// Computes a Karcher (Riemannian) mean \cgalCite{K77} of points with equal weights: a point with the least sum of
+/// squared distances from the given points. The parameters and exceptions are those of `geodesic_mean()` with weights.
 template <class TriangleMesh, class PlaceRange, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const PlaceRange& points,

@@ -196,9 +196,9 @@ struct Intrinsic_graph_traits
  * `boost::graph_traits` is specialized for the class `Intrinsic_triangulation` itself, not for other models of
  * `IntrinsicTriangulation` or for derived classes.
  *
- * All functions take constant time, with three exceptions. A step across the border turns around a vertex and takes
- * time linear in its degree. `faces()` and `num_faces()` traverse all halfedges. The map of face indices is constructed
- * in linear time when it is requested, and remains valid until the next flip.
+ * All functions take constant time, with three exceptions. `next()` and `prev()` of a border halfedge take time linear
+ * in the degree of the vertex. `faces()` and `num_faces()` traverse all halfedges. The map of face indices is
+ * constructed in linear time when it is requested, and remains valid until the next flip.
  *
  * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
  * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be

@@ -112,9 +112,10 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * points are kept at sharp bends, if parts of one isoline come within three tolerances of one another, or if levels are
  * so close that chords of two isolines might intersect.
  *
- * A level may equal the distance of a vertex or of a whole area; points at the level count as farther. If the field
- * becomes infinite inside the surface, because it is limited, points with infinite distance count as farther as well. A
- * face whose three vertices have infinite distances is assumed to contain no point with a finite distance.
+ * A level may equal the distance at a vertex, or the constant distance in a whole region; points at the level count as
+ * farther. If the field becomes infinite inside the surface, because it is limited, points with infinite distance count
+ * as farther as well. A face whose three vertices have infinite distances is assumed to contain no point with a finite
+ * distance.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`

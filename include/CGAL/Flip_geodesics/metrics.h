@@ -502,7 +502,7 @@ inline int scale_to_one(std::array<double, 3>& lengths)
 }
 
 /*
- * Returns a lower bound of the factor by which segments in a triangle are longer than in another one whose points
+ * Returns a lower bound on the factor by which segments in a triangle are longer than in another one whose points
  * correspond linearly. Rounding errors are subtracted. The sides of the other triangle, `before`, may be wrong by some
  * units in the last place, or zero; those of the first, `after`, are taken as given. Zero if one of these is invalid,
  * or they form a degenerate triangle.
@@ -579,14 +579,21 @@ public:
   using Kernel = typename Base::Kernel;   ///< the kernel of the other metric
   using Point_3 = typename Base::Point_3; ///< the point type of the other metric, `void` if it has none
 
-  /// Constructs a metric that adds nothing to the other metric, so that lengths and faces are unchanged.
+  /// Constructs a metric that adds nothing to the other metric, so lengths and faces are unchanged.
   explicit Mollified_metric(const Metric& metric)
     : Base(metric)
   {
   }
 
-  /// Computes the length to be added for a factor of 1e-5. Linear in the size of the mesh. The exceptions are those of
-  /// the other constructor.
+  /*!
+   * Computes the length to be added for a factor of 1e-5. Linear in the size of the mesh.
+   *
+   * \param mesh the triangle mesh of the metric
+   * \param metric the other metric
+   * \throws Invalid_coordinate_error if the length of an edge is negative or not finite
+   * \throws Invalid_mesh_error if a face is not a triangle
+   * \throws Input_mismatch_error if the other metric detects that it was made for another mesh
+   */
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric)
     : Mollified_metric(mesh, metric, internal::default_mollification)

@@ -140,7 +140,7 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * The triangulation is first flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, that
  * is, faces that violate a bound. The worst face comes first, and each insertion is followed by flips
  * \cgalCite{SSC19,section 4.3}. Curves and the border are constrained: if they are in the way of an insertion, vertices
- * on them split them instead, so that they remain geodesics of the same length. The surface does not change.
+ * on them split them instead, so they remain geodesics of the same length. The surface does not change.
  *
  * \attention Since the positions of vertices on curves are rounded, `certify()` finds a bend of the size of a rounding
  * error at such a vertex. It should therefore be called before refinement.
@@ -203,8 +203,8 @@ Refinement_report refine(Network& network, const Refinement_options& options = R
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// Refines a triangulation without curves until no angle is too small and no edge is too long. Options, named
-/// parameters and exceptions are those of the overload for networks. \throws Occupied_triangulation_error if a network
+/// Refines a triangulation without curves until no angle is too small and no edge is too long. The options, named
+/// parameters and exceptions are those of `refine()` for a network. \throws Occupied_triangulation_error if a network
 /// in the triangulation has curves
 template <class Triangulation, class... NamedParameters,
           std::enable_if_t<!internal::has_curves<Triangulation>, int> = 0>

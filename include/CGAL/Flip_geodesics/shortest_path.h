@@ -460,7 +460,7 @@ inline bool lacks_rounding_tolerance(const Shortest_path_report& report)
 }
 
 /*
- * Raises the lower bound of a path by a second search in double-double arithmetic, if possible. The bound of the first
+ * Raises the lower bound for a path by a second search in double-double arithmetic, if possible. The bound of the first
  * search falls below the length by 16 units of roundoff of the lengths in each face, and by 32 times that error at each
  * flat vertex, so that rays which start there can replace the windows beside it. These allowances keep the number of
  * windows small and cannot be reduced in doubles; with units of 2^-97 they are negligible.
@@ -495,7 +495,7 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
   return report;
 }
 
-/* Returns a lower bound of the length of all paths, from the positions of the ends alone. */
+/* Returns a lower bound on the length of all paths, from the positions of the ends alone. */
 template <class Triangulation>
 double lower_bound_in_space(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
 {
@@ -980,7 +980,9 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParam
  *
  * \param mesh a triangle mesh
  * \param landmarks a range of vertices of the mesh in any order; repeated vertices count once
- * \param np named parameters, as for the overload with a number of landmarks
+ * \param np the named parameters `vertex_point_map`, `metric` and `geom_traits` as for `geodesic_path()`, and
+ *        `visitor`. If the `go_further()` of the visitor returns `false`, the result is incomplete; see
+ *        `Geodesic_landmarks::is_complete()`
  * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
  * \throws Degenerate_face_error as `Geodesic_landmarks` does
  * \throws Invalid_coordinate_error as `Geodesic_landmarks` does

@@ -53,7 +53,7 @@ struct Path_class
   /// The halfedge type of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  /// A shortest edge path of the class in the part of the covering that was laid out. This part contains the first
+  /// A shortest edge path of the class in the part of the cover that was laid out. This part contains the first
   /// `number` classes of edge paths; other classes may have shorter edge paths if edge paths approximate distances
   /// poorly. For ends that are not vertices, the parts of the path in their faces or edges are not included.
   std::vector<halfedge_descriptor> edge_path;
@@ -75,7 +75,7 @@ struct Paths_by_class_report
   std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
   double lower_bound = 0; ///< a lower bound for paths of classes not found; infinite if all classes were found
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
-  std::size_t visited = 0;                                 ///< the number of vertices of the universal covering that
+  std::size_t visited = 0;                                 ///< the number of vertices of the universal cover that
                                                            ///< were visited
 
   /// Returns a proven lower bound on the lengths of all paths whose classes are not represented in `paths`. The bound
@@ -127,8 +127,8 @@ struct Paths_by_class_result
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of vertices of a universal covering that may be visited; each takes about 1200 bytes. The search
-/// is aborted when the limit is exceeded, or when its shortest-path searches have created more than \f$10^6 + 200 v\f$
+/// Limits the number of vertices of a universal cover that may be visited; each takes about 1200 bytes. The search is
+/// aborted when the limit is exceeded, or when its shortest-path searches have created more than \f$10^6 + 200 v\f$
 /// windows, where \f$v\f$ is the limit.
 class Covering_limit
 {
@@ -372,7 +372,7 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor. Only its member `go_further()` is called, at regular intervals, because the
- *       paths are computed in a covering of the mesh}
+ *       paths are computed in the universal cover of the mesh}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If `go_further()` returns `false`, no path is written, and the report is unconfirmed and has the
@@ -382,7 +382,7 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *
  * \return the past-the-end output iterator, and a report
  * \pre `number > 0`
- * \throws Invalid_mesh_error if the mesh is not a surface
+ * \throws Invalid_mesh_error if the mesh is not a surface, or if several umbrellas meet at a vertex
  * \throws Vertex_out_of_range_error as `shortest_path()` does
  * \throws Disconnected_endpoints_error as `shortest_path()` does
  * \throws Degenerate_face_error as `shortest_path()` does
@@ -391,15 +391,15 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \throws Distant_point_error as `shortest_path()` does
  * \throws Insertion_error as `shortest_path()` does
  *
- * Complexity: \cgalBigO{m \log m} for the \f$m\f$ vertices of the covering that are visited, plus the time of
+ * Complexity: \cgalBigO{m \log m} for the \f$m\f$ vertices of the cover that are visited, plus the time of
  * `shortest_path()` for each path. The search visits the vertices on the edge paths of the first `number` classes, and
- * those through which a path of another class could pass without being longer than the last result. The covering is
- * laid out in stages, each larger than the previous one by at least half, so that the time is roughly proportional to
- * the limit if the limit is reached.
+ * those through which a path of another class could pass without being longer than the last result. The cover is laid
+ * out in stages, each larger than the previous one by at least half, so the time is roughly proportional to the limit
+ * if the limit is reached.
  *
- * Shortest edge paths are searched in the universal covering of the surface, in which each class of paths has its own
- * end point. A part of the covering is laid out, and a shortest path to each of these end points is computed there as
- * by `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged until
+ * Shortest edge paths are searched in the universal cover of the surface, in which each class of paths has its own end
+ * point. A part of the cover is laid out, and a shortest path to each of these end points is computed there as by
+ * `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged until
  * these bounds exceed the lengths of the paths. If this does not succeed, the report is not confirmed.
  *
  * \sa `shortest_path()`

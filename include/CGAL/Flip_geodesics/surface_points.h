@@ -216,7 +216,7 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
     throw Invalid_location_error("a point in space has a coordinate that is not a finite number");
   const auto found = nearest_face(from);
   if(found.face == boost::graph_traits<typename Triangulation::Triangle_mesh>::null_face())
-    throw Invalid_location_error("a mesh without faces has no point that is nearest to a point in space");
+    throw Invalid_location_error("the mesh has no faces, so no nearest point exists");
   return Flip_geodesics::surface_location(triangulation, mesh, std::make_pair(found.face, found.nearest.weights),
                                           nearest_point_snap);
 }

@@ -248,7 +248,7 @@ private:
     return length;
   }
 
-  // Traces on from the start of a geodesic segment along it.
+  // Traces on from the start of a leg along it.
   Surface_location traced(const Transport_sleeve& path, std::size_t leg, double position, double length) const
   {
     const Surface_location& place = path.places()[leg];
@@ -496,8 +496,8 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * at the vertex sum to \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
- * \param curve a range of locations in faces, as for the overload with an angle. A vertex must be given as a
- *        `Face_location`, since vectors lie in the planes of faces
+ * \param curve a range of locations in faces, of which any two consecutive ones lie in a common face. A vertex must be
+ *        given as a `Face_location`, since vectors lie in the planes of faces
  * \param vector a vector in space, of any kernel
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
  *        which only the work limit is used; the metric must have points

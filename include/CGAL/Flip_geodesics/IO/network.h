@@ -322,7 +322,7 @@ void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
 {
   const auto fail = [](std::size_t i) {
     throw_naming<File_format_error>("the saved network was made with other traits, or another version of them: entry ",
-                                    Element{i}, " of its flip log cannot be repeated");
+                                    Element{i}, " of its flip log cannot be replayed");
   };
   const auto is_repeated = [&](const Log_entry& entry) { // false if a logged insertion is rejected
     try {
@@ -440,7 +440,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * Loads a network that `write_network()` has saved into a triangulation of the same input with the same traits, by
  * repeating all flips and restoring the curves.
  *
- * The result is bitwise identical, including the ids of segments, so that shortening continues as it would have without
+ * The result is bitwise identical, including the ids of segments, so shortening continues as it would have without
  * saving. Inserted vertices, including those of `refine()` and on curves, are restored as well. The order of
  * overlapping curves is restored as it was saved, even if `order_overlapping_curves()` was not called before;
  * `Edge_path_network::is_valid()` can then be `false`, as for the saved network.

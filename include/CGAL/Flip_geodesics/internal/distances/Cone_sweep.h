@@ -430,7 +430,7 @@ private:
 };
 
 /*
- * Lower-bound propagation: lower bounds of the distances from a vertex, within about 1%, at a small part of the cost of
+ * Lower-bound propagation: lower bounds on the distances from a vertex, within about 1%, at a small part of the cost of
  * the distances.
  *
  * Each halfedge has a cone, or two side by side: the distance function of an unfolded pseudo-source. No path from the
@@ -520,7 +520,7 @@ public:
   Vertex_index source() const { return m_source; }
   double bound() const { return m_bound; }
 
-  /* Returns a lower bound of the lengths of the relevant paths from the source to v. */
+  /* Returns a lower bound on the lengths of the relevant paths from the source to v. */
   double distance_lower_bound(Vertex_index v) const
   {
     if(!is_useful())
@@ -529,7 +529,7 @@ public:
   }
 
   /*
-   * Returns a lower bound of the lengths of paths that end at the source and come as a cone predicts across the edge of
+   * Returns a lower bound on the lengths of paths that end at the source and come as a cone predicts across the edge of
    * h, between two points on it, into the face on the left of h.
    */
   double through(Input_halfedge_index h, double length, const Cone& cone, double from, double to) const

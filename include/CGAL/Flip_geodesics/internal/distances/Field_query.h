@@ -211,8 +211,8 @@ private:
       m_since_least = distance < m_least ? 0 : m_since_least + 1;
       m_least = (std::min)(m_least, distance);
       if(m_since_least > m_most || !(distance < std::numeric_limits<double>::infinity()))
-        throw Degenerate_face_error("a shortest path cannot be followed: in nearly degenerate faces, rounding errors "
-                                    "make its direction uncertain");
+        throw Degenerate_face_error("the shortest path could not be determined: in nearly degenerate faces, rounding "
+                                    "errors make its direction uncertain; repair these faces");
       return true;
     }
 

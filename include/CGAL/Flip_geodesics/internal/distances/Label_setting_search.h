@@ -206,7 +206,7 @@ struct Search_policy
   {
   }
 
-  /* Returns the key of a vertex in the queue: its distance, plus a lower bound of the remaining distance for A*. */
+  /* Returns the key of a vertex in the queue: its distance, plus a lower bound on the remaining distance for A*. */
   template <class Step>
   double key(Vertex_index, const Step& step) const
   {

@@ -22,7 +22,7 @@ namespace CGAL::Flip_geodesics::internal {
 
 /*
  * For each vertex a row of values, one for each of several functions. The values of a function at two vertices differ
- * by at most their distance plus an error of the function, so that the differences are lower bounds of the distance.
+ * by at most their distance plus an error of the function, so that the differences are lower bounds on the distance.
  *
  * A value is a number of units rounded down, in two bytes. A difference is therefore lowered by one unit, and by
  * another one for the error of these divisions, which is far smaller, as is the error of distances along edges, which
@@ -58,7 +58,7 @@ public:
 
   bool has_row(Vertex_index v) const { return static_cast<std::size_t>(v.idx()) * m_losses.size() < m_numbers.size(); }
 
-  /* Returns a lower bound of the length of a path between the vertices. It is arbitrary for vertices of two
+  /* Returns a lower bound on the length of a path between the vertices. It is arbitrary for vertices of two
    * components. */
   double distance_lower_bound(Vertex_index v, Vertex_index w) const
   {
@@ -142,7 +142,7 @@ public:
   /* Returns all vertices: for each component from its first vertex on, in order of distance. */
   const std::vector<Vertex_index>& order() const { return m_order; }
 
-  /* Returns a bound of the distance along edges between two vertices of a component, if `search` measures these
+  /* Returns a bound on the distance along edges between two vertices of a component, if `search` measures these
    * distances. */
   double largest_distance() const { return 2 * m_radius * (1 + landmark_radius_rounding); }
 
@@ -231,11 +231,11 @@ private:
 };
 
 /*
- * Lower bounds of the distances to a vertex: the Euclidean distance, or the bound of landmarks if it is larger. Zero if
+ * Lower bounds on the distances to a vertex: the Euclidean distance, or the bound of landmarks if it is larger. Zero if
  * neither is available.
  *
- * Landmarks have no rows of points that became vertices later. By the triangle inequality the bound of a neighbor of
- * such a goal, minus the length of the edge, is a bound of the goal. From such a vertex the bound is the Euclidean
+ * Landmarks have no rows of points that became vertices later. By the triangle inequality the bound for a neighbor of
+ * such a goal, minus the length of the edge, is a bound for the goal. From such a vertex the bound is the Euclidean
  * distance.
  */
 template <class Triangulation>
@@ -264,7 +264,7 @@ public:
   }
 
 private:
-  // A vertex that has a row, and an upper bound of its distance from the goal.
+  // A vertex that has a row, and an upper bound on its distance from the goal.
   struct Known_vertex
   {
     Vertex_index vertex;

@@ -57,7 +57,7 @@ public:
         entries->reserve((std::max)(2 * entries->capacity(), entries->size() + number));
   }
 
-  /* Prepares for `take(last)` and returns an upper bound of the number of entries removed by it. Changes nothing if it
+  /* Prepares for `take(last)` and returns an upper bound on the number of entries removed by it. Changes nothing if it
    * throws.
    * \param step estimate of the increase of `last` until the next call */
   std::size_t look_ahead(double last, double step)

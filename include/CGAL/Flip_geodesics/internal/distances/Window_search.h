@@ -43,7 +43,7 @@ struct Basic_ray_window
     return sqrt(x * x + y * y);
   }
 
-  /* Returns a lower bound of the length of a path through the window to a position on its edge. */
+  /* Returns a lower bound on the length of a path through the window to a position on its edge. */
   Number least(const Number& place) const
   {
     const Number value = sigma + norm(place - x, y);
@@ -114,14 +114,14 @@ struct Queued_rays
  *                     ./
  *                   (x, -y)
  *
- * With a target and lower bounds propagated from there, windows are ordered by a lower bound of the length of a path
+ * With a target and lower bounds propagated from there, windows are ordered by a lower bound on the length of a path
  * through them to the target, and dropped if it exceeds the length being searched for.
  *
  * Rounding is directed such that no path is lost and none counts as longer than it is. A window stores a bound `radius`
  * of the distance from its source to the true one, and is as wide as rays from that disk can reach; its true ends are
  * at most `margin` inside its own. `sigma` is at most the true value. The value of a window minus its radius is thus a
  * lower bound for all paths through it, and a path is dropped only if a true path is certainly shorter. A vertex has
- * three numbers: the computed distance, a lower bound of all paths, and the length of an existing path.
+ * three numbers: the computed distance, a lower bound for all paths, and the length of an existing path.
  *
  * All errors are in units of the numbers' roundoff, so that the analysis also holds for faces in double-double
  * arithmetic.
@@ -195,7 +195,7 @@ public:
     }
   }
 
-  /* Returns a lower bound of the paths to the target, or to vertices not reached yet, that are not known. */
+  /* Returns a lower bound for the paths to the target, or to vertices not reached yet, that are not known. */
   double lower_bound() { return m_heap.empty() ? infinity : m_heap.top().priority; }
 
   /* Returns the length of the shortest path found to a vertex; infinite if there is none yet. */
@@ -204,7 +204,7 @@ public:
     return is_reached(v) ? Rounding::nearest(m_vertices[v].length.computed) : infinity;
   }
 
-  /* Returns a lower bound of the paths found to a vertex; infinite if there is none yet. */
+  /* Returns a lower bound for the paths found to a vertex; infinite if there is none yet. */
   double least_distance(Vertex_index v) const
   {
     return is_reached(v) ? Rounding::below(m_vertices[v].length.least) : infinity;
@@ -288,7 +288,7 @@ private:
     Number base, base_place; // its intersection with the x-axis, as a position on that and on itself
   };
 
-  // A part of an edge, and a bound of the distance of the true ends inside it.
+  // A part of an edge, and a bound on the distance of the true ends inside it.
   struct Part
   {
     Number from, to, margin;
@@ -445,7 +445,7 @@ private:
     return are_known ? m_faces.in_double().angle_between(of_a, of_b, same_way) : 0;
   }
 
-  // Records a lower bound of the paths to v.
+  // Records a lower bound for the paths to v.
   void lower(Vertex_index v, const Number& least, const Number& error)
   {
     Vertex_record& record = m_vertices.write(v);
@@ -533,7 +533,7 @@ private:
     push(total, least, static_cast<Index>(m_windows.size()) - 1, false);
   }
 
-  // Returns a lower bound of the paths through a window, on an edge of some length, to the target, computed in doubles.
+  // Returns a lower bound for the paths through a window, on an edge of some length, to the target, computed in doubles.
   double least_to_target(const Window& w, const Number& length) const
   {
     const auto nearest = [](const Number& number) { return Rounding::nearest(number); };

@@ -249,8 +249,8 @@ inline void check_values(const Figure& figure, bool is_binary)
       figure.for_each_value(i, [&](double x) {
         if(!std::isfinite(x))
           throw File_write_error("the values with the name \"" + name +
-                                 "\" are not all finite (at points of curves and at separate points they are NaN) "
-                                 "and cannot be written as text; use binary mode");
+                                 "\" include infinite or NaN entries (points of curves and separate points always have "
+                                 "NaN) and cannot be written as text; use binary mode");
       });
   }
 }

@@ -257,7 +257,7 @@ inline Double_double precise_quotient(const Integer& n, const Integer& d)
   return {std::ldexp(sign * result.high, -shift), std::ldexp(sign * result.low, -shift)};
 }
 
-/* A number, and a bound of its error, which is zero only if the number is exact. */
+/* A number, and a bound on its error, which is zero only if the number is exact. */
 struct Approximate_number
 {
   double value, error;

@@ -415,7 +415,7 @@ public:
     double radius, size; // the size is at least that of re + i im, and at most twice it
   };
 
-  /* The factor (dot + sign i sqrt(squared_root)) / divisor, and a tight bound of its size. */
+  /* The factor (dot + sign i sqrt(squared_root)) / divisor, and a tight bound on its size. */
   struct Side
   {
     Float dot, root;

@@ -24,7 +24,7 @@ constexpr double rounding_errors(double n) { return n * unit_roundoff; }
 /* A relative error that is negligible beside one rounding error: with it, a rounded number errs by a millionth more. */
 inline constexpr double negligible_rounding = 0x1p-20 * unit_roundoff;
 
-/* The relative error of a length in a search, up to which coordinates with a bound of their error need not be refined:
+/* The relative error of a length in a search, up to which coordinates with a bound on their error need not be refined:
  * that of 2^-40 of a path's length that no more than decides where curves start. */
 inline constexpr double search_length_error = 0x1p-40;
 
@@ -335,7 +335,7 @@ inline constexpr double window_step_error = rounding_errors(32);
  * strip of faces of that size the path is longer as well. */
 inline constexpr double window_place_error = 4 * window_step_error;
 
-/* A distance of a field is accurate if the bound of its rounding errors is at most this part of it. The bound exceeds
+/* A distance of a field is accurate if the bound on its rounding errors is at most this part of it. The bound exceeds
  * the errors by several orders of magnitude on most meshes. */
 inline constexpr double accurate_distance = 1e-10;
 
@@ -371,7 +371,7 @@ inline constexpr double outgoing_halfedge_drift = 1e-6;
  * of the sums. */
 inline constexpr double combined_place_error = rounding_errors(8);
 
-/* A lower bound of a distance on the surface by one in space between points of a metric: fewer than 32 rounded
+/* A lower bound on a distance on the surface by one in space between points of a metric: fewer than 32 rounded
  * operations. */
 inline constexpr double space_bound_rounding = rounding_errors(32);
 

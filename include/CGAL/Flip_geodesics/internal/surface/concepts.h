@@ -63,7 +63,7 @@ constexpr bool makes_functor(const Make&)
   CGAL_FLIP_GEODESICS_HAS(const Traits, "IntrinsicTriangulationTraits", member());                                     \
   static_assert(makes_functor<Traits, __VA_ARGS__>([](auto& x) -> decltype(x.member()) { return x.member(); }),        \
                 "the functor of " #member "() has parameters other than those of IntrinsicTriangulationTraits, or "    \
-                "returns something else")
+                "a different return type")
 
 /* Fails to compile if the functors of traits are not those of IntrinsicTriangulationTraits. */
 template <class T>

@@ -20,7 +20,7 @@
 
 namespace CGAL::Flip_geodesics::internal {
 
-/* Converts a number of elements to a bound of indices; throws `Invalid_mesh_error` if it is too large. */
+/* Converts a number of elements to a bound on indices; throws `Invalid_mesh_error` if it is too large. */
 template <class Count>
 Index checked_index_bound(Count count)
 {

@@ -36,7 +36,7 @@ void for_each_index(std::size_t n, const Function& function)
     function(i);
 }
 
-/* Returns a bound of `thread_index()` in the calls of `for_each_index()`. */
+/* Returns a bound on `thread_index()` in the calls of `for_each_index()`. */
 template <class ConcurrencyTag>
 std::size_t number_of_threads()
 {

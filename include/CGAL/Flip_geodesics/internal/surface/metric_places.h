@@ -69,7 +69,7 @@ Approximate_place approximate_place(const Point& p)
   return {number(a.x()), number(a.y()), number(a.z())};
 }
 
-/* Returns the vector from p to q, and sets `error` to a bound of the error of each coordinate. */
+/* Returns the vector from p to q, and sets `error` to a bound on the error of each coordinate. */
 inline std::array<double, 3> approximate_vector(const Approximate_place& p, const Approximate_place& q, double& error)
 {
   std::array<double, 3> result;

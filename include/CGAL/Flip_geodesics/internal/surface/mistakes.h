@@ -127,10 +127,10 @@ template <class Map>
 constexpr bool is_property_map()
 {
   static_assert(!is_container_with_keys<Map>,
-                "a std::map is not a property map: wrap it by boost::make_assoc_property_map()");
+                "a std::map is not a property map: wrap it with boost::make_assoc_property_map()");
   static_assert(is_container_with_keys<Map> || Map_traits<Map>::is_map,
-                "a property map is expected here: wrap a function by boost::make_function_property_map(), or a "
-                "std::vector by boost::make_iterator_property_map()");
+                "a property map is expected here: wrap a function with boost::make_function_property_map(), or a "
+                "std::vector with boost::make_iterator_property_map()");
   return true;
 }
 

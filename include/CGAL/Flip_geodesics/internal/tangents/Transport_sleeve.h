@@ -253,8 +253,8 @@ public:
     }
     for(std::size_t i = 0; i < m_legs.size() && has_changed; ++i)
       if(const auto leg = unfolded(i); leg.violation().distance > straight_in_last_round * std::abs(leg.end()))
-        throw Degenerate_face_error("a shortest path cannot be shortened to a geodesic: in nearly degenerate faces, "
-                                    "rounding errors make the vertices at which it bends uncertain");
+        throw Degenerate_face_error("the shortest path could not be determined: in nearly degenerate faces, rounding "
+                                    "errors make it uncertain at which vertices it bends; repair these faces");
   }
 
 private:

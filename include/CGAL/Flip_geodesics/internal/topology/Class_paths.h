@@ -63,7 +63,7 @@ inline Ray_window reversed_window(Ray_window w, double length)
   return w;
 }
 
-/* Returns a lower bound of the joint length of paths through two windows, seen from one end of an edge, that meet on
+/* Returns a lower bound on the joint length of paths through two windows, seen from one end of an edge, that meet on
  * it. */
 inline double least_sum(const Ray_window& w, const Ray_window& other)
 {
@@ -76,7 +76,7 @@ inline double least_sum(const Ray_window& w, const Ray_window& other)
 }
 
 /*
- * Lower bounds of the distances from a vertex, for paths to a goal that are not longer than a bound. They come from a
+ * Lower bounds on the distances from a vertex, for paths to a goal that are not longer than a bound. They come from a
  * lower-bound propagation, or from windows if that fails, as it does at needle-shaped faces. Bounds within 1% would be
  * useless there anyway: paths along a needle that wind around it different numbers of times are almost equally long,
  * and far more classes than necessary would be searched.
@@ -136,7 +136,7 @@ public:
   }
 
   /*
-   * Returns a lower bound of the paths across the edge of a border halfedge h: from the source over faces on the other
+   * Returns a lower bound for the paths across the edge of a border halfedge h: from the source over faces on the other
    * side, and on from the edge of another surface below h, where bounds from the goal are known in the same way.
    */
   template <class Surface, class Other>
@@ -196,13 +196,13 @@ private:
   Unfolded_faces<Triangulation> m_faces;
   Cone_sweep<Triangulation> m_sweep;
   std::unique_ptr<Window_search<Triangulation>> m_windows; // null if the bounds of the propagation are valid
-  double m_unknown_from = 0;                               // lower bound of the paths that the windows have not found
+  double m_unknown_from = 0;                               // lower bound for the paths that the windows have not found
   Windows_by_halfedge m_windows_on_border, m_windows_inside;
 };
 
 /*
  * The shortest paths from one vertex to another in several homotopy classes: shortest paths to the target's lifts in
- * the universal covering, a part of which is constructed.
+ * the universal cover, a part of which is constructed.
  *
  * Paths that leave the part cross its frontier. Two lower-bound propagations bound their lengths from below, up to the
  * frontier and on to the target. The part is enlarged at the frontier until this bound exceeds the lengths of the
@@ -220,7 +220,7 @@ class Class_paths
 public:
   using Place = typename Curve_forms<Covering>::All;
 
-  /* A path, its class, and its course in the covering. */
+  /* A path, its class, and its course in the cover. */
   struct Path
   {
     Index lift;
@@ -247,7 +247,7 @@ public:
   {
   }
 
-  /* Finds the paths of `number` classes, if the part of the covering requires no more lifts than `most_lifts` and the
+  /* Finds the paths of `number` classes, if the part of the cover requires no more lifts than `most_lifts` and the
    * searches in it no more windows than in proportion. If it is interrupted, there are no paths, and the bound is 0. */
   void run(std::size_t number, std::size_t most_lifts)
   {
@@ -265,10 +265,10 @@ public:
   /* Returns the paths by length. */
   const std::vector<Path>& paths() const { return m_paths; }
   const std::vector<Left_out>& left_out() const { return m_left_out; }
-  /* Returns a lower bound of the lengths of paths in classes that were not found. */
+  /* Returns a lower bound on the lengths of paths in classes that were not found. */
   double frontier_bound() const { return m_frontier_bound; }
 
-  /* Returns the halfedge of the mesh below a halfedge of the covering. */
+  /* Returns the halfedge of the mesh below a halfedge of the cover. */
   Input_halfedge_index below(Input_halfedge_index h) const { return m_surface->below(h); }
 
 private:
@@ -391,7 +391,7 @@ private:
   // Returns whether a lift of the target is the start of all paths, in which case the path of its class is a point.
   bool is_source(Index lift) const { return m_surface->vertex(lift) == m_surface->vertex(0); }
 
-  // Shortens an edge path to a lift of the target, unless that has been done and more of the covering cannot help.
+  // Shortens an edge path to a lift of the target, unless that has been done and more of the cover cannot help.
   void find_geodesic(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift)
   {
     Geodesic& geodesic = m_geodesics[lift];
@@ -563,7 +563,7 @@ private:
   std::unique_ptr<Surface> m_surface;
   std::unique_ptr<Distance_bounds<Triangulation>> m_to_target;
   std::map<Index, Geodesic> m_geodesics;                        // by lift of the target
-  Indexed_by<Vertex_index, std::vector<char>> m_is_on_frontier; // of the covering
+  Indexed_by<Vertex_index, std::vector<char>> m_is_on_frontier; // of the cover
   double m_frontier_bound = 0;
   std::vector<Path> m_paths;
   std::vector<Left_out> m_left_out;

@@ -34,7 +34,7 @@
 
 namespace CGAL::Flip_geodesics::internal {
 
-/* A lift from which a search continues, with lower bounds of the paths from the source to it, and of those to the
+/* A lift from which a search continues, with lower bounds for the paths from the source to it, and of those to the
  * target by way of it. */
 struct Open_lift
 {
@@ -47,7 +47,7 @@ struct Open_lift
  * covering of the surface, whose vertices are the *lifts* of each vertex, that is, the classes of paths from the source
  * to it. They are created when they are reached.
  *
- * Lifts are settled in the order of a lower bound of the edge paths to the target by way of them. The remaining path is
+ * Lifts are settled in the order of a lower bound for the edge paths to the target by way of them. The remaining path is
  * not shorter than a shortest one of any class, so that the search is directed and never reaches a settled lift on a
  * shorter path.
  *
@@ -91,7 +91,7 @@ public:
    * these are not longer than `bound`. At least half as many additional lifts are settled, so that few such calls are
    * necessary; at most as many again, since a larger part may reveal shorter paths and thus a smaller bound.
    *
-   * \param to_target lower bound of the length of a path from a vertex to the target
+   * \param to_target lower bound on the length of a path from a vertex to the target
    */
   template <class LowerBound>
   void run_from(const std::vector<Open_lift>& starts, const LowerBound& to_target, double bound, std::size_t most_lifts)

@@ -78,7 +78,7 @@ public:
     return result;
   }
 
-  /* Returns a bound of the error of `close_by()`. */
+  /* Returns a bound on the error of `close_by()`. */
   double rounding() const { return weighted_place_error * m_size; }
 
   /* Returns whether c is on the left of the line from a to b, as seen against a direction. */
@@ -99,7 +99,7 @@ public:
     });
   }
 
-  /* Returns six times the volume of the tetrahedron of three points and the first vertex, rounded, and a bound of its
+  /* Returns six times the volume of the tetrahedron of three points and the first vertex, rounded, and a bound on its
    * error. */
   std::array<double, 2> volume(const std::array<Weighted_place, 3>& p) const
   {
@@ -126,7 +126,7 @@ private:
 
   static double largest(const Coordinates& v) { return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
-  // A bound of the error of a determinant: six products, of entries with errors of twice the rounding. Entries are in
+  // A bound on the error of a determinant: six products, of entries with errors of twice the rounding. Entries are in
   // fact off by at most 11 rounding errors of the size, instead of 16, and those of two of the vectors are at most twice
   // the size. The difference therefore exceeds the five rounding errors of each product.
   double error(const Coordinates& u, const Coordinates& v, const Coordinates& w) const

@@ -197,7 +197,7 @@ private:
   std::vector<Precise_wedge<Triangulation>> m_wedges;
 };
 
-/* Measures of the face on the left of h: the lengths of h, next(h), previous(h) with bounds of their relative errors,
+/* Measures of the face on the left of h: the lengths of h, next(h), previous(h) with bounds on their relative errors,
  * and the corners at the ends of h. */
 struct Face_measures
 {

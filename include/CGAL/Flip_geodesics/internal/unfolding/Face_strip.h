@@ -90,7 +90,7 @@ public:
                           face_ratio_error * magnitude(position)};
   }
 
-  /* Returns a bound of the relative errors of the sides of the n-th face that is entered. */
+  /* Returns a bound on the relative errors of the sides of the n-th face that is entered. */
   static double turn_error(std::size_t n) { return static_cast<double>(n + 1) * face_ratio_error; }
 
 private:

@@ -79,7 +79,7 @@ public:
     double right_error, left_error; // bounds
   };
 
-  /// A corner of an unfolded face, with a bound of its error.
+  /// A corner of an unfolded face, with a bound on its error.
   using Corner = typename Layout::Corner;
 
   Strip(const Triangulation& triangulation, const Edge_sequence& sequence)
@@ -126,14 +126,14 @@ public:
 
   double length() const { return std::abs(m_end); }
 
-  /* Returns a bound of the error of arrival(), relative to its length: that of end(), and of the last face's
+  /* Returns a bound on the error of arrival(), relative to its length: that of end(), and of the last face's
    * rotation. */
   double arrival_error() const
   {
     return relative_error() + static_cast<double>(m_portals.size() + 3) * face_ratio_error;
   }
 
-  /* Returns a bound of the error of end(), relative to its length; infinite if the error is at least half that
+  /* Returns a bound on the error of end(), relative to its length; infinite if the error is at least half that
    * length. */
   double relative_error() const
   {
@@ -341,7 +341,7 @@ Angle_sum sum_of_input_corners(const Triangulation& triangulation, Input_halfedg
   return sum;
 }
 
-/* An angle, in radians, and a bound of its error. */
+/* An angle, in radians, and a bound on its error. */
 struct Wedge_angle
 {
   double value;
@@ -389,7 +389,7 @@ inline double error_of_wedge_angle(double from, double to, Index steps)
 }
 
 /* The angle counterclockwise from a halfedge of the input to the straight line of an edge sequence that starts at the
- * same vertex, and a bound of its error. Only at vertices of the input. */
+ * same vertex, and a bound on its error. Only at vertices of the input. */
 struct Edge_sequence_angle
 {
   Input_halfedge_index reference = null_index;
@@ -463,7 +463,7 @@ struct Precise_halfedge
 /*
  * Computes faces in double-double arithmetic, as `IntrinsicMetric::face_geometry()` requires of its traits.
  *
- * The bound of the errors, in units of u^2 = 2^-106. From points: differences of doubles are exact, those of rational
+ * The bound on the errors, in units of u^2 = 2^-106. From points: differences of doubles are exact, those of rational
  * numbers err by 1 in each coordinate; a dot product of e and f errs by 52 of |e| |f|, three products of 16, two sums
  * and the differences; a cross product by 60, as a vector, its length by another 41 relative to itself; lengths by 42;
  * the product of two by 100, its reciprocal and the last product by 32 more. In all |(52, 101)| + 100 + 32 < 256 = 2^8,
