@@ -359,7 +359,7 @@ BOOST_AUTO_TEST_CASE(limit_of_the_covering)
   BOOST_TEST(some_are_not);
 }
 
-// As many paths as were asked for, but not enough of the covering to say that they are the shortest.
+// As many paths as were asked for, but not enough of the cover to say that they are the shortest.
 BOOST_AUTO_TEST_CASE(all_paths_and_too_little_of_the_covering)
 {
   const World world(cylinder(9, 6, 1, 5));
@@ -590,7 +590,7 @@ int check_shortest_paths(const Triangulation& triangulation, const Search& searc
 
 } // namespace
 
-// Bellman's conditions in the covering: once lifts were settled by distance, and again once some were not.
+// Bellman's conditions in the cover: once lifts were settled by distance, and again once some were not.
 BOOST_AUTO_TEST_CASE(paths_to_settled_lifts_are_shortest_edge_paths)
 {
   for(unsigned seed : {1u, 2u, 3u}) {
@@ -620,7 +620,7 @@ BOOST_AUTO_TEST_CASE(paths_to_settled_lifts_are_shortest_edge_paths)
   }
 }
 
-// The covering of a flat surface is flat: no straight angle between its edges requires multiprecision or roots.
+// The cover of a flat surface is flat: no straight angle between its edges requires multiprecision or roots.
 BOOST_AUTO_TEST_CASE(straight_angles_in_a_flat_covering_are_decided_in_the_plane)
 {
   using Covering_surface = FG::internal::Covering_surface<Surface>;
@@ -667,7 +667,7 @@ BOOST_AUTO_TEST_CASE(least_sum_of_windows_is_a_lower_bound_of_paths_through_both
 
 namespace {
 
-// A part of a surface with the same vertices, as a part of the covering lies over it.
+// A part of a surface with the same vertices, as a part of the cover lies over it.
 struct Part
 {
   FG::Vertex_index tail(FG::Input_halfedge_index h) const { return part.input().tail(h); }

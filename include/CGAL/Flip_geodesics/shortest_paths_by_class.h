@@ -158,7 +158,7 @@ namespace internal {
 template <class TriangleMesh, class Form>
 using Paths_of_classes = Computed_output<std::vector<Form>, Paths_by_class_report<TriangleMesh>>;
 
-/* Converts points in a covering to the form that an output accepts. */
+/* Converts points in a cover to the form that an output accepts. */
 template <class Form, class Triangulation, class TriangleMesh>
 class Covering_form_converter
 {

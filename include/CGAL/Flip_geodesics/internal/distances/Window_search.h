@@ -533,7 +533,8 @@ private:
     push(total, least, static_cast<Index>(m_windows.size()) - 1, false);
   }
 
-  // Returns a lower bound for the paths through a window, on an edge of some length, to the target, computed in doubles.
+  // Returns a lower bound for the paths through a window, on an edge of some length, to the target, computed in
+  // doubles.
   double least_to_target(const Window& w, const Number& length) const
   {
     const auto nearest = [](const Number& number) { return Rounding::nearest(number); };

@@ -159,8 +159,8 @@ inline constexpr double greatest_of_two_factors = 0x1p450, least_of_two_factors 
  * six products of two loses at most 2^-1075, which the third factor multiplies. */
 inline constexpr double underflow_of_products = 0x1p-800;
 
-/* The same for determinants whose error bound contains the cube of the rounding errors of the coordinates, which
- * exceeds the loss where these are above 2^-464. */
+/* The absolute error through underflow of determinants whose error bound contains the cube of the rounding errors of
+ * the coordinates, which exceeds the loss where these are above 2^-464. */
 inline constexpr double underflow_of_small_products = 0x1p-900;
 
 /* The sum of a coordinate and the largest one times this number is exact only if the coordinate is a multiple of about
@@ -189,7 +189,8 @@ inline constexpr double largest_point_miss = 1e-6;
  * two others errs by. A larger weight that stems from rounding leaves a point an unnoticeable distance off its edge. */
 inline constexpr double zero_weight = 1e-15;
 
-/* The same for weights that come from cross products of a layout, whose errors are ten times as large. */
+/* Barycentric weights from cross products of a layout that are below this count as zero; their errors are ten times as
+ * large. */
 inline constexpr double zero_layout_weight = 1e-14;
 
 /* How far apart points of the triangulation have to be, relative to the edge or the face they lie in. Weights are off
@@ -218,7 +219,8 @@ inline constexpr double straight_division = 1e-7;
  * is bounded by the number of rounds. */
 inline constexpr double straight_in_sleeve = 1e-12;
 
-/* The same for a path that the last round of correction has still changed. Beyond this an exception is thrown. */
+/* The value of `straight_in_sleeve` for a path that the last round of correction has still changed. Beyond this an
+ * exception is thrown. */
 inline constexpr double straight_in_last_round = 1e-9;
 
 /* The rounding errors of where a window's unfolded source lies and of where rays cross edges, and of angle sums,

@@ -44,11 +44,11 @@ struct Open_lift
 
 /*
  * Shortest edge paths from one vertex to another in homotopy classes, in order of length: a search in the universal
- * covering of the surface, whose vertices are the *lifts* of each vertex, that is, the classes of paths from the source
- * to it. They are created when they are reached.
+ * cover of the surface, whose vertices are the *lifts* of each vertex, that is, the classes of paths from the source to
+ * it. They are created when they are reached.
  *
- * Lifts are settled in the order of a lower bound for the edge paths to the target by way of them. The remaining path is
- * not shorter than a shortest one of any class, so that the search is directed and never reaches a settled lift on a
+ * Lifts are settled in the order of a lower bound for the edge paths to the target by way of them. The remaining path
+ * is not shorter than a shortest one of any class, so that the search is directed and never reaches a settled lift on a
  * shorter path.
  *
  * Afterwards the search continues where paths that do not follow edges and are shorter than these may pass. On a rough
@@ -268,7 +268,7 @@ private:
 };
 
 /*
- * A part of the universal covering of a surface: all faces around the lifts that a search has settled. In it all paths
+ * A part of the universal cover of a surface: all faces around the lifts that a search has settled. In it all paths
  * between two vertices are homotopic, so that the shortest of them is the shortest of a class on the original surface.
  *
  * The part has an additional border, the *frontier*, beyond which the covering continues. Both ends of its edges are

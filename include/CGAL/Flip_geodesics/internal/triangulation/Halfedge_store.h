@@ -253,7 +253,8 @@ public:
       set_outgoing(v, to);
   }
 
-  /* Does the same for both sides of an edge, which leave their vertices v and w. Usually neither of them is stored. */
+  /* Replaces the outgoing halfedges stored for both sides of an edge, which leave their vertices v and w. Usually
+   * neither of them is stored. */
   void move_outgoing(Slot s, Slot instead_of_s, Slot instead_of_twin)
   {
     Index& is_kept = second_side(s).of_edge[1];
