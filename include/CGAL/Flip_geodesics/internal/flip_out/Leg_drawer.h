@@ -307,7 +307,7 @@ private:
     return m_triangulation.holds(Triangulation::edge(h)) > 0 || m_drawn.count(Triangulation::edge(h)) != 0;
   }
 
-  // The arcs of a geodesic are straight, and the strip of crossed faces contains the segment.
+  // The arcs of a geodesic are straight, and the strip of crossed faces contains the leg.
   void draw(std::size_t i, Chain& chain)
   {
     const Followed_arc arc = m_arcs[i];
