@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // A partial differential equation with its boundary on a curve: the temperature of a surface that is heated evenly and
-// kept at zero along a geodesic between two vertices. The curve is made of edges of the triangulation, so that the
+// kept at zero along a geodesic between two vertices. The curve is made of edges of the triangulation, so the
 // values on it are met exactly; the unknowns are the vertices of the mesh.
 //
 //   poisson_example MESH SOURCE TARGET

@@ -382,7 +382,7 @@ private:
     m_meshes = meshes_along(m_mesh, {result}, m_options.meshes, m_progress);
   }
 
-  // Records how flips alone shorten the curve that is known by now. Results are not changed, so that they are the
+  // Records how flips alone shorten the curve that is known by now. Results are not changed, so they are the
   // same with and without a page.
   void record_flips_alone(const Network_request& request, const std::vector<Curve_result>& results)
   {

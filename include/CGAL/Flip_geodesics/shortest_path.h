@@ -359,7 +359,7 @@ struct Internals<Geodesic_landmarks>
 };
 
 /*
- * Calls `run()`, a search over faces. Returns false if it has encountered a degenerate one, so that shorter paths than
+ * Calls `run()`, a search over faces. Returns false if it has encountered a degenerate one, so shorter paths than
  * those found may exist. The search lays out faces when they are first needed, from many places in its innermost loops,
  * and its previous results remain valid; an exception ends it there without a test after each face.
  */

@@ -816,7 +816,7 @@ private:
 
   /*
    * The amount by which a cone may be too high. Cones around a vertex with a small angle, and at needle-shaped faces,
-   * lower each other repeatedly; each time the tolerance grows, so that they terminate.
+   * lower each other repeatedly; each time the tolerance grows, so they terminate.
    */
   double tolerance(const Wave& wave) const
   {

@@ -236,7 +236,7 @@ void write_samples(const Surface& surface, const Followed_curve& curve, Polyline
 
 /*
  * Omits vertices of curves whose vertices are on the true curve. The pieces of a refined surface are about as large as
- * the tolerance, so that many vertices are needed to find the curve but not to draw it. The remaining segments are
+ * the tolerance, so many vertices are needed to find the curve but not to draw it. The remaining segments are
  * chords inside faces of the mesh. The distance of a chord from an arc of length h and radius r is about h^2 / 8r, so
  * that the number of vertices grows like the inverse square root of the tolerance.
  *
@@ -516,7 +516,7 @@ public:
 
 private:
   // The distance of replaced vertices from their chord is at most this radius. The field on a chord differs from its
-  // level by at most as much, so that chords of two levels do not meet within half of their difference.
+  // level by at most as much, so chords of two levels do not meet within half of their difference.
   double radius(std::size_t level) const
   {
     const double at = m_levels[level];
@@ -594,7 +594,7 @@ private:
  * The boundaries of Voronoi regions on a refined surface. A piece whose corners have three sources has a junction.
  *
  * For some fields, faces in which one source is nearest everywhere are known, and these are not divided. Otherwise a
- * field provides the nearest source, but not the distance of the next one, so that no bound excludes a boundary in a
+ * field provides the nearest source, but not the distance of the next one, so no bound excludes a boundary in a
  * piece whose corners have one source. Pieces therefore have sides of at most sqrt(tolerance * size), and a boundary
  * that bends no more than a circle of an eighth of the size leaves such a piece by less than the tolerance, through one
  * side and back.

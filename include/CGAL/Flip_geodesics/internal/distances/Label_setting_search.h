@@ -27,7 +27,7 @@ namespace CGAL::Flip_geodesics::internal {
  * whether the vertex is settled. Only vertices that were once reached take memory. Neighbors share a cache line, which
  * holds the labels of four, in the order in which they were first written.
  *
- * A label contains the number of its search, so that a new search clears all labels in constant time.
+ * A label contains the number of its search, so a new search clears all labels in constant time.
  *
  * \tparam Halfedge `Input_halfedge_index` or `Halfedge_index`
  */
@@ -108,7 +108,7 @@ private:
 
 /*
  * A queue of vertices by priority, the smallest first, and among equal priorities the smallest vertex. This is a total
- * order, so that the result does not depend on the shape of the heap. Priorities are stored as integers, which compare
+ * order, so the result does not depend on the shape of the heap. Priorities are stored as integers, which compare
  * without branches.
  */
 class Vertex_queue
@@ -218,7 +218,7 @@ struct Search_policy
  * Dijkstra's algorithm and A* in one loop: the vertex with the least key is taken from the queue and settled, and its
  * neighbors are labelled. A policy determines everything else, see `Search_policy`: the graph, the lengths, the bounds,
  * the end of the search and its result. Of equal keys the smallest vertex is settled first, and of equally long paths
- * the first one found is kept, so that results are deterministic.
+ * the first one found is kept, so results are deterministic.
  *
  * \tparam Labels a type such as `Search_labels`
  * \tparam Queue a type such as `Vertex_queue`

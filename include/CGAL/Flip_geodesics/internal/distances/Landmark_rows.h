@@ -22,7 +22,7 @@ namespace CGAL::Flip_geodesics::internal {
 
 /*
  * For each vertex a row of values, one for each of several functions. The values of a function at two vertices differ
- * by at most their distance plus an error of the function, so that the differences are lower bounds on the distance.
+ * by at most their distance plus an error of the function, so the differences are lower bounds on the distance.
  *
  * A value is a number of units rounded down, in two bytes. A difference is therefore lowered by one unit, and by
  * another one for the error of these divisions, which is far smaller, as is the error of distances along edges, which

@@ -70,7 +70,7 @@ inline Weights_in_face between(const Weights_in_face& a, const Weights_in_face& 
  * bisected together.
  *
  * Side i of a piece leads from its corner i to the next. The two directions of side s are its halves 2s and 2s + 1. A
- * half that is not on the border refers to its piece, so that a piece may be glued to itself. Points on a side are
+ * half that is not on the border refers to its piece, so a piece may be glued to itself. Points on a side are
  * expressed in the piece of its first half that has one: all points on edges of the mesh are computed once.
  */
 template <class TriangleMesh, class VertexPointMap, class Field>

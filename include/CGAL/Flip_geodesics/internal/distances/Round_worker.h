@@ -593,7 +593,7 @@ private:
       l.passed = passed(item.due.id, l.length);
   }
 
-  // The time at which the front is farther than all points of the edge, so that its windows are not required any more.
+  // The time at which the front is farther than all points of the edge, so its windows are not required any more.
   // Infinite if that time has been recorded.
   double passed(Index edge, double length)
   {

@@ -588,7 +588,7 @@ private:
    * Returns the amount by which the angle of a path at the vertex may be less than pi. The window of a ray that passes
    * the vertex closer than the rounding errors of positions on its longest edge can be lost. Such a ray turns by at
    * most that error relative to the lengths of the path before and after the vertex; windows from the vertex take its
-   * place. Their distances are the lengths of existing paths, so that additional windows never make a distance too
+   * place. Their distances are the lengths of existing paths, so additional windows never make a distance too
    * short.
    */
   double slack(const Sides& sides) const

@@ -123,7 +123,7 @@ struct Queued_rays
  * lower bound for all paths through it, and a path is dropped only if a true path is certainly shorter. A vertex has
  * three numbers: the computed distance, a lower bound for all paths, and the length of an existing path.
  *
- * All errors are in units of the numbers' roundoff, so that the analysis also holds for faces in double-double
+ * All errors are in units of the numbers' roundoff, so the analysis also holds for faces in double-double
  * arithmetic.
  *
  * A window whose ends are closer than their errors may be empty. If it passes along a vertex, paths through it are no

@@ -40,7 +40,7 @@ struct Funnel_piece
  * No edge is flipped, and the input is only read. The path is a chain of straight pieces that meet at vertices of the
  * input; its ends can also be inserted vertices.
  *
- * The shortest path in a sleeve is computed in doubles, so that a piece can bend slightly; angles close to pi are
+ * The shortest path in a sleeve is computed in doubles, so a piece can bend slightly; angles close to pi are
  * compared exactly.
  */
 template <class Triangulation>

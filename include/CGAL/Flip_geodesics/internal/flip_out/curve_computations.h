@@ -96,7 +96,7 @@ Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRang
 
 /*
  * The computations behind the functions of `geodesic_path.h`, which write the output afterwards. They are not inline
- * and depend only on the value type of the output, so that the compiled library can contain instances.
+ * and depend only on the value type of the output, so the compiled library can contain instances.
  */
 
 /* Computes the result of `geodesic_path()`. */

@@ -34,7 +34,7 @@ constexpr std::size_t few_flips_of_wedge = 64;
  * round then adds about two edges at a vertex. In order, all edges would end at one vertex and, if that is flipped out
  * next, move on to its neighbor, and so on: a quadratic number of flips.
  *
- * Loop edges and edges whose flip would create one are skipped, so that each flip removes one edge from the wedge. The
+ * Loop edges and edges whose flip would create one are skipped, so each flip removes one edge from the wedge. The
  * function takes linear time, since every round except the last flips at least an eighth of the edges.
  */
 template <class Triangulation, class Flip>

@@ -26,7 +26,7 @@ namespace CGAL::Flip_geodesics::internal {
 
 /*
  * A literal is a two-valued variable or its opposite: 2 * variable, or 2 * variable + 1. Variable 0 is the constant
- * `false`, so that the literals 0 and 1 are `false` and `true`.
+ * `false`, so the literals 0 and 1 are `false` and `true`.
  */
 using Literal = Index;
 
@@ -347,7 +347,7 @@ struct Parity_sum
  * opposite sides of its two segments, as seen along the curve. All ends, and the border, must lie on one side of a
  * joint: the variable of the arriving segment specifies whether they lie between a and b.
  *
- * Equations in one or two variables merge classes, so that a whole run of overlapping segments becomes one unknown.
+ * Equations in one or two variables merge classes, so a whole run of overlapping segments becomes one unknown.
  * Only turns within one incident edge give longer equations: two of them on one edge, or one beside an end.
  */
 template <class Network>

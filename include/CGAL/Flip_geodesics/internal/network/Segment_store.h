@@ -86,7 +86,7 @@ struct Bundle_place
  * a segment and its current successor. The network ensures that chains are connected in the triangulation and do not
  * cross.
  *
- * Ids are never reused. The direction of a halfedge relative to its edge is practically random, so that choices that
+ * Ids are never reused. The direction of a halfedge relative to its edge is practically random, so choices that
  * depend on it are made without branches.
  */
 template <class Triangulation>
@@ -252,7 +252,7 @@ public:
    * that of its second; each new segment is outermost on its right. Returns the first new one in the direction of the
    * curve. If the arc is empty, returns null_index; the two nodes then become one, which is fixed if one of them was.
    *
-   * \pre the angles of the arc on its right, where the joint was, are at least pi, so that they are known to be
+   * \pre the angles of the arc on its right, where the joint was, are at least pi, so they are known to be
    * straight, and the angles at its ends on that side have not become smaller
    */
   Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc)

@@ -400,7 +400,7 @@ private:
 
 /*
  * Floating-point arithmetic with a fixed number of decimal digits and an error bound. Strips are not scaled: numbers
- * stay as large as the ratios of edge lengths, so that doubles can represent the bounds.
+ * stay as large as the ratios of edge lengths, so doubles can represent the bounds.
  */
 template <unsigned Digits>
 class Ball_ring

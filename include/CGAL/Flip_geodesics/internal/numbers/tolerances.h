@@ -129,11 +129,11 @@ inline constexpr double class_bound_rounding = bound_rounding;
 
 // ---- Ranges
 
-/* Edge lengths. The fourth powers of all of them are normal doubles, so that products of squares neither overflow nor
+/* Edge lengths. The fourth powers of all of them are normal doubles, so products of squares neither overflow nor
  * lose digits. The same bound holds for coordinates. */
 inline constexpr double least_length = 1e-70, greatest_length = 1e70;
 
-/* Squared distances of which the length is certainly in that range, so that no root needs to be taken: an order of
+/* Squared distances of which the length is certainly in that range, so no root needs to be taken: an order of
  * magnitude inside. */
 inline constexpr double least_safe_square = 10 * least_length * least_length,
                         greatest_safe_square = greatest_length * greatest_length / 10;
@@ -194,7 +194,7 @@ inline constexpr double zero_weight = 1e-15;
 inline constexpr double zero_layout_weight = 1e-14;
 
 /* How far apart points of the triangulation have to be, relative to the edge or the face they lie in. Weights are off
- * by `zero_weight`, so that angles at points so close are off by 1e-6, a tenth of `largest_angle_drift`. */
+ * by `zero_weight`, so angles at points so close are off by 1e-6, a tenth of `largest_angle_drift`. */
 inline constexpr double least_point_spacing = 1e-9;
 
 /* Lengths of the sides of a face that differ by at most this, relatively, are of one and the same face, which has been
@@ -324,7 +324,7 @@ inline constexpr double perpendicular = 1e-15;
 inline constexpr double greatest_offset = 1e10;
 
 /* Rays of two windows over the same part of an edge are the same if their cosines with the edge differ by less: 10^5
- * u. Cosines of rays that graze the edge differ by the square of the angle between them only, so that such rays are
+ * u. Cosines of rays that graze the edge differ by the square of the angle between them only, so such rays are
  * mistaken for the same up to some 10^-6 radians; one window is dropped then, and distances behind it are too long by
  * up to the square of that angle, as a part of the path. */
 inline constexpr double parallel_rays = 1e-11;

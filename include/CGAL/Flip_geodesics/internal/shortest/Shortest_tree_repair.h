@@ -106,7 +106,7 @@ std::vector<Halfedge_index> path_in_tree(Network& network, Vertex_index from, Ve
 
 /*
  * Initial paths that window propagation misses beside degenerate faces, where straight rays cannot be followed. An
- * intrinsic Delaunay triangulation has no such faces except at coincident vertices, so that the path of a tree grown
+ * intrinsic Delaunay triangulation has no such faces except at coincident vertices, so the path of a tree grown
  * there is usually a shortest one. One tree is grown from either end.
  */
 template <class Network>

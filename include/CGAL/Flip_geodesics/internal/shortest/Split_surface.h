@@ -51,7 +51,7 @@ struct Split_side
 
 /*
  * A surface of which points have become vertices: the original faces that contain points are split, and all others are
- * unchanged, so that searches between vertices are also searches between points.
+ * unchanged, so searches between vertices are also searches between points.
  *
  * Original elements keep their numbers, but a halfedge of a split edge is the part at one of its ends. The faces are
  * determined exactly, by an insertion of the points into a triangulation.

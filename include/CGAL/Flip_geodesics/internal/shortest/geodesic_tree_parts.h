@@ -720,7 +720,7 @@ private:
 /*
  * The joints of paths whose wedges were flipped out without success because the arc is longer. With exact predicates
  * this happens only if degenerate faces fold vertices onto one point. An edge between two of them has length zero and
- * its angles are undefined, so that flips stop there. Such joints are rare.
+ * its angles are undefined, so flips stop there. Such joints are rare.
  */
 class Hindered_joints
 {

@@ -295,7 +295,7 @@ private:
 };
 
 /*
- * A `Surface_mesh` already has this numbering, so that nothing is copied and nothing is read before it is requested. If
+ * A `Surface_mesh` already has this numbering, so nothing is copied and nothing is read before it is requested. If
  * edges are contracted, a second `Surface_mesh` without points represents the result.
  */
 template <class P>

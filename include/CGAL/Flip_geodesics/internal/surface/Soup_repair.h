@@ -161,7 +161,7 @@ struct Soup_box : Bounding_box
 
 /*
  * Finds the points whose coordinates differ from those of a given point by at most a distance. They are sorted by the
- * cells of a grid, so that points near the given one lie in its cell or in neighbors of that.
+ * cells of a grid, so points near the given one lie in its cell or in neighbors of that.
  *
  * \pre the points are finite, and so is the longest side of their box
  */
@@ -211,7 +211,7 @@ private:
 
 /*
  * Moves each point to the nearest unmoved point before it within a tolerance, which is relative to the longest side of
- * the bounding box. Returns the number of moved points. The unmoved ones are farther from each other, so that a second
+ * the bounding box. Returns the number of moved points. The unmoved ones are farther from each other, so a second
  * call moves nothing.
  */
 template <class Point_3>
@@ -341,7 +341,7 @@ class Soup_polygon_triangulator
   using Face_base =
       CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
   using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
-  // A simple polygon requires no intersections of constraints, so that predicates on the input suffice.
+  // A simple polygon requires no intersections of constraints, so predicates on the input suffice.
   using Triangulation =
       CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
                                                  CGAL::No_constraint_intersection_requiring_constructions_tag>;

@@ -22,7 +22,7 @@ namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Contracts degenerate edges. The vertices that they connect are one point of the surface. A face with one such edge is
- * degenerate, and its two other sides become one, so that a fan of such faces merges many edges into one. A face with
+ * degenerate, and its two other sides become one, so a fan of such faces merges many edges into one. A face with
  * three such edges is part of the point.
  *
  *        c                    c
@@ -137,7 +137,7 @@ private:
     return g != h && next_side(g) == h;
   }
 
-  // The two long sides of a needle become one, so that their lengths must agree.
+  // The two long sides of a needle become one, so their lengths must agree.
   void check_needles() const
   {
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges())) {

@@ -31,7 +31,7 @@ Index checked_index_bound(Count count)
 
 /*
  * Allocates zero bytes and leaves them as the initial elements. If the operating system provides cleared pages, they
- * cost nothing until they are written, so that a workspace as large as the mesh is created in constant time.
+ * cost nothing until they are written, so a workspace as large as the mesh is created in constant time.
  */
 template <class T>
 struct Zero_allocator

@@ -402,7 +402,7 @@ private:
 /*
  * Vectors in a frame of the face, as in Intrinsic_triangulation_traits, for rounded numbers: errors grow linearly with
  * the number of flips. The unit of a frame is the length of an input halfedge, whose square, the scale, is stored as
- * well, so that computing a face takes one root, that of the area, and no length.
+ * well, so computing a face takes one root, that of the area, and no length.
  */
 template <class NT>
 class Vector_geometry

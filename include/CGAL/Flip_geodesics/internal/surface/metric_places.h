@@ -110,7 +110,7 @@ inline std::array<double, 3> least_vector(const Approximate_place& p, const Appr
 
 /*
  * The precise positions of vertices, computed on first use, since evaluating an exact number takes far longer than
- * reading a double. A query writes few of them, so that most of the array takes no memory. A copy starts empty. Several
+ * reading a double. A query writes few of them, so most of the array takes no memory. A copy starts empty. Several
  * threads may query at once.
  */
 class Precise_places

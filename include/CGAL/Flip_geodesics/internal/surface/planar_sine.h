@@ -78,7 +78,7 @@ Uncertain<Sign> sine_of_unrolled_lines(const std::array<Place, 2>& ruling, const
 
 /*
  * Computes the sign of the sine of a wedge by exact predicates of points, if its input faces lie unfolded in one plane of
- * space, or bend along parallel edges only, so that they can be unrolled into a plane. Most exact ties are of these
+ * space, or bend along parallel edges only, so they can be unrolled into a plane. Most exact ties are of these
  * kinds: they occur in the plane parts and the extruded parts of technical models.
  *
  * PlaceOf maps an input vertex to three double coordinates or to a `Rational_place`. Edge sequences with an end at an

@@ -25,7 +25,7 @@ namespace CGAL::Flip_geodesics::internal {
 
 /*
  * Evaluates a `Logarithmic_map` at many points: a path to a point consists of the path to the vertex at which it bends
- * last and a straight segment, so that only that segment is new. If windows do not determine it, or a path could be
+ * last and a straight segment, so only that segment is new. If windows do not determine it, or a path could be
  * shortened, the logarithmic map itself is evaluated.
  */
 template <class Triangulation>

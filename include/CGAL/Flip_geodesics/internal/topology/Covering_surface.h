@@ -48,7 +48,7 @@ struct Open_lift
  * it. They are created when they are reached.
  *
  * Lifts are settled in the order of a lower bound for the edge paths to the target by way of them. The remaining path
- * is not shorter than a shortest one of any class, so that the search is directed and never reaches a settled lift on a
+ * is not shorter than a shortest one of any class, so the search is directed and never reaches a settled lift on a
  * shorter path.
  *
  * Afterwards the search continues where paths that do not follow edges and are shorter than these may pass. On a rough

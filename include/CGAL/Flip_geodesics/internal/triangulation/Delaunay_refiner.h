@@ -568,7 +568,7 @@ private:
 
 /*
  * Determines the *sharp sectors*: the sectors between constrained edges at a vertex, or the full angle around it, that
- * are smaller than 60 degrees. Flips and insertions do not change these angles, so that sharp sectors are recorded at
+ * are smaller than 60 degrees. Flips and insertions do not change these angles, so sharp sectors are recorded at
  * their halfedges and not measured again. A halfedge takes constant amortized time while its version lasts, however
  * many of them the sector contains. Other sectors are measured only until they reach 60 degrees.
  */

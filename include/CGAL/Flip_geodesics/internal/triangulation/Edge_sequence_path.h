@@ -203,7 +203,7 @@ public:
   }
 
   /*
-   * Computes the edge sequence of halfedge h. Returns false if no edge at its tail is the input's any more, so that the
+   * Computes the edge sequence of halfedge h. Returns false if no edge at its tail is the input's any more, so the
    * sequence must be derived otherwise. Linear in the degree of the tail and in the number of triangles that bundles
    * pass. \pre no point was inserted
    */

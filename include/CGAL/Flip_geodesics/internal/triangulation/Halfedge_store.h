@@ -82,7 +82,7 @@ inline Slot side_slot(Slot s, Halfedge_index h)
 /*
  * The data that a triangulation stores for a halfedge, and half of that for its edge: the first side has the crossings
  * and the version, the second the number of holds and the index of the edge. A new record is a side of an input edge
- * whose face is not known yet. With two doubles of geometry it takes 32 bytes, so that an edge fills a cache line.
+ * whose face is not known yet. With two doubles of geometry it takes 32 bytes, so an edge fills a cache line.
  */
 template <class Halfedge_geometry>
 struct Halfedge_record

@@ -404,7 +404,7 @@ private:
   }
 
   /*
-   * Side i leads from corner i+1 to corner i+2, so that corner i is where side i+1 ends and side i+2 starts. Along a
+   * Side i leads from corner i+1 to corner i+2, so corner i is where side i+1 ends and side i+2 starts. Along a
    * side come first the arcs that cut off its first corner, then those that emanate from the opposite one, then those
    * that cut off its second corner.
    */
@@ -509,7 +509,7 @@ private:
  * The rounded positions of the vertices of an overlay: crossings along their two edges, and the corners of polygons in
  * their input faces.
  *
- * Crossings are measured in the strip of their intrinsic edge, each separately, so that rounding errors may exchange
+ * Crossings are measured in the strip of their intrinsic edge, each separately, so rounding errors may exchange
  * two close ones on one input edge. The overlay has their exact order, to which the positions are made monotone.
  */
 template <class Triangulation>

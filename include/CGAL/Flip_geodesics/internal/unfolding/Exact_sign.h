@@ -267,7 +267,7 @@ std::uint64_t sign_work_limit(const Triangulation& triangulation)
  * digits and an error bound, which decides most nonzero numbers, then exactly, with the square roots in the faces'
  * areas, as far as the work limit allows. An undecided sign is taken for zero and counted.
  *
- * The areas of coplanar faces are rational multiples of each other, so that there are at most as many independent roots
+ * The areas of coplanar faces are rational multiples of each other, so there are at most as many independent roots
  * as planes.
  */
 class Exact_sign

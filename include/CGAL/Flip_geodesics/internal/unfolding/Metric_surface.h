@@ -27,7 +27,7 @@ namespace internal {
 
 /*
  * A mesh with a metric and without any edges but its own: the model that rays, distances and tangent vectors require of
- * their template parameter for the triangulation. It has neither flips nor crossings, so that calls of the modules
+ * their template parameter for the triangulation. It has neither flips nor crossings, so calls of the modules
  * above do not compile.
  */
 template <class TriangleMesh, class Metric_>
