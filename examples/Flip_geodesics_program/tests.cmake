@@ -802,6 +802,14 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
 
   # Pages are built for a release, and may be older than their sources in between.
   set_tests_properties(page_is_built PROPERTIES SKIP_REGULAR_EXPRESSION "_page.html is older than")
+  # The page is built with a release only, but what it computes with has to compile.
+  add_test(
+    NAME live_engine
+    COMMAND
+      ${CMAKE_CXX_COMPILER} -std=c++17 -w -frounding-math -fsyntax-only
+      "-I$<JOIN:$<TARGET_PROPERTY:flip_geodesics,INCLUDE_DIRECTORIES>,;-I>"
+      "-D$<JOIN:$<TARGET_PROPERTY:flip_geodesics,COMPILE_DEFINITIONS>,;-D>" ${CMAKE_CURRENT_SOURCE_DIR}/live/engine.cpp
+    COMMAND_EXPAND_LISTS)
   flip_geodesics_add_program_test(live 0 "torus.off: 288 vertices" view torus.off --output live.html)
   flip_geodesics_add_program_test(live_and_stats 2 "--stats is not an option of view, but of path" view torus.off
                                   --output live.html --stats x.csv)

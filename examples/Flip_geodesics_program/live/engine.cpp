@@ -46,7 +46,7 @@ public:
   Session(const std::string& file, std::string bytes)
     : m_title(printable(file))
     , m_mesh(open(Input_text(file, std::move(bytes))))
-    , m_metric(mollified_metric(m_mesh, Mesh_metric(m_mesh.points()), std::nullopt))
+    , m_metric(mollified_metric(m_mesh, Mesh_metric(m_mesh.mesh().points()), std::nullopt))
     , m_geodesics(make_certified_engine(m_mesh, m_metric, options(false), m_progress))
   {
   }
