@@ -320,7 +320,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(cut_graph_cuts 0 "components  1\n[^\n]*genus 0, 1 border\n" info disk.off)
   set_tests_properties(program_cut_graph_cuts PROPERTIES DEPENDS program_cut_graph)
   flip_geodesics_add_program_test(info 0 "576 triangles, genus 1, 0 borders\ndefects     none" info torus.off)
-  flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon with more than three" info
+  flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon triangulated: more than three" info
                                   pyramid.off)
   flip_geodesics_add_program_test(info_near_borders 0 "nearly coincide with others and stay open" info seam.off)
   flip_geodesics_add_program_test(info_short_edges 0 "length 1e-170 to .*\n  3 edges have lengths outside 1e-70 to 1e70" info
@@ -505,7 +505,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   # Obstacles of distances and traces, and weights.
   flip_geodesics_add_program_test(distance_walled_off 0 "no isoline at distance 9: the farthest vertex is [0-9.]+ away"
                                   distance torus.off --source 13 --isolines 9 --avoid two_walls.txt)
-  flip_geodesics_add_program_test(distance_from_wall 2 "^flip_geodesics: vertex 3 lies on a barrier of --avoid, on both"
+  flip_geodesics_add_program_test(distance_from_wall 2 "^flip_geodesics: vertex 3 lies on a barrier of --avoid, which has two sides"
                                   distance torus.off --source 3 --map x.csv --avoid wall.txt)
   flip_geodesics_add_program_test(distance_inside_obstacle 2
                                   "point 1.0,2.0,0.3 lies inside an obstacle of --avoid; choose another point" distance
@@ -689,7 +689,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   set_tests_properties(program_earlier_results PROPERTIES DEPENDS program_failure_after_output)
   flip_geodesics_add_program_test(one_file_for_two 2 "twice.csv: two" path torus.off --random 2 --stats twice.csv
                                   --polylines twice.csv)
-  flip_geodesics_add_program_test(cut_of_many 2 "one curve" path torus.off --random 3 --cut cut.off)
+  flip_geodesics_add_program_test(cut_of_many 2 "require a single.*curve, or one network" path torus.off --random 3 --cut cut.off)
   flip_geodesics_add_program_test(quiet 0 "^$" path torus.off --from 0 --to 150 --quiet)
   flip_geodesics_add_program_test(help 0 "path .*loop .*view .*Examples:.*flip_geodesics distance" --help)
   foreach(command path loop loops network spline shortest trace distance log certify cut flatten refine repair info view)

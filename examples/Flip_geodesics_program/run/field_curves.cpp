@@ -284,14 +284,15 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   const bool has_boundaries = request.is_diagram && sources.size() > 1;
   const bool has_isolines = !request.levels.empty() || request.spacing > 0;
   Progress_visitor visitor(progress);
-  if((request.is_map || has_boundaries || has_isolines) &&
+  const bool is_computed = request.is_map || has_boundaries || has_isolines;
+  if(is_computed &&
      field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
     throw std::runtime_error("--source: the computation of distances was aborted on this large mesh");
 
   Field_curves result;
   if(request.is_matrix)
     result.matrix = distances_between(mesh, metric, sources, progress);
-  const Distance_map map = distance_map(surface, number_of_vertices, field);
+  const Distance_map map = is_computed ? distance_map(surface, number_of_vertices, field) : Distance_map();
   if(request.is_map)
     result.map = map;
   if(has_isolines || has_boundaries) {

@@ -6,7 +6,6 @@
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>

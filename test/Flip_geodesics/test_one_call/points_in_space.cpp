@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_nearest_point_is_told)
   empty.add_vertex(Point(0, 0, 0));
   Curve_setting::Triangulation nothing(empty);
   BOOST_CHECK_EXCEPTION(FG::surface_location(nothing, empty, Point(0, 0, 0)), FG::Invalid_location_error,
-                        says("without faces"));
+                        says("no faces"));
   Surface quad;
   const Vertex a = quad.add_vertex(Point(0, 0, 0)), b = quad.add_vertex(Point(1, 0, 0)),
                c = quad.add_vertex(Point(1, 1, 0)), d = quad.add_vertex(Point(0, 1, 0));
