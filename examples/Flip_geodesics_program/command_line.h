@@ -275,7 +275,7 @@ private:
     add("-q,--quiet", m_options.is_quiet, "do not print the table or the progress");
     add_text("--json", "FILE", m_options.results.json, "write all results as JSON; - for standard output");
     add_text("--output-format", "NAME", m_options.output_format,
-             "write this format to standard output, -o -: an extension");
+             "write standard output (-o -) in this format, a file extension such as obj");
   }
 
   void add_ends()

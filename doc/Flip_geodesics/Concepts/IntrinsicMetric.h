@@ -39,7 +39,7 @@ public:
   /// \throws Invalid_coordinate_error if the length is not finite or outside [1e-70, 1e70]
   double length(const Mesh& mesh, Input_halfedge_index h) const;
 
-  /// Returns the length of the edge of a halfedge without checking it, for searches of edge paths. The result is zero
+  /// Returns the length of the edge of a halfedge without checking it, for searches for edge paths. The result is zero
   /// for a zero-length edge, and arbitrary if the length is not finite or outside [1e-70, 1e70].
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 

@@ -48,8 +48,9 @@ inline Obstacles read_obstacles(const Input_mesh& input_mesh, const Input_text& 
       result.walls.insert(mesh.edge(mesh.halfedge(mesh_vertex(wall[i - 1]), mesh_vertex(wall[i]))));
   });
   if(are_none)
-    throw Bad_input(input.name() +
-                    ": the file has no obstacles; write a barrier of vertices, or `f` and faces, per line");
+    throw Bad_input(
+        input.name() +
+        ": the file has no obstacles; write one obstacle per line: the vertices of a barrier, or `f` and face numbers");
   for(const auto f : mesh.faces())
     if(is_in_file[input_mesh.face_in_file(f)])
       result.faces.insert(f);

@@ -98,7 +98,8 @@ std::string describe(const Mesh_info& info, const Mesh& mesh)
         << counted(c.borders, "border", "borders") << '\n';
   }
   out << "defects     "
-      << (info.defects.empty() ? "none\n" : "removed by --repair; the numbers above are those after the repair:\n");
+      << (info.defects.empty() ? "none\n"
+                               : "found in the file; the numbers above describe the mesh after its repair:\n");
   for(const std::string& line : info.defects)
     out << "  " << line << '\n';
   return out.str();

@@ -607,7 +607,7 @@ public:
   {
     return m_coordinates[v];
   }                                                    ///< returns the coordinates of a vertex
-  auto begin() const { return m_coordinates.begin(); } ///< returns the first iterator, in the order of the vertices
+  auto begin() const { return m_coordinates.begin(); } ///< returns an iterator to the first vertex
   auto end() const { return m_coordinates.end(); }     ///< returns the past-the-end iterator
 
   /*!

@@ -290,7 +290,8 @@ public:
 
   /*!
    * Adds the corner on the right of `h` to a turn around the tail of `h`, and advances to the next halfedge.
-   * \return the next halfedge clockwise, or `null_index` if the border lies in between and nothing is added
+   * \return the next halfedge clockwise, or `null_index` if the border lies in between; in that case nothing is
+   *         added
    */
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const
   {

@@ -180,8 +180,8 @@ public:
 /// Is thrown if the value of a parameter is invalid: for example a level that is not finite, a tolerance that is not
 /// positive or is smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached,
 /// isolated base points of loops, or two base points in one component. It is also thrown if a distance field returns
-/// NaN, or is queried at a location for which it stores no data, or if a result is requested before it has been computed.
-/// `elements()` is the position of the level, the face, the halfedge or the base point, if applicable.
+/// NaN, or is queried at a location for which it stores no data, or if a result is requested before it has been
+/// computed. `elements()` is the position of the level, the face, the halfedge or the base point, if applicable.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -189,8 +189,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a vertex does not belong to the mesh. `elements()` is the vertex, if it has an index, or the position of
-/// the vertex among several given ones.
+/// Is thrown if a vertex does not belong to the mesh. `elements()` contains the index of the vertex; if
+/// vertices of the mesh have no index, its position among the given vertices.
 class Vertex_out_of_range_error : public Error
 {
 public:
@@ -208,8 +208,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a location is not a point of the surface: its face or halfedge does not belong to the mesh, or its
-/// weights are negative, NaN, all zero, or do not sum to one although this is required. `elements()` is the position of the
-/// location among several given ones; for a single one, it is the halfedge if this exists.
+/// weights are negative, NaN, all zero, or do not sum to one although this is required. `elements()` is the position of
+/// the location among several given ones; for a single one, it is the halfedge if this exists.
 class Invalid_location_error : public Error
 {
 public:
@@ -292,9 +292,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a surface to be flattened is not a topological disk, a conformal factor makes a face violate the triangle
-/// inequality, or a conformal factor is beyond the precision of coordinates; `elements()` is the vertex to which the
-/// surface should be cut, if it is known.
+/// Is thrown if a surface to be flattened is not a topological disk, a conformal factor makes a face violate the
+/// triangle inequality, or a conformal factor is beyond the precision of coordinates; `elements()` is the vertex to
+/// which the surface should be cut, if it is known.
 class Flattening_error : public Error
 {
 public:

@@ -107,10 +107,10 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *   everywhere in it.
  *
  * Faces that may contain a level are divided until their parts are as small as the tolerance. The bounds hold because
- * distances are 1-Lipschitz. An isoline keeps all its points on edges of the mesh, which are computed once, but inside
- * faces only as many as the tolerance requires; their number grows like the inverse square root of the tolerance. All
- * points are kept at sharp bends, if parts of one isoline come within three tolerances of one another, or if levels are
- * so close that chords of two isolines might intersect.
+ * distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept; each is computed
+ * once. Inside faces, only as many points are kept as the tolerance requires, and their number grows like the inverse
+ * square root of the tolerance. All points are kept at sharp bends, if parts of one isoline come within three
+ * tolerances of one another, or if levels are so close that chords of two isolines might intersect.
  *
  * A level may equal the distance at a vertex, or the constant distance in a whole region; points at the level count as
  * farther. If the field becomes infinite inside the surface, because it is limited, points with infinite distance count
@@ -145,10 +145,10 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of an isoline whose length
- * equals the tolerance. An isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more
- * for a length \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are
- * indexed first, in \cgalBigO{n \log n}.
+ * Complexity: the field is evaluated once per vertex, and about twenty times per tolerance of isoline length. An
+ * isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more for a length \f$\ell\f$, a
+ * radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are indexed first, in
+ * \cgalBigO{n \log n}.
  *
  * \sa `voronoi_boundaries()`
  */

@@ -428,8 +428,8 @@ public:
   }
 #endif
 
-  /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
-  /// `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the lengths of its edges.
+  /// Throws the exceptions that `length()` throws.
   /// \throws Degenerate_face_error if the lengths violate the triangle inequality
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
@@ -659,8 +659,8 @@ public:
   /// Returns the point of vertex `v`. Only available if the other metric has points.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
-  /// `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the lengths of its edges.
+  /// Throws the exceptions that `length()` throws.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
@@ -673,7 +673,8 @@ public:
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
   using Base::is_rounded;
 
-  /// Throws an exception if the length to be added, or the other metric, belongs to a mesh with another number of edges.
+  /// Throws an exception if the length to be added, or the other metric, belongs to a mesh with another number of
+  /// edges.
   /// \throws Input_mismatch_error in that case
   void check_input(const Mesh& mesh) const
   {
@@ -827,8 +828,8 @@ public:
     internal::check_input(static_cast<const Base&>(*this), mesh);
   }
 
-  /// Returns the geometry of an input face as its lengths, starting with that of `h`. Throws the exceptions that
-  /// `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the lengths of its edges.
+  /// Throws the exceptions that `length()` throws.
   /// \throws Degenerate_face_error if the lengths violate the triangle inequality
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const

@@ -31,8 +31,8 @@ enum class Verdict {
   BENT_SEGMENT,
   BENT_JOINT, ///< the claim is false: an unblocked side of a joint has an angle below \f$\pi\f$
   UNDECIDED,  ///< it is not known whether the claim holds: the predicates of the traits are inexact and `certify()`
-              ///< was not called, a search was not completed, or coordinates or lengths of the mesh
-              ///< were rounded; see `Embedded_metric::is_rounded()`
+              ///< was not called, a search was not completed, its lower bound is too far below the length,
+              ///< or coordinates or lengths of the mesh were rounded; see `Embedded_metric::is_rounded()`
   /// no path is shorter by more than `Shortest_path_report::rounding_tolerance()` of the length, and the path is a
   /// `PROVEN` geodesic
   WITHIN_ROUNDING,

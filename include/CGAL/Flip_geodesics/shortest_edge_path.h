@@ -181,7 +181,7 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws Input_mismatch_error if the landmarks were computed for another number of vertices
+   * \throws Input_mismatch_error if the landmarks were computed for a mesh with a different number of vertices
    */
   template <class... NamedParameters>
   explicit Shortest_edge_path(const Triangulation& triangulation, const NamedParameters&... np)
