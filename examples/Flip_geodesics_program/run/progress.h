@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <mutex>
 #include <string>
 
 namespace program {
@@ -38,6 +39,7 @@ public:
   /// \param expected how many of them there will be, 0 if unknown
   void enter(const char* name, const char* steps = nullptr, std::size_t expected = 0)
   {
+    const std::lock_guard<std::mutex> lock(m_phase_mutex); // a line is about one phase
     m_steps.store(0, std::memory_order_relaxed);
     m_share.store(0, std::memory_order_relaxed);
     m_phase_start.store(m_stopwatch.seconds(), std::memory_order_relaxed);
@@ -61,6 +63,7 @@ public:
   /// about 11 s left`.
   std::string line() const
   {
+    const std::lock_guard<std::mutex> lock(m_phase_mutex);
     const auto figure = [](const std::atomic<std::size_t>& count) {
       return readable(count.load(std::memory_order_relaxed));
     };
@@ -93,6 +96,7 @@ private:
   }
 
   Stopwatch m_stopwatch;
+  mutable std::mutex m_phase_mutex;
   std::atomic<const char*> m_phase = "starting", m_name_of_steps = nullptr;
   std::atomic<std::size_t> m_steps = 0, m_expected_steps = 0, m_expected_curves = 0, m_curves = 0, m_flips = 0;
   std::atomic<double> m_share = 0, m_phase_start = 0, m_curves_start = 0;
