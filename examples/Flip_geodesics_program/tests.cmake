@@ -402,7 +402,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(flattened_has_no_seams 2 "flat_disk.obj: the texture has no seam inside" network
                                     flat_disk.obj --seams)
     set_tests_properties(program_flattened_has_no_seams PROPERTIES DEPENDS program_flatten_cut_torus)
-    # Faces of size 1e-20, with texture coordinates near 1, are rounded to points, which is no defect.
+    # Faces of size 1e-20, with texture coordinates near 1, are rounded to points, which is not a defect.
     file(WRITE ${program_dir}/tiny_faces.off
          "OFF\n6 4 0\n0 0 0\n1e-20 0 0\n0 1e-20 0\n1 1 0\n0 1 0\n5 5 0\n3 0 1 2\n3 1 3 2\n3 3 4 2\n3 3 5 4\n")
     flip_geodesics_add_program_test(flatten_tiny_faces 0 "0 cuts.*flattened in" flatten tiny_faces.off --output

@@ -56,7 +56,7 @@ public:
    * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
    *        location; by default the one described at `Surface_direction`
    * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$ or, at an interior vertex, between
-   *         0 and the sum of the angles there. At a border vertex, around which there is no full turn, the angle is not
+   *         0 and the sum of the angles there. At a border vertex, where a full turn does not exist, the angle is not
    *         reduced and can have any value
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
@@ -224,8 +224,8 @@ private:
  * \ingroup PkgFlipGeodesicsTangents
  *
  * Returns the counterclockwise angle at a location from one direction to another. It is at least 0, and less than
- * \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border vertex, around which there is no full
- * turn, it is the difference of the angles of the directions.
+ * \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border vertex, where a full turn does not
+ * exist, it is the difference of the angles of the directions.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
  * \throws Degenerate_face_error if a face of the location is degenerate
@@ -384,7 +384,7 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * second.
  *
  * The angle is at least 0, and less than \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border
- * vertex, around which there is no full turn, it is negative if the second curve starts clockwise from the first.
+ * vertex, where a full turn does not exist, it is negative if the second curve starts clockwise from the first.
  *
  * \param mesh a triangle mesh
  * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts that start at
