@@ -67,9 +67,9 @@ public:
   /// input face that is used. \pre the points differ pairwise; they may be collinear
   ///
   /// A further overload, `Face_geometry operator()(const std::array<std::array<double, 3>, 3>& sides) const`, is
-  /// optional: the face whose halfedges have these vectors in space. If it exists, `Embedded_metric` calls it instead
-  /// for points with exact rational coordinates; each coordinate of a vector is then the exact difference of the
-  /// corresponding coordinates of two points, rounded once.
+  /// optional: the face whose halfedges have these vectors in space. If it exists, `Embedded_metric` calls it instead.
+  /// Each coordinate of a vector is the difference of the corresponding coordinates of two points, rounded once; if
+  /// coordinates are not exact rational numbers, they are rounded to doubles before.
   typedef unspecified_type Construct_face_3;
 
   /// `Face_geometry operator()(double a, double b, double c) const`: the face whose halfedges have these lengths, in

@@ -221,20 +221,18 @@ public:
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    using Construct = typename Traits::Construct_face_3;
-    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
     using Sides = std::array<std::array<double, 3>, 3>;
-    if constexpr(is_rational && std::is_invocable<const Construct&, const Sides&>::value) {
-      const Sides sides = {{vector(mesh, h), vector(mesh, hn), vector(mesh, hp)}};
-      check_length(mesh, h, sides[0]);
-      check_length(mesh, hn, sides[1]);
-      check_length(mesh, hp, sides[2]);
-      return traits.construct_face_3_object()(sides);
-    }
-    for(Input_halfedge_index side : {h, hn, hp})
-      check_length(mesh, side, vector(mesh, side));
-    return traits.construct_face_3_object()(point(mesh, mesh.tail(h)), point(mesh, mesh.tail(hn)),
-                                            point(mesh, mesh.tail(hp)));
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+    const Vertex_index u = mesh.tail(h), v = mesh.tail(hn), w = mesh.tail(hp);
+    const Sides sides = {{vector(mesh, u, v), vector(mesh, v, w), vector(mesh, w, u)}};
+    check_length(mesh, h, sides[0]);
+    check_length(mesh, hn, sides[1]);
+    check_length(mesh, hp, sides[2]);
+    const auto construct = traits.construct_face_3_object();
+    if constexpr(std::is_invocable<decltype(construct), const Sides&>::value)
+      return construct(sides);
+    else
+      return construct(point(mesh, u), point(mesh, v), point(mesh, w));
   }
 
   /// Returns whether a coordinate of the mesh is rounded: it is not a double, and its type does not give the exact
