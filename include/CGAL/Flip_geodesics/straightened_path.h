@@ -179,7 +179,7 @@ bool is_simple(const Triangulation& triangulation, const std::vector<Halfedge_in
 
 /*
  * Returns the segments of a straightened path as edges of the triangulation, for which the edges that they cross are
- * flipped. The result is empty if two segments block each other, or a face along them is degenerate.
+ * flipped. The result is empty if two segments block each other.
  */
 template <class Triangulation>
 std::vector<Halfedge_index> insert_legs(Triangulation& triangulation, Strip_straightener<Triangulation>& straightener,

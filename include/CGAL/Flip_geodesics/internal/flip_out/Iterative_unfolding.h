@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_sequence_path.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Input_faces.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -213,11 +214,9 @@ public:
   bool tighten(Rule& rule)
   {
     for(int round = 0; round < most_rounds && choose_sides(rule); ++round) {
-      copy_shape(m_shape_before);
       if(!pass_joints(rule))
         return false;
-      copy_shape(m_shape);
-      if(m_shape == m_shape_before)
+      if(is_shape_as_before())
         break;
     }
     return !faces().have_refused();
@@ -323,14 +322,12 @@ private:
     return {null_index, h, h, piece.head};
   }
 
-  // Appends the vertices that the path passes and the number of edges that it crosses in between.
-  void copy_shape(std::vector<Index>& shape) const
+  // Returns whether the path passes the same vertices as before and crosses as many edges between them.
+  bool is_shape_as_before() const
   {
-    shape.clear();
-    for(const Piece& piece : m_pieces) {
-      shape.push_back(piece.head.idx());
-      shape.push_back(static_cast<Index>(piece.last - piece.first));
-    }
+    return std::equal(
+        m_pieces.begin(), m_pieces.end(), m_before.begin(), m_before.end(),
+        [](const Piece& a, const Piece& b) { return a.head == b.head && a.last - a.first == b.last - b.first; });
   }
 
   // ---- shortest paths in sleeves
@@ -426,7 +423,6 @@ private:
   std::vector<Piece> m_pieces, m_before;                // of this round and of the previous one
   std::vector<Sleeve_edge> m_crossed, m_crossed_before; // the edges that the pieces cross
   std::vector<Passed_side> m_sides;                     // of the joints
-  std::vector<Index> m_shape, m_shape_before;
 };
 
 } // namespace CGAL::Flip_geodesics::internal

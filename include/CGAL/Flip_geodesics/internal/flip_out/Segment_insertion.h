@@ -62,10 +62,11 @@ public:
   bool operator()(const std::vector<Crossed_edge>& crossed)
   {
     start(crossed);
+    m_waiting.reserve(crossed.size());
     for(Index i = m_end; i-- > 0;)
       m_waiting.push_back(i);
     flip_waiting_ones();
-    for(Index v : left_vertices_from_above()) {
+    for(const auto& [height, v] : left_vertices_from_above()) {
       if(m_is_torn || m_has_given_up || (is_in_strip(v) && !take(v)))
         break;
       flip_waiting_ones();
@@ -125,18 +126,15 @@ private:
   bool is_in_strip(Index v) const { return m_last_at[static_cast<std::size_t>(v)] != m_end; }
 
   // Returns the left vertices in the strip by decreasing height; of equal heights the last one comes first.
-  std::vector<Index> left_vertices_from_above() const
+  std::vector<std::pair<double, Index>> left_vertices_from_above() const
   {
-    std::vector<std::pair<double, Index>> heights;
-    for(Index v = 0; v < m_end; ++v)
-      if(is_in_strip(v)) {
-        const double height = node(v).left_height; // NaN if coordinates are so large that products overflow
-        heights.push_back({std::isnan(height) ? 0 : height, v});
+    std::vector<std::pair<double, Index>> result;
+    for(Index i = node(m_end).next; i != m_end; i = node(i).next)
+      if(i == m_last_at[static_cast<std::size_t>(node(i).left)]) {
+        const double height = node(node(i).left).left_height; // NaN if products of large coordinates overflow
+        result.push_back({std::isnan(height) ? 0 : height, node(i).left});
       }
-    std::sort(heights.rbegin(), heights.rend());
-    std::vector<Index> result;
-    for(const std::pair<double, Index>& vertex : heights)
-      result.push_back(vertex.second);
+    std::sort(result.rbegin(), result.rend());
     return result;
   }
 
@@ -341,15 +339,13 @@ std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Ha
   return straighten_on_the_right(triangulation, chain, [&](Halfedge_index h) { triangulation.flip(h); });
 }
 
-/* Returns whether all three edges of the face on the left of a halfedge are the input's and the metric represents the
- * face by vectors. */
+/* Returns whether all three edges of the face on the left of a halfedge are the input's. */
 template <class Triangulation>
 bool is_untouched(const Triangulation& triangulation, Halfedge_index h)
 {
   const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
   return triangulation.version(Triangulation::edge(h)) == 0 && triangulation.version(Triangulation::edge(hn)) == 0 &&
-         triangulation.version(Triangulation::edge(hp)) == 0 &&
-         is_usable_face(triangulation.metric(), triangulation.input(), as_input(h));
+         triangulation.version(Triangulation::edge(hp)) == 0;
 }
 
 /* Returns the edges crossed by a straight edge sequence. */
@@ -369,8 +365,8 @@ std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, cons
 
 /*
  * Appends the straight segment along an input halfedge, or across the edges of a strip, to a path. Returns whether that
- * was possible: it fails if edges of the strip have been flipped already, if the strip contains a face twice or a
- * degenerate face, or if the records of the triangulation would exceed the given memory.
+ * was possible: it fails if edges of the strip have been flipped already, if the strip contains a face twice, or if the
+ * records of the triangulation would exceed the given memory.
  */
 template <class Triangulation>
 bool insert_leg(Triangulation& triangulation, Input_halfedge_index along, const std::vector<Crossed_edge>& crossed,

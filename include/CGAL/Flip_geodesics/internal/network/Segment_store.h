@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/containers.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <CGAL/assertions.h>
@@ -408,7 +409,7 @@ private:
   void make_room_for_edges(std::size_t number)
   {
     if(m_leftmost.size() < number)
-      m_leftmost.resize(number, no_segment);
+      m_leftmost.resize(number);
   }
 
   // Releases the edge of all its segments.
@@ -631,7 +632,7 @@ private:
 
   Triangulation* m_triangulation;
   Indexed_by<Segment_index, std::vector<Segment>> m_segments;
-  std::vector<Segment_index> m_leftmost; // by the place of the edge; grows as edges are touched
+  Lazy_array<Segment_index> m_leftmost; // by the place of the edge, no_segment initially; grows as edges are touched
   Indexed_by<Curve_index, std::vector<Curve>> m_curves;
 };
 

@@ -183,11 +183,8 @@ public:
   /* Returns the slot of a halfedge, after assigning one if it has none. */
   Slot taken(Halfedge_index h)
   {
-    if(!m_slots.has_slot(h.idx())) {
-      const std::lock_guard<Short_lock> guard(m_lock);
-      take(h);
-    }
-    return slot(h);
+    const Slot s = slot(h);
+    return static_cast<std::size_t>(s) < Halfedge_slots::block_size ? newly_taken(h) : s;
   }
 
   /* Prefetches the two other sides of the face of a slot, if the face is known. */
@@ -336,6 +333,14 @@ private:
   Slot outgoing_slot(Vertex_index v) const
   {
     return load_acquire(m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])]);
+  }
+
+  // Returns the slot of a halfedge that may have none.
+  BOOST_NOINLINE Slot newly_taken(Halfedge_index h)
+  {
+    const std::lock_guard<Short_lock> guard(m_lock);
+    take(h);
+    return slot(h);
   }
 
   // Assigns a slot to h, unless it has one. \pre the lock is held

@@ -9,6 +9,8 @@
 #include <CGAL/Flip_geodesics/internal/surface/Edge_sequence_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <cmath>
 #include <complex>
@@ -183,19 +185,9 @@ public:
   Plane_vector corner(Input_halfedge_index h) const
   {
     check_triangle(m_triangulation.input(), h);
-    constexpr bool has_places = has_places_in_space<typename Triangulation::Metric>;
-    if((!has_places || m_refused == Refused_faces::UNUSABLE) &&
-       !is_usable_face(m_triangulation.metric(), m_triangulation.input(), h))
-    {
-      m_have_refused = true;
-      return 0;
-    }
-    if constexpr(has_places) {
-      return corner(tail(h), head(h), apex(h));
-    } else {
-      const auto face = known_input_face_geometry(m_triangulation, h);
-      return {-face[2].x / face[0].x, -face[2].y / face[0].x};
-    }
+    if(!has_places || m_refused == Refused_faces::UNUSABLE)
+      return corner_of_usable_face(h);
+    return corner_of_known_face(h);
   }
 
   /* Returns the angle from one direction counterclockwise to another; it exceeds pi if the border is in between. */
@@ -216,6 +208,26 @@ public:
   }
 
 private:
+  static constexpr bool has_places = has_places_in_space<typename Triangulation::Metric>;
+
+  BOOST_NOINLINE Plane_vector corner_of_usable_face(Input_halfedge_index h) const
+  {
+    if(is_usable_face(m_triangulation.metric(), m_triangulation.input(), h))
+      return corner_of_known_face(h);
+    m_have_refused = true;
+    return 0;
+  }
+
+  Plane_vector corner_of_known_face(Input_halfedge_index h) const
+  {
+    if constexpr(has_places) {
+      return corner(tail(h), head(h), apex(h));
+    } else {
+      const auto face = known_input_face_geometry(m_triangulation, h);
+      return {-face[2].x / face[0].x, -face[2].y / face[0].x};
+    }
+  }
+
   void add_corner(Input_halfedge_index h, double tolerance, Corner_angle& angle) const
   {
     angle.is_beyond_pi = is_border(h);
