@@ -89,6 +89,17 @@ function decodeResults(results) {
   };
 }
 
+// The straight pieces of a curve: the ends of each, six numbers.
+export function curvePieces({ curvePoints, curveStarts }, i) {
+  const count = Math.max(0, curveStarts[i + 1] - curveStarts[i] - 1);
+  const pieces = new Float32Array(6 * count);
+  for (let k = 0; k < count; ++k) {
+    const start = 3 * (curveStarts[i] + k);
+    pieces.set(curvePoints.subarray(start, start + 6), 6 * k);
+  }
+  return pieces;
+}
+
 export const readMesh = (text) => decodeMesh(JSON.parse(text));
 export const readResults = (text) => decodeResults(JSON.parse(text));
 export const readScene = async (text) => decodeResults(decodeMesh(await unpackAll(JSON.parse(text))));

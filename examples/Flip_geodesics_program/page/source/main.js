@@ -3,10 +3,10 @@
 // Puts the parts together: the scene of the page, the stage that draws it, and the panel.
 
 import { Color } from 'three';
-import { readScene } from './data.js';
+import { curvePieces, readScene } from './data.js';
 import { Playback } from './playback.js';
-import { Stage } from './stage.js';
-import { statusText, verdictText } from './words.js';
+import { hasWebGL, Stage } from './stage.js';
+import { plural, statusText, verdictText } from './words.js';
 
 // Near the set of Okabe and Ito, which the colour-blind can tell apart.
 const palettes = {
@@ -18,9 +18,7 @@ const mostEnds = 300; // more curves than this are drawn without disks at their 
 const mostThickOfTree = 300; // more edges of a tree than this are drawn a pixel wide
 const at = (id) => document.getElementById(id);
 const format = (x) => (x === null ? '?' : Number(x).toPrecision(6));
-const plural = (n, word) => `${n.toLocaleString('en')} ${word}${n === 1 ? '' : 's'}`;
 
-const hasWebGL = () => document.createElement('canvas').getContext('webgl2') !== null;
 const emptyStage = new Proxy({}, { get: () => () => 0 }); // that draws nothing
 
 class Page {
@@ -31,7 +29,7 @@ class Page {
     this.chooseTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
     at('title').textContent = scene.title;
     document.title = `${scene.title} - geodesic curves`;
-    at('facts').textContent = `${plural(scene.vertices, 'vertex').replace('vertexs', 'vertices')}, ${plural(scene.triangles, 'triangle')}`;
+    at('facts').textContent = `${plural(scene.vertices, 'vertex', 'vertices')}, ${plural(scene.triangles, 'triangle')}`;
     this.fillLegend();
     this.stage.setShowsHidden(at('show-hidden').checked);
     at('smooth').checked = this.stage.isSmooth();
@@ -171,16 +169,9 @@ class Page {
 
   // The finished curve, or where it is at the step that is shown.
   curvePieces(i) {
-    const { curves, curveStarts, curvePoints } = this.scene;
-    if (this.playback && curves[i].run === this.runNumber && this.playback.step < this.playback.length)
+    if (this.playback && this.scene.curves[i].run === this.runNumber && this.playback.step < this.playback.length)
       return this.playback.curvePieces(i - this.firstOfRun);
-    const count = Math.max(0, curveStarts[i + 1] - curveStarts[i] - 1);
-    const pieces = new Float32Array(6 * count);
-    for (let k = 0; k < count; ++k) {
-      const start = 3 * (curveStarts[i] + k);
-      pieces.set(curvePoints.subarray(start, start + 6), 6 * k);
-    }
-    return pieces;
+    return curvePieces(this.scene, i);
   }
 
   curveEnds(i) {
@@ -204,9 +195,7 @@ class Page {
     const shows = at('show-intrinsic').checked && this.playback !== null;
     if (shows && this.quietRun !== this.runNumber) {
       this.quietRun = this.runNumber;
-      const touched = [];
-      for (let i = 0; i < this.run.inputEdges.length; i += 3) touched.push(this.run.inputEdges[i + 1], this.run.inputEdges[i + 2]);
-      this.stage.setQuietEdges(touched);
+      this.stage.setQuietEdges(this.run);
     }
     const pieces = shows ? this.playback.piecesOf(this.playback.edges) : [];
     const fresh = shows ? this.playback.piecesOf(this.playback.fresh) : [];

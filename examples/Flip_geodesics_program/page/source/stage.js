@@ -38,7 +38,9 @@ const themes = {
   dark: { back: '#14171b', surface: '#7e8791', mesh: '#20252b', edges: '#dbe7f5', fresh: '#2fd0a5', start: '#ffb545' },
 };
 
-// All edges of the triangles once, as pairs of vertices; those in `without`, pairs in a row, are left out.
+export const hasWebGL = () => document.createElement('canvas').getContext('webgl2') !== null;
+
+// All edges of the triangles once, as pairs of vertices, but for those in `without`: an edge and its vertices in a row.
 function uniqueEdges(corners, vertices, without) {
   const keys = new Float64Array(corners.length);
   const key = (a, b) => Math.min(a, b) * vertices + Math.max(a, b);
@@ -46,7 +48,7 @@ function uniqueEdges(corners, vertices, without) {
     for (let k = 0; k < 3; ++k) keys[i + k] = key(corners[i + k], corners[i + ((k + 1) % 3)]);
   keys.sort();
   const excluded = new Set();
-  for (let i = 0; i < without.length; i += 2) excluded.add(key(without[i], without[i + 1]));
+  for (let i = 0; i < without.length; i += 3) excluded.add(key(without[i + 1], without[i + 2]));
   const pairs = new Uint32Array(2 * keys.length);
   let count = 0;
   for (let i = 0; i < keys.length; ++i) {
@@ -294,9 +296,9 @@ export class Stage {
     this.requestFrame();
   }
 
-  // The edges of the mesh that no step touches are set once per run, with `without` the others.
-  setQuietEdges(without) {
-    return this.setWires(this.quietWires, without);
+  // The edges of the mesh that no step of a run touches, which are set once for it.
+  setQuietEdges({ inputEdges }) {
+    this.setWires(this.quietWires, inputEdges);
   }
 
   setEdges(pieces, freshPieces, areShown) {
@@ -400,22 +402,23 @@ export class Stage {
     return count;
   }
 
+  // Where in the window a point is, of the three coordinates behind an index.
+  project(points, i = 0, box = this.canvas.getBoundingClientRect()) {
+    const p = new Vector3().fromArray(points, i).project(this.camera);
+    return [box.left + ((p.x + 1) * box.width) / 2, box.top + ((1 - p.y) * box.height) / 2];
+  }
+
   // How far a point of the window is from pieces as they are drawn, in pixels.
   distanceTo(x, y, pieces) {
     const box = this.canvas.getBoundingClientRect();
-    const [a, b] = [new Vector3(), new Vector3()];
-    const onScreen = (p) => {
-      p.project(this.camera);
-      p.set(box.left + ((p.x + 1) * box.width) / 2, box.top + ((1 - p.y) * box.height) / 2, 0);
-    };
     let least = Infinity;
     for (let i = 0; i < pieces.length; i += 6) {
-      onScreen(a.fromArray(pieces, i));
-      onScreen(b.fromArray(pieces, i + 3));
-      const [dx, dy] = [b.x - a.x, b.y - a.y];
+      const [ax, ay] = this.project(pieces, i, box);
+      const [bx, by] = this.project(pieces, i + 3, box);
+      const [dx, dy] = [bx - ax, by - ay];
       const square = dx * dx + dy * dy;
-      const t = square > 0 ? Math.max(0, Math.min(1, ((x - a.x) * dx + (y - a.y) * dy) / square)) : 0;
-      least = Math.min(least, Math.hypot(a.x + t * dx - x, a.y + t * dy - y));
+      const t = square > 0 ? Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / square)) : 0;
+      least = Math.min(least, Math.hypot(ax + t * dx - x, ay + t * dy - y));
     }
     return least;
   }

@@ -25,5 +25,6 @@ const verdicts = {
   BENT_SEGMENT: 'not straight within a face strip',
   BENT_JOINT: 'not straight at a joint',
 };
+export const plural = (count, noun, nouns = `${noun}s`) => `${count.toLocaleString('en')} ${count === 1 ? noun : nouns}`;
 export const statusText = (status) => statuses[status] ?? status.toLowerCase().replaceAll('_', ' ');
 export const verdictText = (verdict) => verdicts[verdict] ?? '';

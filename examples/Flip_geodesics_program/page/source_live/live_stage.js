@@ -107,14 +107,13 @@ export class Live_stage extends Stage {
     return new Vector3(...coordinates.map((x, i) => (x - this.data.center[i]) / this.data.radius));
   }
 
-  // Where in the window a point is, and whether it is in front of what is drawn there.
+  // The camera may have moved since the last frame.
   project(position) {
     this.camera.updateMatrixWorld();
-    const p = new Vector3(...position).project(this.camera);
-    const box = this.canvas.getBoundingClientRect();
-    return [box.left + ((p.x + 1) * box.width) / 2, box.top + ((1 - p.y) * box.height) / 2];
+    return super.project(position);
   }
 
+  // Is a point in front of what is drawn there?
   isVisible(position) {
     const hit = this.pick(...this.project(position));
     if (!hit) return true;

@@ -3,7 +3,8 @@
 // Puts the parts of the interactive viewer together: the engine, the curves, the stage and the panel.
 
 import { Color, Vector3 } from 'three';
-import { readMesh } from '../source/data.js';
+import { curvePieces, readMesh } from '../source/data.js';
+import { hasWebGL } from '../source/stage.js';
 import { Canvas_input } from './canvas_input.js';
 import { Computation } from './computation.js';
 import { Curve_list } from './curve_list.js';
@@ -217,15 +218,9 @@ class Live_page {
     });
   }
 
-  pieces(curve, { curveStarts, curvePoints }, i) {
-    if (curve === this.list.active && this.player.isInTheMiddle) return this.player.playback.curvePieces(i);
-    const count = Math.max(0, curveStarts[i + 1] - curveStarts[i] - 1);
-    const pieces = new Float32Array(6 * count);
-    for (let k = 0; k < count; ++k) {
-      const start = 3 * (curveStarts[i] + k);
-      pieces.set(curvePoints.subarray(start, start + 6), 6 * k);
-    }
-    return pieces;
+  pieces(curve, results, i) {
+    const isPlayed = curve === this.list.active && this.player.isInTheMiddle;
+    return isPlayed ? this.player.playback.curvePieces(i) : curvePieces(results, i);
   }
 
   // Actions on the list of curves.
@@ -468,7 +463,7 @@ function firstMesh() {
 
 async function start() {
   try {
-    if (!document.createElement('canvas').getContext('webgl2')) throw new Error('this browser does not support WebGL 2');
+    if (!hasWebGL()) throw new Error('this browser does not support WebGL 2');
     const page = new Live_page(await Engine.load(at('engine').textContent));
     at('engine').textContent = '';
     await page.open(firstMesh());

@@ -2,13 +2,12 @@
 //
 // The panel: shows the curves, the points of the one that is edited and its results, and calls the page's actions.
 
-import { statusText, verdictText } from '../source/words.js';
+import { plural, statusText, verdictText } from '../source/words.js';
 import { tools } from './curve_tools.js';
 
 const mostMembers = 500;
 export const at = (id) => document.getElementById(id);
 export const format = (x) => (x === null || x === undefined ? '?' : String(Number(Number(x).toPrecision(8))));
-const plural = (count, noun) => `${count.toLocaleString('en')} ${noun}${count === 1 ? '' : 's'}`;
 
 // Gives a list as many rows as there are items. Rows stay, so that one that has the focus keeps it.
 function setRows(list, items, make, fill) {
@@ -76,7 +75,7 @@ export class Panel {
   setMesh({ name, mesh }) {
     at('title').textContent = name;
     document.title = `${name} - geodesics, live`;
-    at('facts').textContent = `${mesh.vertices.toLocaleString('en')} vertices, ${plural(mesh.triangles, 'triangle')}`;
+    at('facts').textContent = `${plural(mesh.vertices, 'vertex', 'vertices')}, ${plural(mesh.triangles, 'triangle')}`;
     const repairs = mesh.remarks.filter((line) => line.startsWith('repair: '));
     at('remarks').hidden = mesh.remarks.length === 0;
     at('remarks').open = repairs.length > 0;

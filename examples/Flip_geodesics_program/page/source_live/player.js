@@ -14,7 +14,6 @@ export class Player {
     });
   }
 
-  // Returns whether another run is shown now.
   show(run, stage) {
     if (run === this.run) return;
     this.pause();
@@ -22,9 +21,7 @@ export class Player {
     this.playback = run && run.edges.length > 0 ? new Playback(run) : null;
     at('player').hidden = !this.playback || this.playback.length === 0;
     if (!this.playback) return;
-    const touched = [];
-    for (let i = 0; i < run.inputEdges.length; i += 3) touched.push(run.inputEdges[i + 1], run.inputEdges[i + 2]);
-    stage.setQuietEdges(touched);
+    stage.setQuietEdges(run);
     at('step').max = this.playback.length;
     this.playback.goTo(this.playback.length);
     this.describe();
