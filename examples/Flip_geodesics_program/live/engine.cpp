@@ -21,6 +21,7 @@
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
 #include <CGAL/Flip_geodesics/IO/PLY.h>
+#include <CGAL/Flip_geodesics/curve_samples.h>
 
 #include <CGAL/assertions_behaviour.h>
 
@@ -72,7 +73,7 @@ public:
     std::ostringstream out;
     out << '{';
     write_strings(out, "remarks", m_remarks);
-    out << ',';
+    out << ',' << m_members;
     Scene_json(m_mesh).write_curves(out, scene);
     out << '}';
     return out.str();
@@ -142,12 +143,15 @@ private:
   void add_curves(Scene& scene, const std::string& kind, const std::string& line, std::size_t most_points)
   {
     m_remarks.clear();
+    m_members.clear();
     const std::vector<std::string> fields = fields_of(line);
     const Input_text text("points", fields.front() + '\n');
     if(kind == "distances")
       add_isolines(scene, fields);
     else if(kind == "trace")
-      add(scene, traced_curves(m_mesh, {trace(line)}, {}, m_progress), std::nullopt);
+      add(scene, {traced(trace(line))}, std::nullopt);
+    else if(kind == "direction")
+      set_direction(read_point_curves(m_mesh, text, false));
     else if(kind == "ways")
       add_ways(scene, read_pairs(m_mesh, text), static_cast<std::size_t>(number(fields.at(1))));
     else if(kind == "shortest")
@@ -190,6 +194,27 @@ private:
     const std::size_t comma = line.find(',');
     const std::vector<double> numbers = read_numbers(line.substr(comma + 1), "trace");
     return {read_named_points(m_mesh, {line.substr(0, comma)}, "trace").front(), numbers.at(0), numbers.at(1)};
+  }
+
+  Curve_result traced(const Trace_request& request) { return traced_curves(m_mesh, {request}, {}, m_progress).front(); }
+
+  // Sets the result to the angle at which the geodesic from a vertex to a point starts, as a trace takes it.
+  void set_direction(const std::vector<Curve_request>& pair)
+  {
+    const Trace_request zero = {{pair.front().points.front(), "the start"}, 0, size_of(m_mesh) / 1000};
+    const double angle = CGAL::Flip_geodesics::angle_between_curves(
+        m_mesh.mesh(), locations(traced(zero)), locations(m_geodesics->run({pair, {}, {}}).front()));
+    m_members = "\"angle\":" + json_number(angle) + ',';
+  }
+
+  std::vector<CGAL::Flip_geodesics::Surface_location> locations(const Curve_result& curve) const
+  {
+    if(curve.is_error())
+      throw Bad_input(curve.error);
+    std::vector<CGAL::Flip_geodesics::Surface_location> result;
+    for(const program::Curve_point& p : curve.points)
+      result.push_back(location_of(m_mesh, p.on_surface));
+    return result;
   }
 
   void add_ways(Scene& scene, const std::vector<Curve_request>& pairs, std::size_t count)
@@ -247,6 +272,7 @@ private:
   Program_metric m_metric;
   Progress m_progress;
   std::unique_ptr<Curve_engine> m_geodesics, m_shortest_paths;
+  std::string m_members;              // of the result computed last, beside its curves, each with a comma
   std::vector<std::string> m_remarks; // about the curves that were computed last, for the user
 };
 

@@ -67,7 +67,7 @@ export class Canvas_input {
     if (this.drag && Math.hypot(clientX - this.drag.from[0], clientY - this.drag.from[1]) >= fewestPixels) this.drag.isMoved = true;
     if (this.drag?.hit && this.drag.isMoved) {
       const place = this.stage.pick(clientX, clientY);
-      if (place) this.page.movePoint(this.drag.hit.i, place, this.drag);
+      if (place) this.page.dragPoint(this.drag.hit.i, place, this.drag);
     } else if (!this.drag && pointerType !== 'touch') {
       this.showUnder(clientX, clientY);
     }
@@ -129,14 +129,15 @@ export class Canvas_input {
     return undefined;
   }
 
-  // Moves the point that is chosen, or turns the view.
-  onArrow([dx, dy], isFine) {
+  // Moves the point that is chosen or turns its trace, or turns the view.
+  onArrow([dx, dy], isShifted) {
     const { page, stage } = this;
     if (page.selected < 0) return stage.turn(-dx * turn, -dy * turn);
+    if (page.isTrace) return page.turnTrace(-dx * (isShifted ? 10 : 1));
     const place = page.list.active.points[page.selected];
     if (!stage.isVisible(place.position)) stage.face(place);
     const [x, y] = stage.project(place.position);
-    const size = isFine ? fineStep : step;
+    const size = isShifted ? fineStep : step;
     const moved = stage.pick(x + dx * size, y + dy * size);
     return moved && page.movePoint(page.selected, moved, `keys ${page.list.active.id} ${page.selected}`);
   }

@@ -68,7 +68,7 @@ export const tools = {
     command: (mesh, [a, b], { count }) => `shortest ${mesh} --from ${a.text} --to ${b.text} --ways ${count}`,
   },
   trace: {
-    hint: 'A straightest geodesic: click the vertex where it starts, and give its direction and length.',
+    hint: 'A straightest geodesic: click the vertex where it starts, and drag from there to set its direction.',
     option: 'trace',
     options: ['angle', 'length'],
     isAtVertices: true,

@@ -3,7 +3,7 @@
 // Puts the parts of the interactive viewer together: the engine, the curves, the stage and the panel.
 
 import { Color, Vector3 } from 'three';
-import { curvePieces, readMesh } from '../source/data.js';
+import { curvePieces, readMesh, readResults } from '../source/data.js';
 import { hasWebGL } from '../source/stage.js';
 import { Canvas_input } from './canvas_input.js';
 import { Computation } from './computation.js';
@@ -41,7 +41,7 @@ class Live_page {
       onAnswer: (request, answer) => this.onAnswer(request, answer),
       onIdle: () => {
         this.setBusy();
-        mark('isIdle', true);
+        mark('isIdle', !this.isAiming);
       },
     });
     this.panel = new Panel(this);
@@ -264,9 +264,9 @@ class Live_page {
     this.update();
   }
 
-  setOption(name, value) {
+  setOption(name, value, step) {
     const { id, options } = this.list.active;
-    this.changeCurve(id, { options: { ...options, [name]: value } });
+    this.changeCurve(id, { options: { ...options, [name]: value } }, step);
   }
 
   toggleOption(name) {
@@ -340,6 +340,44 @@ class Live_page {
 
   movePoint(i, place, step) {
     this.setPoints(this.list.active.points.with(i, place), i, step);
+  }
+
+  // A trace keeps its start, and turns towards the place.
+  dragPoint(i, place, step) {
+    if (this.isTrace) this.aim(place, step);
+    else this.movePoint(i, place, step);
+  }
+
+  get isTrace() {
+    return this.list.active.tool === 'trace';
+  }
+
+  turnTrace(degrees) {
+    const { id, options } = this.list.active;
+    if (degrees !== 0) this.setOption('angle', options.angle + degrees, `turn ${id}`);
+  }
+
+  // While the engine computes a direction, the places in between are skipped.
+  async aim(place, step) {
+    this.aimed = { place, step };
+    if (this.isAiming) return;
+    this.isAiming = true;
+    mark('isIdle', false);
+    const { list, engine } = this;
+    const { id } = list.active;
+    const [source] = this.pointsOf(list.active);
+    try {
+      for (let next; (next = this.aimed); ) {
+        this.aimed = undefined;
+        const line = `${source.text} ${pointText(next.place, this.stage.cornersOf(next.place.face))}`;
+        const { angle } = readResults(await this.whileBusy('computing', engine.compute({ option: 'direction', line, mostPoints: 0 })));
+        if (list === this.list && id === list.active.id) this.setOption('angle', (180 / Math.PI) * angle, next.step);
+      }
+    } catch (error) {
+      this.fail(error.message);
+    }
+    this.isAiming = false;
+    mark('isIdle', !this.computation.isRunning);
   }
 
   beginDrag() {
