@@ -16,6 +16,9 @@ const through = (points, separator = ' ') => points.map((p) => p.text).join(sepa
 const radians = (degrees) => (degrees * Math.PI) / 180;
 const trace = ([source], { angle, length }) => `${source.text},${radians(angle)},${length}`;
 
+// The value of an isoline; NaN for other curves.
+export const levelOf = ({ name }) => Number(/^at distance (.*)$/.exec(name)?.[1]);
+
 /*
  * Each kind: `option`, by which engine and program know it; the fewest points, and the most; the options in the panel;
  * `line`, the line of a file of the program; `request`, what the engine takes instead if it differs; and `command`.
@@ -91,9 +94,3 @@ export const tools = {
       (tree ? `; flip_geodesics log ${mesh} --source ${points[0].text}` : ''),
   },
 };
-
-// Numbers of two digits of which the first is 1, 2 or 5: the greatest that is not above x.
-export function roundNumber(x) {
-  const power = 10 ** Math.floor(Math.log10(x));
-  return Number(((x >= 5 * power ? 5 : x >= 2 * power ? 2 : 1) * power).toPrecision(2));
-}

@@ -2,7 +2,7 @@
 
 import { CanvasTexture, Raycaster, Sprite, SpriteMaterial, Triangle, Vector2, Vector3 } from 'three';
 import { Stage } from '../source/stage.js';
-import { roundNumber } from './curve_tools.js';
+import { roundNumber, unit, withUnit } from './units.js';
 
 const labelHeight = 22; // in pixels
 const widestScale = 140;
@@ -98,13 +98,13 @@ export class Live_stage extends Stage {
     return this.cornersOf(face)[weights.indexOf(Math.max(...weights))];
   }
 
-  // From coordinates of the page to those of the mesh file, and back.
-  inFile(position) {
-    return position.map((x, i) => x * this.data.radius + this.data.center[i]);
+  // From coordinates of the page to those of the mesh file, in the unit of the user, and back.
+  inUnits(position) {
+    return position.map((x, i) => unit.factor * (x * this.data.radius + this.data.center[i]));
   }
 
-  fromFile(coordinates) {
-    return new Vector3(...coordinates.map((x, i) => (x - this.data.center[i]) / this.data.radius));
+  fromUnits(coordinates) {
+    return new Vector3(...coordinates.map((x, i) => (x / unit.factor - this.data.center[i]) / this.data.radius));
   }
 
   // The camera may have moved since the last frame.
@@ -170,12 +170,12 @@ export class Live_stage extends Stage {
     this.scaleBar.textContent = text;
   }
 
-  // A round length of the mesh, and how wide it is at the distance of the center of the view.
+  // A round length, and how wide it is at the distance of the center of the view.
   scale() {
     const distance = this.camera.position.distanceTo(this.controls.target);
-    const perPixel = (this.data.radius * distance * 2 * Math.tan((this.camera.fov * Math.PI) / 360)) / this.canvas.clientHeight;
+    const perPixel = (unit.factor * this.data.radius * distance * 2 * Math.tan((this.camera.fov * Math.PI) / 360)) / this.canvas.clientHeight;
     const length = roundNumber(widestScale * perPixel);
-    return { pixels: length / perPixel, text: `${length} ${this.unit ?? ''}` };
+    return { pixels: length / perPixel, text: withUnit(length) };
   }
 
   // The view as a PNG, with the bar of the scale.

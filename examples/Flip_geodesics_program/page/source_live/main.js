@@ -8,13 +8,14 @@ import { hasWebGL } from '../source/stage.js';
 import { Canvas_input } from './canvas_input.js';
 import { Computation } from './computation.js';
 import { Curve_list } from './curve_list.js';
-import { pointText, roundNumber, tools } from './curve_tools.js';
+import { pointText, tools } from './curve_tools.js';
 import { Engine } from './engine.js';
 import { exampleMesh } from './example_mesh.js';
 import { Live_stage } from './live_stage.js';
 import { at, Panel } from './panel.js';
 import { Player } from './player.js';
 import { distance, middle } from './polyline.js';
+import { format, roundNumber, withUnit } from './units.js';
 
 // After the set of Okabe and Ito for the colour-blind, darker or lighter than the surface.
 const palettes = {
@@ -32,7 +33,6 @@ const mark = (name, value) => (document.documentElement.dataset[name] = value);
 class Live_page {
   constructor(engine) {
     this.engine = engine;
-    this.unit = '';
     this.selected = -1; // the point that is chosen
     this.shown = new Map(); // the last answer of each curve, until there is a newer one
     this.theme = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
@@ -76,8 +76,7 @@ class Live_page {
       this.stage = new Live_stage(at('view'), mesh);
       this.input = new Canvas_input(this, at('view'));
     }
-    this.stage.setTheme(this.theme);
-    document.documentElement.dataset.theme = this.theme;
+    this.setTheme(this.theme);
     this.panel.setMesh(this);
     this.stage.setSmooth(this.stage.isSmooth());
     this.stage.setShowsHidden(at('show-hidden').checked);
@@ -128,7 +127,7 @@ class Live_page {
   }
 
   coordinates(position, digits = 4) {
-    return `(${this.stage.inFile(position).map((x) => Number(x.toPrecision(digits))).join(', ')}) ${this.unit}`.trim();
+    return withUnit(`(${this.stage.inUnits(position).map((x) => format(x, digits)).join(', ')})`);
   }
 
   describe({ text, position }) {
@@ -316,7 +315,7 @@ class Live_page {
     const numbers = text.trim().split(/[\s,;]+/).map(Number);
     const isVertex = numbers.length === 1 && Number.isInteger(numbers[0]) && text.trim() !== '';
     const place = isVertex ? this.stage.placeOfVertex(numbers[0])
-      : numbers.length === 3 && numbers.every(Number.isFinite) ? this.stage.nearestPlace(this.stage.fromFile(numbers)) : undefined;
+      : numbers.length === 3 && numbers.every(Number.isFinite) ? this.stage.nearestPlace(this.stage.fromUnits(numbers)) : undefined;
     if (place) return this.addPoint(place, false);
     return this.fail(place === null ? `vertex ${numbers[0]} does not exist or has no faces` : 'give the number of a vertex, or three coordinates');
   }
@@ -424,15 +423,13 @@ class Live_page {
     this.update();
   }
 
-  setUnit(unit) {
-    this.unit = this.stage.unit = unit;
-    this.update();
+  setTheme(theme) {
+    this.theme = document.documentElement.dataset.theme = theme;
+    this.stage.setTheme(theme);
   }
 
   switchTheme() {
-    this.theme = this.theme === 'dark' ? 'light' : 'dark';
-    document.documentElement.dataset.theme = this.theme;
-    this.stage.setTheme(this.theme);
+    this.setTheme(this.theme === 'dark' ? 'light' : 'dark');
     this.render();
   }
 

@@ -3,11 +3,12 @@
 // The panel: shows the curves, the points of the one that is edited and its results, and calls the page's actions.
 
 import { plural, statusText, verdictText } from '../source/words.js';
-import { tools } from './curve_tools.js';
+import { levelOf, tools } from './curve_tools.js';
+import { format, lengthText, unit } from './units.js';
 
 const mostMembers = 500;
+const factorOf = (option) => (option === 'length' || option === 'spacing' ? unit.factor : 1); // by which its input is a multiple
 export const at = (id) => document.getElementById(id);
-export const format = (x) => (x === null || x === undefined ? '?' : String(Number(Number(x).toPrecision(8))));
 
 // Gives a list as many rows as there are items. Rows stay, so that one that has the focus keeps it.
 function setRows(list, items, make, fill) {
@@ -47,7 +48,8 @@ export class Panel {
     };
     for (const [id, action] of Object.entries(clicks)) at(id).addEventListener('click', action);
     const changes = {
-      'show-intrinsic': () => page.update(), 'show-labels': () => page.draw(), unit: () => page.setUnit(at('unit').value.trim()),
+      'show-intrinsic': () => page.update(), 'show-labels': () => page.draw(),
+      factor: () => this.readUnit(), unit: () => this.readUnit(),
       'show-mesh': () => page.stage.showMeshEdges(at('show-mesh').checked),
       'show-hidden': () => page.stage.setShowsHidden(at('show-hidden').checked),
       file: () => {
@@ -67,9 +69,22 @@ export class Panel {
     if (input.type === 'checkbox') return this.page.setOption(option, input.checked);
     const value = input.valueAsNumber;
     const isValid = Number.isFinite(value) && (option === 'angle' || value > 0) && (option !== 'count' || Number.isInteger(value));
-    if (isValid) return this.page.setOption(option, value);
-    input.value = this.page.list.active.options[option];
+    if (isValid) return this.page.setOption(option, Number((value / factorOf(option)).toPrecision(15)));
+    input.value = this.optionText(option);
     return this.page.fail(`${option}: give a ${option === 'count' ? 'whole ' : option === 'angle' ? '' : 'positive '}number`);
+  }
+
+  optionText(option) {
+    return format(this.page.list.active.options[option] * factorOf(option));
+  }
+
+  readUnit() {
+    const factor = at('factor').valueAsNumber;
+    const isValid = Number.isFinite(factor) && factor > 0;
+    if (isValid) Object.assign(unit, { factor, name: at('unit').value.trim() });
+    at('factor').value = unit.factor;
+    this.page.render();
+    if (!isValid) this.page.fail('unit: give a positive number');
   }
 
   setMesh({ name, mesh }) {
@@ -83,14 +98,9 @@ export class Panel {
     setRows(at('remarks').lastElementChild, mesh.remarks, () => document.createElement('li'), (row, line) => (row.textContent = line.replace(/^repair: /, '')));
   }
 
-  length(x) {
-    return `${format(x)} ${this.page.unit}`.trim();
-  }
-
   // What a curve is called in a list of those that were computed together.
   member(curve) {
-    const level = /^at distance (.*)$/.exec(curve.name);
-    return level ? this.length(level[1]) : this.length(curve.length);
+    return lengthText(levelOf(curve) || curve.length);
   }
 
   // One line on the answer to a curve's request.
@@ -100,13 +110,13 @@ export class Panel {
     const { curves } = answer.results;
     const [first] = curves;
     if (curves.length !== 1) return [plural(curves.length, 'curve'), ''];
-    return [this.length(first.length), verdictText(first.certificate) || statusText(first.status)];
+    return [lengthText(first.length), verdictText(first.certificate) || statusText(first.status)];
   }
 
   render() {
     const { page } = this;
     const { list } = page;
-    for (const unit of document.querySelectorAll('.unit')) unit.textContent = page.unit;
+    for (const name of document.querySelectorAll('.unit')) name.textContent = unit.name;
     this.renderCurves(list);
     this.renderTool(list.active);
     this.renderPoints(page.pointsOf(list.active));
@@ -141,7 +151,7 @@ export class Panel {
       const { option } = input.dataset;
       input.parentElement.hidden = !tools[tool].options.includes(option);
       if (input.type === 'checkbox') input.checked = options[option];
-      else setValue(input, options[option]);
+      else setValue(input, this.optionText(option));
     }
     document.querySelector('[data-option=tree]').disabled = !this.page.canHaveTree;
     at('hint').textContent = tools[tool].hint;
@@ -166,7 +176,7 @@ export class Panel {
     const curves = results?.curves ?? [];
     const [first] = curves;
     const isOne = curves.length === 1 && tool !== 'distances';
-    setResult('length', isOne ? this.length(first.length) : '');
+    setResult('length', isOne ? lengthText(first.length) : '');
     setResult('status', isOne ? statusText(first.status) : '');
     setResult('certificate', isOne ? verdictText(first.certificate) : '');
     setResult('flips', isOne ? first.flips.toLocaleString('en') : '');
@@ -177,7 +187,8 @@ export class Panel {
     setRows(at('members').lastElementChild, members.slice(0, mostMembers), () => document.createElement('li'), (row, curve) => {
       row.textContent = [this.member(curve), verdictText(curve.certificate)].filter(Boolean).join(', ');
     });
-    at('note').textContent = (results?.remarks ?? []).join(' ').replace(/^ways +/, '');
+    const note = (results?.remarks ?? []).join(' ').replace(/^ways +/, '');
+    at('note').textContent = note.replace(/(?<=at least )\S+(?= long)/, lengthText);
     at('retry').hidden = error === undefined;
     this.page.fail(error ?? '');
     const command = results ? this.page.command() : '';
