@@ -181,8 +181,11 @@ private:
     Field_request field;
     field.sources = read_named_points(m_mesh, {fields.front()}, "sources");
     field.spacing = number(fields.at(1));
-    Field_curves found = field_curves(m_mesh, field, m_progress);
+    field.is_map = true;
+    const Field_curves found = field_curves(m_mesh, field, m_progress);
     m_remarks = {found.remarks};
+    const std::vector<double>& distances = found.map->distances;
+    m_members = "\"distances\":" + json_base64(std::vector<float>(distances.begin(), distances.end())) + ',';
     add(scene, found.curves, std::nullopt);
     if(fields.at(2) == "1")
       run(scene, {{}, {}, field.sources.front().at}, 0, *m_geodesics);

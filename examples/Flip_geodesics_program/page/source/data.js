@@ -85,6 +85,7 @@ function decodeResults(results) {
     ...results,
     curvePoints: floats(results.curvePoints),
     curveStarts: integers(results.curveStarts),
+    distances: results.distances && floats(results.distances),
     runs: results.runs.map(readRun),
   };
 }

@@ -10,7 +10,7 @@ const fewestPixels = 4; // of a drag
 const [step, fineStep] = [8, 1]; // in pixels, of a point that is moved by the arrow keys
 const turn = 0.15; // in radians, of the view by the arrow keys
 // Elements that use all keys themselves, and those that use the arrow keys.
-const textTakers = 'input:not([type=checkbox], [type=radio], [type=range], [type=color])';
+const textTakers = 'select, input:not([type=checkbox], [type=radio], [type=range], [type=color])';
 const arrowTakers = 'input[type=radio], input[type=range]';
 const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 

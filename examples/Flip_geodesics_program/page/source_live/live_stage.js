@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-import { CanvasTexture, Raycaster, Sprite, SpriteMaterial, Triangle, Vector2, Vector3 } from 'three';
+import { BufferAttribute, CanvasTexture, LinearFilter, Raycaster, Sprite, SpriteMaterial, SRGBColorSpace, Triangle, Vector2, Vector3 } from 'three';
 import { Stage } from '../source/stage.js';
-import { roundNumber, unit, withUnit } from './units.js';
+import { format, roundNumber, unit, withUnit } from './units.js';
 
 const labelHeight = 22; // in pixels
 const widestScale = 140;
+const widthOfColors = 240;
+// Maps of increasing lightness, which the colour-blind can read, too.
+const colorMaps = {
+  violet: ['#380a5a', '#2b4688', '#017b95', '#0fad94', '#83d675', '#f9ed52'],
+  blue: ['#082256', '#546178', '#aaa377', '#ffea6e'],
+  grey: ['#222222', '#f0f0f0'],
+};
+const [colorCount, greyCount] = [256, 8]; // in the texture: those of a map, and those of vertices without a value
 
 function labelTexture(text) {
   const canvas = document.createElement('canvas');
@@ -22,17 +30,72 @@ function labelTexture(text) {
   return new CanvasTexture(canvas);
 }
 
+function colorTexture(colors) {
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [colorCount + greyCount, 1];
+  const context = canvas.getContext('2d');
+  const gradient = context.createLinearGradient(0, 0, colorCount, 0);
+  colors.forEach((color, i) => gradient.addColorStop(i / (colors.length - 1), color));
+  context.fillStyle = gradient;
+  context.fillRect(0, 0, colorCount, 1);
+  context.fillStyle = '#9a9a9a';
+  context.fillRect(colorCount, 0, greyCount, 1);
+  return Object.assign(new CanvasTexture(canvas), { colorSpace: SRGBColorSpace, minFilter: LinearFilter, generateMipmaps: false });
+}
+
 /*
- * A stage on which places of the surface are picked. A place is {face, weights, position}. Curves may have labels, and a
- * bar shows the scale.
+ * A stage on which places of the surface are picked. A place is {face, weights, position}. Curves may have labels, the
+ * surface may have colors by values at its vertices, and a legend shows the scale and the colors.
  */
 export class Live_stage extends Stage {
   constructor(canvas, scene) {
     super(canvas, scene);
     this.labels = [];
-    this.scaleBar = document.createElement('div');
-    this.scaleBar.id = 'scale';
-    canvas.after(this.scaleBar);
+    this.legend = document.createElement('canvas');
+    this.legend.id = 'scale';
+    canvas.after(this.legend);
+  }
+
+  setSurface(scene) {
+    super.setSurface(scene);
+    this.themeColor ??= this.surface.material.color.clone();
+    this.setValues(undefined);
+  }
+
+  setTheme(name) {
+    super.setTheme(name);
+    this.themeColor = this.surface.material.color.clone();
+    this.setColors();
+  }
+
+  // Colors the surface by values of the vertices, from zero to the greatest, by the map of this name. Without values it has
+  // the color of the theme.
+  setValues(values, map) {
+    if (values !== this.values) {
+      const finite = values?.filter(Number.isFinite) ?? [];
+      this.greatest = finite.reduce((a, b) => Math.max(a, b), 0);
+      const uv = new Float32Array(2 * (values?.length ?? 0));
+      values?.forEach((x, i) => {
+        const texel = Number.isFinite(x) ? 0.5 + (x / (this.greatest || 1)) * (colorCount - 1) : colorCount + greyCount / 2;
+        uv[2 * i] = texel / (colorCount + greyCount);
+      });
+      this.surface.geometry.setAttribute('uv', new BufferAttribute(uv, 2));
+    }
+    if (values === this.values && map === this.map) return;
+    [this.values, this.map] = [values, map];
+    this.setColors();
+  }
+
+  setColors() {
+    const { material } = this.surface;
+    material.map?.dispose();
+    material.map = material.emissiveMap = this.values ? colorTexture(colorMaps[this.map]) : null;
+    // Shading changes the lightness, which shows the value, by less than it does without colors.
+    material.emissive.setScalar(this.values ? 0.6 : 0);
+    if (this.values) material.color.setScalar(0.4);
+    else material.color.copy(this.themeColor);
+    material.needsUpdate = true;
+    this.requestFrame();
   }
 
   // The place of the surface at a point of the window that is nearest to the eye, or null.
@@ -165,9 +228,7 @@ export class Live_stage extends Stage {
   draw() {
     this.placeLabels();
     super.draw();
-    const { pixels, text } = this.scale();
-    this.scaleBar.style.width = `${pixels}px`;
-    this.scaleBar.textContent = text;
+    this.drawLegend();
   }
 
   // A round length, and how wide it is at the distance of the center of the view.
@@ -178,21 +239,53 @@ export class Live_stage extends Stage {
     return { pixels: length / perPixel, text: withUnit(length) };
   }
 
-  // The view as a PNG, with the bar of the scale.
+  // Black or white, whichever differs more from the color of a value.
+  contrastTo(value) {
+    return value < this.greatest / 2 ? '#ffffff' : '#000000';
+  }
+
+  // Values at which the bar of the colors has marks: {text, at}, the latter a share of its width.
+  marks() {
+    const greatest = this.greatest * unit.factor;
+    const step = roundNumber(greatest / 2);
+    return Array.from({ length: Math.floor(greatest / step) + 1 }, (_, i) => ({ text: format(i * step), at: (i * step) / greatest }));
+  }
+
+  drawLegend() {
+    const { legend } = this;
+    const hasColors = Boolean(this.values) && this.greatest > 0;
+    const [width, height] = [widthOfColors + 60, hasColors ? 75 : 25];
+    const ratio = window.devicePixelRatio;
+    Object.assign(legend, { width: width * ratio, height: height * ratio });
+    Object.assign(legend.style, { width: `${width}px`, height: `${height}px` });
+    const context = legend.getContext('2d');
+    context.scale(ratio, ratio);
+    context.font = '13px system-ui, sans-serif';
+    context.fillStyle = getComputedStyle(legend).color;
+    const { pixels, text } = this.scale();
+    context.fillText(text, 0, height - 8);
+    context.fillRect(0, height - 3, pixels, 3);
+    legend.textContent = text;
+    if (!hasColors) return;
+    context.drawImage(this.surface.material.map.image, 0, 0, colorCount, 1, 0, 0, widthOfColors, 12);
+    const marks = this.marks();
+    marks.forEach((mark, i) => {
+      context.fillRect(mark.at * widthOfColors, 12, 1, 4);
+      context.textAlign = i === 0 ? 'left' : 'center';
+      context.fillText(i + 1 < marks.length ? mark.text : withUnit(mark.text), mark.at * widthOfColors, 29);
+    });
+    legend.textContent += `; colors from 0 to ${withUnit(format(this.greatest * unit.factor, 4))}`;
+  }
+
+  // The view as a PNG, with the legend.
   image() {
     this.draw();
     const image = document.createElement('canvas');
     [image.width, image.height] = [this.canvas.width, this.canvas.height];
     const context = image.getContext('2d');
     context.drawImage(this.canvas, 0, 0);
-    const ratio = image.width / this.canvas.clientWidth;
-    context.scale(ratio, ratio);
-    const { pixels, text } = this.scale();
-    const bottom = this.canvas.clientHeight - 16;
-    context.fillStyle = getComputedStyle(this.scaleBar).color;
-    context.font = '13px system-ui, sans-serif';
-    context.fillText(text, 16, bottom - 8);
-    context.fillRect(16, bottom - 3, pixels, 3);
+    const margin = 16 * window.devicePixelRatio;
+    context.drawImage(this.legend, margin, image.height - this.legend.height - margin);
     return new Promise((done) => image.toBlob(done));
   }
 }

@@ -8,7 +8,7 @@ import { hasWebGL } from '../source/stage.js';
 import { Canvas_input } from './canvas_input.js';
 import { Computation } from './computation.js';
 import { Curve_list } from './curve_list.js';
-import { pointText, tools } from './curve_tools.js';
+import { levelOf, pointText, tools } from './curve_tools.js';
 import { Engine } from './engine.js';
 import { exampleMesh } from './example_mesh.js';
 import { Live_stage } from './live_stage.js';
@@ -194,8 +194,14 @@ class Live_page {
     const colors = palettes[this.theme];
     const { active, curves } = this.list;
     const answers = curves.map((curve) => [curve, this.answerOf(curve)?.results]).filter(([, results]) => results);
+    const map = at('colors').value;
+    const values = map ? [active, ...curves].map((curve) => this.answerOf(curve)?.results?.distances).find(Boolean) : undefined;
+    this.stage.setValues(values, map);
+    mark('farthest', this.stage.greatest);
+    const colorOf = (curve, line) => (line.tree ? colors.tree
+      : values && !curve.color && levelOf(line) ? this.stage.contrastTo(levelOf(line)) : this.colorOf(curve));
     const lines = answers.flatMap(([curve, results]) => results.curves.map((line, i) => ({
-      pieces: this.pieces(curve, results, i), ends: [], color: new Color(line.tree ? colors.tree : this.colorOf(curve)), isThin: line.tree,
+      pieces: this.pieces(curve, results, i), ends: [], color: new Color(colorOf(curve, line)), isThin: line.tree,
     })));
     const ends = curves.flatMap((curve) => this.pointsOf(curve).map(({ position }, i) => ({
       pieces: [], ends: position, color: new Color(curve !== active ? this.colorOf(curve) : i === this.selected ? colors.chosen : colors.point),

@@ -48,7 +48,7 @@ export class Panel {
     };
     for (const [id, action] of Object.entries(clicks)) at(id).addEventListener('click', action);
     const changes = {
-      'show-intrinsic': () => page.update(), 'show-labels': () => page.draw(),
+      'show-intrinsic': () => page.update(), 'show-labels': () => page.draw(), colors: () => page.draw(),
       factor: () => this.readUnit(), unit: () => this.readUnit(),
       'show-mesh': () => page.stage.showMeshEdges(at('show-mesh').checked),
       'show-hidden': () => page.stage.setShowsHidden(at('show-hidden').checked),
