@@ -94,7 +94,7 @@ public:
     const auto is_word = [](const std::string& argument) { return !is_like_an_option(argument); };
     const auto word = std::find_if(remaining.begin(), remaining.end(), is_word);
     if(given.empty() && word != remaining.end())
-      return "'" + *word + "' is not a command; specify one before the mesh: " + names_of_commands();
+      return "'" + *word + "' is not a command; specify one of these before the mesh: " + names_of_commands();
     if(given.empty())
       return "specify a command: " + names_of_commands() + "; see --help";
     const std::string help = "; see flip_geodesics " + given.front()->get_name() + " --help";
@@ -102,7 +102,7 @@ public:
       if(is_like_an_option(argument))
         return describe_unknown(argument.substr(0, argument.find('=')), *given.front(), help);
     if(word != remaining.end())
-      return "'" + *word + "' is unexpected: there is one mesh, and every other value follows an option" + help;
+      return "'" + *word + "' is unexpected: there is one mesh, and every other value must follow its option" + help;
     return describe_misuse(error) + help;
   }
 
@@ -145,8 +145,8 @@ private:
   };
 
   static constexpr const char* m_points =
-      "A POINT is a vertex `v`, x,y,z in space (with a decimal point or an exponent in x or y), a,b,t on an edge or "
-      "a,b,c,t,u in a face";
+      "A POINT is a vertex `v`, x,y,z in space (with a decimal point or an exponent in x or y), a,b,t on the edge of "
+      "vertices a and b, or a,b,c,t,u in the face of vertices a, b and c";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 
@@ -261,7 +261,7 @@ private:
     add_text("MESH", "FILE", m_options.mesh, "read an OFF, OBJ, PLY, STL or TS file; - for standard input")
         ->group("Positionals")
         ->required();
-    add_text("--format", "NAME", m_options.format, "read this format: off, obj, ply, stl or ts [by the extension]");
+    add_text("--format", "NAME", m_options.format, "read the format off, obj, ply, stl or ts [by the extension]");
     const std::string command = name;
     CLI::Option* const repair = command == "repair" || command == "info"
                                     ? nullptr
@@ -343,7 +343,8 @@ private:
              "evaluate predicates exactly (certified) or in floating point (double) [certified]")
         ->check(one_of({"certified", "double"}));
     add_mollify();
-    add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");
+    add("--refuse-zero-edges", m_options.are_zero_edges_refused,
+        "report degenerate edges as errors instead of contracting them");
     add_most_memory();
   }
 
@@ -351,7 +352,7 @@ private:
   {
     add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
         "lengthen all edges equally until each face satisfies the triangle inequality with a margin of this fraction "
-        "of the mean length");
+        "of the mean edge length");
   }
 
   void add_weights()
@@ -407,7 +408,8 @@ private:
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
         "write equally spaced points, at most this far apart, instead of the crossings with edges");
-    add_text("--page", "FILE", m_options.results.page, "write a page for a browser: surface, curves and flips");
+    add_text("--page", "FILE", m_options.results.page,
+             "write an HTML page that shows the surface, the curves and the flips");
     add_text("--polylines", "FILE", m_options.results.polylines,
              "write one line `curve a b t x y z` per point: (1-t) a + t b on edge ab, and its coordinates");
     add_text("--stats", "FILE", m_options.results.stats, "write one line per curve as CSV");
@@ -542,7 +544,8 @@ private:
     add_search();
     add_threads();
     add("--landmarks", "NUMBER", m_options.landmarks, {1, 1000},
-        "precompute this many landmarks; 8 are recommended for hundreds of paths");
+        "precompute the distances from this many vertices to speed up the search; 8 are recommended for hundreds of "
+        "paths");
     for(const char* const name : {"--ways", "--avoid"})
       exclude(name, {"--kernel", "--mollify", "--refuse-zero-edges", "--search", "--landmarks", "--face-weights",
                      "--edge-weights"});
@@ -590,13 +593,13 @@ private:
     choose({"--isolines", "--spacing"}, false);
     choose({"--isolines", "--spacing", "--voronoi", "--map", "--values", "--matrix"}, true, false);
 
-    begin("log", "Compute the tree of geodesics from a point and its logarithmic map",
+    begin("log", "Compute the tree of geodesics from a point, and the logarithmic map at this point",
           "  flip_geodesics log bunny.off --source 0 --map map.csv\n"
           "  flip_geodesics log bunny.off --source 0 --shortest --map map.csv -o tree.ply\n"
           "  flip_geodesics log bunny.off --source 0 --kernel double --stats tree.csv");
     m_group = m_points;
     add_text("--source", "POINT", m_options.sources, "grow the tree from this point")->required()->expected(1);
-    add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest");
+    add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest by shortest paths");
     add_arithmetic();
     add_weights();
     add_files_of_curves();
@@ -621,7 +624,7 @@ private:
     add_draw()->required();
     add_files_of_curves();
 
-    begin("repair", "Convert any polygons to a triangle mesh: triangulate, orient, split, stitch, remove",
+    begin("repair", "Convert arbitrary polygons to an oriented manifold triangle mesh",
           "  flip_geodesics repair polygons.obj --output mesh.off\n"
           "  flip_geodesics repair scan.stl --weld 1e-9 --output scan.ply\n"
           "  flip_geodesics repair - --format off --output - --output-format off");
@@ -643,7 +646,7 @@ private:
           "  flip_geodesics info scan.stl --weld 1e-9\n"
           "  flip_geodesics info bunny.off --quiet --json -");
 
-    begin("view", "Write a page for a browser in which curves on the mesh are drawn and edited",
+    begin("view", "Write an HTML page in which curves can be drawn and edited on the mesh",
           "  flip_geodesics view bunny.off --output bunny.html\n"
           "  flip_geodesics view polygons.obj --repair --output polygons.html\n"
           "  flip_geodesics view - --format stl --output scan.html");

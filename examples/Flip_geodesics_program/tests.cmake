@@ -238,7 +238,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(draw_short 2 "short.polylines.txt line 1: point 2 is cut off" path torus.off --draw
                                   short.polylines.txt)
   flip_geodesics_add_program_test(points_outside 2 "is outside" path torus.off --points bad_points.txt)
-  flip_geodesics_add_program_test(points_in_no_face 2 "not those of an edge or face" spline torus.off --bezier
+  flip_geodesics_add_program_test(points_in_no_face 2 "do not form an edge or face" spline torus.off --bezier
                                   no_face.txt)
   flip_geodesics_add_program_test(reads_its_obj 0 LOCALLY_SHORTEST path path.obj --from 0 --to 150)
   set_tests_properties(program_reads_its_obj PROPERTIES DEPENDS program_path)
@@ -335,7 +335,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(certify 0 "2 GIVEN\ncertificates: 2 PROVEN" certify torus.off --draw
                                   certified.polylines.txt)
   set_tests_properties(program_certify PROPERTIES DEPENDS program_certify_written)
-  flip_geodesics_add_program_test(certify_bent 1 "path.txt line 1.: it is not locally shortest: BENT_JOINT at point"
+  flip_geodesics_add_program_test(certify_bent 1 "path.txt line 1.: the curve is not locally shortest: BENT_JOINT at point"
                                   certify torus.off --draw path.txt --stats bent.csv)
   flip_geodesics_add_program_test(certify_gap 1 "gap.txt line 2.: " certify torus.off --draw gap.txt)
   file(WRITE ${program_dir}/twice.polylines.txt "6 1 0 0 1 0 0 0.5 0.5 0 0.5 0.5 0 0.5 0.5 0 0 1 0\n")
@@ -368,7 +368,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   no_seam.obj --from 0 --to 1.0,1.0,0.5)
   flip_geodesics_add_program_test(output_format_with_extension 0 "^2 0 0 0 1 1 0\n$" path no_seam.obj --from 0 --to 2 -o -
                                   --output-format .polylines.txt --quiet)
-  flip_geodesics_add_program_test(format_of_result 2 "not known as a format of input.*--output-format for a result" path
+  flip_geodesics_add_program_test(format_of_result 2 "not known as an input format.*--output-format for a result" path
                                   torus.off --from 0 --to 2 -o x.obj --format polylines.txt)
   flip_geodesics_add_program_test(format_on_standard_output 2 "standard output, and --format that of the mesh; use one of obj"
                                   path torus.off --from 0 --to 2 -o - --format off)
@@ -609,7 +609,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --isolines 1)
   flip_geodesics_add_program_test(source_too_large 2 "--source: a point has a vertex that is not a whole number" distance torus.off
                                   --source 0,99999999999999999999 --isolines 1)
-  flip_geodesics_add_program_test(vertex_too_large 2 "--from: a point has a vertex that is not a whole number below 1e15" path
+  flip_geodesics_add_program_test(vertex_too_large 2 "--from: a vertex of a point is not a whole number below 1e15" path
                                   torus.off --from 99999999999999999999 --to 3)
   flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is out of range" path torus.off
                                   --random 1 --seed 99999999999999999999)

@@ -72,10 +72,10 @@ inline std::string read_bytes(std::istream& in, const std::string& name, std::si
     read = in.read(&bytes[size], block).gcount();
     bytes.resize(size + static_cast<std::size_t>(read));
     if(expected == 0 && bytes.size() > most_from_pipe)
-      throw Bad_input(name + ": exceeds 1 GiB, the limit for a pipe; use a file");
+      throw Bad_input(name + ": the input exceeds 1 GiB, the limit for a pipe; use a file");
   }
   if(in.bad())
-    throw Bad_input(name + ": cannot be read to its end; check the disk");
+    throw Bad_input(name + ": the input cannot be read to its end; check the disk");
   return bytes;
 }
 
@@ -99,11 +99,11 @@ inline Input_text read_text(const std::string& file, const std::string& format =
   const std::string name = name_of_input(file);
   std::string bytes = file == standard_stream ? read_bytes(std::cin, name, 0) : read_file(file, name);
   if(bytes.empty())
-    throw Bad_input(name + (file == standard_stream ? ": is empty; check the program that writes to it"
+    throw Bad_input(name + (file == standard_stream ? ": the input is empty; check the program that writes it"
                                                     : ": the file is empty; check the path"));
   constexpr const char* mark_of_gzip = "\x1f\x8b";
   if(bytes.compare(0, 2, mark_of_gzip) == 0)
-    throw Bad_input(name + ": is compressed by gzip; unpack it first");
+    throw Bad_input(name + ": the input is compressed with gzip; decompress it first");
   return Input_text(file, std::move(bytes), format);
 }
 

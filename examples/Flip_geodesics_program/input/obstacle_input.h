@@ -83,7 +83,7 @@ inline Weights read_face_weights(const Input_mesh& mesh, const Input_text& input
       number_of_items = items.size();
     if(items.size() != number_of_items || items.size() > 2)
       words.fail("a line has " + counted(items.size(), "item", "items") +
-                 "; write one weight in all lines, or a face and its weight in all of them");
+                 "; write either one weight in every line, or a face and its weight in every line");
     const std::size_t f = items.size() == 2 ? read_face(mesh, words, items.front()) : number_of_weights;
     const double weight =
         read_weight(words, items.back(), "face " + std::to_string(f), f < number_of_faces && is_weighted[f] != 0);
@@ -95,7 +95,7 @@ inline Weights read_face_weights(const Input_mesh& mesh, const Input_text& input
   });
   if(number_of_weights == 0 || (number_of_items == 1 && number_of_weights != number_of_faces))
     throw Bad_input(input.name() + ": there are " + std::to_string(number_of_weights) + " weights for " +
-                    std::to_string(number_of_faces) + " faces; write one for each, or lines of a face and its weight");
+                    std::to_string(number_of_faces) + " faces; write one for each face, or lines `face weight`");
   Weights result = {input.name(), {}, {}};
   for(const Mesh::Face_index f : mesh.mesh().faces())
     result.of_faces.push_back(in_file[mesh.face_in_file(f)]);

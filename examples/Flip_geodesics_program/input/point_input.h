@@ -42,7 +42,7 @@ inline std::vector<double> read_numbers(std::string_view word, const std::string
 inline Vertex_index read_vertex(const Input_mesh& mesh, double number, const std::string& name)
 {
   if(!(number >= -1e15 && number <= 1e15) || number != static_cast<double>(static_cast<long long>(number)))
-    throw Bad_input(name + ": a point has a vertex that is not a whole number below 1e15; vertices are counted from 0");
+    throw Bad_input(name + ": a vertex of a point is not a whole number below 1e15; vertices are counted from 0");
   return mesh.vertex(static_cast<long long>(number), name);
 }
 
@@ -89,11 +89,11 @@ private:
     const double t = n[n.size() == 5 ? 3 : 2], u = n.size() == 5 ? n[4] : 0;
     if(!(t >= 0 && u >= 0 && t + u <= 1))
       throw Bad_input(name + ": '" + printable(word) +
-                      "' is outside its edge or face; t and u must not be negative or sum to more than 1");
+                      "' is outside its edge or face; t and u must be at least 0, and their sum at most 1");
     if(const auto location = location_between(m_mesh, a, b, c, t, u))
       return *location;
     throw Bad_input(name + ": '" + printable(word) +
-                    "' names vertices that are not those of an edge or face; correct " +
+                    "' names vertices that do not form an edge or face of the mesh; correct " +
                     (c.is_valid() ? "them" : "them, or write x.0,y.0,z for a point in space"));
   }
 

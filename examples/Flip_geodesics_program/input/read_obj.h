@@ -167,7 +167,7 @@ private:
       index = 0;
     const long long corner = resolve(index, count);
     if(corner < 0 || corner >= static_cast<long long>(count))
-      m_words.fail(face, "has a corner without a valid texture coordinate; texture all faces");
+      m_words.fail(face, "has a corner without a valid texture coordinate; add one to every corner of every face");
     m_texture->corners.back().push_back(static_cast<std::size_t>(corner));
   }
 

@@ -85,7 +85,7 @@ private:
     m_words.go_back(word.size());
     m_words_of_vertex = (has_normal ? 3 : 0) + (has_color ? 4 : 0) + (has_texture ? 2 : 0);
     if(has_dimension && m_words.next_word_of_text() != "3")
-      m_words.fail("only surfaces in space, with three coordinates, are accepted; convert the mesh");
+      m_words.fail("the vertices must have three coordinates; convert the mesh");
     const std::string_view next = m_words.next_word_of_text();
     m_is_binary = next == "BINARY";
     if(!m_is_binary)

@@ -122,7 +122,7 @@ private:
       m_words.fail(element, "is cut off; complete it");
     if(face.size() != 3)
       m_words.fail(element, "has " + std::to_string(face.size()) +
-                                " vertices, and an STL file has only triangles; "
+                                " vertices, but all faces of an STL file are triangles; "
                                 "correct it");
     m_soup.add_face(face);
   }

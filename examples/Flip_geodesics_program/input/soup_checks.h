@@ -114,9 +114,8 @@ inline void check_vertex_fans(const Soup& soup, const Soup_sides& sides)
       continue;
     const std::size_t v = sides.tail(start);
     if(has_fan[v] != 0)
-      throw Bad_input("vertex " + std::to_string(v) +
-                      " connects parts that do not share an edge there, one with face " + std::to_string(start / 3) +
-                      ", so the mesh is not a manifold; duplicate the vertex");
+      throw Bad_input("vertex " + std::to_string(v) + " joins parts that share no edge of this vertex, one with face " +
+                      std::to_string(start / 3) + ", so the mesh is not a manifold; duplicate the vertex");
     has_fan[v] = 1;
     std::size_t s = start;
     do { // clockwise

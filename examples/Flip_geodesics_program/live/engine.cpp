@@ -109,7 +109,7 @@ private:
     else if(format == "glb")
       IO::write_GLB(out, parts...);
     else
-      throw Bad_input(printable(format) + ": the format is not known");
+      throw Bad_input(printable(format) + ": the format is not known; use obj, ply, glb or polylines");
   }
 
   static void write_strings(std::ostream& out, const char* name, const std::vector<std::string>& strings)

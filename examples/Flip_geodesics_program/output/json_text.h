@@ -45,7 +45,7 @@ inline std::string json_number(double x) { return std::isfinite(x) ? decimal_tex
 template <class Number>
 void append_bytes(std::string& bytes, Number x)
 {
-  static_assert(sizeof(Number) == 4, "the formats have numbers of 32 bits");
+  static_assert(sizeof(Number) == 4, "the output formats store 32-bit numbers");
   std::uint32_t bits;
   std::memcpy(&bits, &x, 4);
   boost::endian::native_to_little_inplace(bits);

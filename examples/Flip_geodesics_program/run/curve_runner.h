@@ -646,7 +646,7 @@ private:
     namespace FG = CGAL::Flip_geodesics;
     if(!m_options.are_zero_edges_refused && FG::internal::are_curves_folded(m_triangulation, report))
       throw FG::Degenerate_face_error(
-          "a curve passes through several vertices that coincide once degenerate faces are contracted; "
+          "a curve is blocked by degenerate faces, which fold several vertices onto one point; "
           "use --repair or --mollify",
           {});
   }

@@ -287,7 +287,7 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   const bool is_computed = request.is_map || has_boundaries || has_isolines;
   if(is_computed &&
      field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
-    throw std::runtime_error("--source: the computation of distances was aborted on this large mesh");
+    throw std::runtime_error("--source: the distances require too many windows; simplify the mesh, or use --repair");
 
   Field_curves result;
   if(request.is_matrix)

@@ -166,7 +166,7 @@ Flattened_mesh flattened_along(const Mesh& mesh, const Network_request& cut, con
   std::string defect;
   if(turned > 0)
     defect = "the texture is not injective: in the plane, " + counted(turned, "triangle is", "triangles are") +
-             " degenerate or turned over; remesh the surface, or cut it differently by --network";
+             " degenerate or inverted; remesh the surface, or cut it differently by --network";
   return {std::move(subdivision.mesh()), report.str(), defect};
 }
 

@@ -72,7 +72,7 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     Progress_visitor visitor(progress);
     const FG::Delaunay_report report =
         FG::flip_to_delaunay(network.triangulation(), CGAL::parameters::visitor(std::ref(visitor)));
-    text << "delaunay " << report.flips << " flips, " << report.constrained << " edges held by curves\n";
+    text << "delaunay " << report.flips << " flips, " << report.constrained << " edges fixed by curves\n";
   }
   if(options.refine) {
     FG::Refinement_options bounds;

@@ -76,7 +76,7 @@ class Page {
     const { curves } = this.scene;
     at('legend-title').textContent = plural(curves.length, 'curve');
     curves.slice(0, mostRows).forEach((curve, i) => at('curves').append(this.legendRow(curve, i)));
-    if (curves.length > mostRows) at('more').textContent = `and ${curves.length - mostRows} more, all drawn`;
+    if (curves.length > mostRows) at('more').textContent = `and ${curves.length - mostRows} more, which are also drawn`;
   }
 
   legendRow(curve, i) {
@@ -137,8 +137,8 @@ class Page {
     const curve = this.scene.curves[this.curve];
     if (curve?.tree) return 'The flips of a tree are not on the page.';
     if (this.playback) return 'No flips were needed.';
-    if (!curve || curve.flips === 0) return 'No flips have made this curve.';
-    return 'The flips of this curve are not on the page: the record was full before it, or it crosses itself.';
+    if (!curve || curve.flips === 0) return 'This curve was computed without flips.';
+    return 'The flips of this curve are not on the page because the record was full or the curve crosses itself.';
   }
 
   goTo(step) {

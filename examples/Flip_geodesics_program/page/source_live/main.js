@@ -313,7 +313,7 @@ class Live_page {
   addInView() {
     const place = this.stage.pickNear(0.5, 0.5);
     if (place) this.addPoint(place, false);
-    else this.fail('the surface is not in the middle of the view; turn the view, or give a vertex');
+    else this.fail('the surface does not cover the middle of the view; turn the view, or enter a vertex');
   }
 
   // text: the number of a vertex, or coordinates, for the nearest point of the surface
@@ -323,7 +323,7 @@ class Live_page {
     const place = isVertex ? this.stage.placeOfVertex(numbers[0])
       : numbers.length === 3 && numbers.every(Number.isFinite) ? this.stage.nearestPlace(this.stage.fromUnits(numbers)) : undefined;
     if (place) return this.addPoint(place, false);
-    return this.fail(place === null ? `vertex ${numbers[0]} does not exist or has no faces` : 'give the number of a vertex, or three coordinates');
+    return this.fail(place === null ? `vertex ${numbers[0]} does not exist or has no faces` : 'enter the number of a vertex, or three coordinates');
   }
 
   // Behind a point, in the middle of the curve to the next one.
@@ -511,7 +511,7 @@ async function start() {
     mark('state', 'ready');
   } catch (error) {
     mark('state', 'failed');
-    at('message').textContent = `The page cannot compute here: ${error.message}`;
+    at('message').textContent = `The page does not work in this browser: ${error.message}`;
   }
 }
 

@@ -71,7 +71,7 @@ export class Panel {
     const isValid = Number.isFinite(value) && (option === 'angle' || value > 0) && (option !== 'count' || Number.isInteger(value));
     if (isValid) return this.page.setOption(option, Number((value / factorOf(option)).toPrecision(15)));
     input.value = this.optionText(option);
-    return this.page.fail(`${option}: give a ${option === 'count' ? 'whole ' : option === 'angle' ? '' : 'positive '}number`);
+    return this.page.fail(`${option}: enter a ${option === 'count' ? 'whole ' : option === 'angle' ? '' : 'positive '}number`);
   }
 
   optionText(option) {
@@ -84,7 +84,7 @@ export class Panel {
     if (isValid) Object.assign(unit, { factor, name: at('unit').value.trim() });
     at('factor').value = unit.factor;
     this.page.render();
-    if (!isValid) this.page.fail('unit: give a positive number');
+    if (!isValid) this.page.fail('unit: enter a positive number');
   }
 
   setMesh({ name, mesh }) {
