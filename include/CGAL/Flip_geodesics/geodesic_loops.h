@@ -101,8 +101,9 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  * would then divide the component into several disks, and some of the curves are superfluous, because two disks with a
  * common chain merge into one disk if the chain is removed. Chains between different disks are therefore removed, the
  * longest first, together with all resulting dead ends. A vertex at which only two curves remain is no longer a fixed
- * end. The network becomes shorter with each removal, and is shortened again until no chain is superfluous. If no curve
- * is superfluous initially, the function is equivalent to `shorten()`.
+ * end. Removals alternate with calls of `shorten()` until no chain is superfluous; since the total length decreases
+ * each time, the process ends. If no chain is superfluous after the first call, the function is equivalent to
+ * `shorten()`.
  *
  * \param network a network made by `add_cut_graph()`, or any other network that cuts each component into disks; if
  *        curves are removed, the remaining ones are renumbered
@@ -330,8 +331,8 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the halfedges of the loop from the vertex back to it; the loop may traverse a part at the vertex back and
- *         forth. The result is empty if no such loop exists, as on a sphere
+ * \return the halfedges of the loop from the vertex back to it; the loop may begin with a path that it traverses in the
+ *         opposite direction at its end. The result is empty if no such loop exists, as on a sphere
  * \throws Vertex_out_of_range_error if `v` is not a vertex of the input
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Invalid_coordinate_error as `Loop_basis` does
@@ -353,9 +354,9 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  *
  * Computes the shortest edge loop of a given kind on a surface.
  *
- * Such a loop passes through a vertex of every network that cuts the surface into disks. Therefore only loops through
- * vertices of a cut graph are searched, and each search extends up to half the length of the shortest loop found so
- * far. The parameters and exceptions are those of `shortest_loop()` through a given vertex.
+ * Such a loop passes through a vertex of every network that cuts the surface into disks. Searches therefore start only
+ * from the vertices of a cut graph, and each of them extends up to half the length of the shortest loop found so far.
+ * The parameters and exceptions are those of `shortest_loop()` through a given vertex.
  *
  * \return the halfedges of the loop; empty if no such loop exists
  *

@@ -70,16 +70,16 @@ struct Mean_limits
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Finds Karcher (Riemannian) means \cgalCite{K77}: points with the least weighted sum of squared distances from given
- * points.
+ * Finds Karcher (Riemannian) means \cgalCite{K77}: points at which the weighted sum of squared distances from given
+ * points has a local minimum.
  *
  * The logarithmic map provides the vectors from the current point to the given points. The search continues from the
  * current point along a straightest geodesic in the direction of the weighted mean of the vectors; if this step
  * increases the sum, it is halved repeatedly. In the plane, one step suffices.
  *
- * The result is a local minimum. It is unique if the points are close together relative to the curvature. On a mesh of
- * needles, the vectors may be less precise than the tolerance, and the status may then depend on the numbering of the
- * mesh: one search ends with `CONVERGED`, another with `ITERATION_LIMIT`.
+ * The mean is unique if the points are close together relative to the curvature. On a mesh of needles, the vectors may
+ * be less precise than the tolerance, and the status may then depend on the numbering of the mesh: one search ends with
+ * `CONVERGED`, another with `ITERATION_LIMIT`.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -223,7 +223,7 @@ private:
       const Polar_coordinates p = logarithm(m_points[i]);
       if(!(p.radius < std::numeric_limits<double>::infinity()))
         internal::throw_naming<Disconnected_endpoints_error>("no path connects point ", internal::Element{i},
-                                                             " of a mean with the others");
+                                                             " of a mean with the start of the search");
       const auto [x, y] = logarithm.in_plane(p);
       sum[0] += m_weights[i] * x;
       sum[1] += m_weights[i] * y;
@@ -301,8 +301,9 @@ struct Geodesic_mean_result
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Computes a Karcher (Riemannian) mean \cgalCite{K77} of weighted points: a point with the least weighted sum of
- * squared distances from the given points. The search starts at the point with the largest weight; see `Geodesic_mean`.
+ * Computes a Karcher (Riemannian) mean \cgalCite{K77} of weighted points: a point at which the weighted sum of squared
+ * distances from the given points has a local minimum. The search starts at the point with the largest weight; see
+ * `Geodesic_mean`.
  *
  * \param mesh a triangle mesh
  * \param points a range of vertices, `CGAL::Polygon_mesh_processing::Face_location`s or points in space
@@ -351,8 +352,9 @@ Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// Computes a Karcher (Riemannian) mean \cgalCite{K77} of points with equal weights: a point with the least sum of
-/// squared distances from the given points. The parameters and exceptions are those of `geodesic_mean()` with weights.
+/// Computes a Karcher (Riemannian) mean \cgalCite{K77} of points with equal weights: a point at which the sum of
+/// squared distances from the given points has a local minimum. The parameters and exceptions are those of
+/// `geodesic_mean()` with weights.
 template <class TriangleMesh, class PlaceRange, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const PlaceRange& points,

@@ -72,8 +72,8 @@ struct Curve_insertion_report
 {
   std::size_t new_vertices = 0;  ///< the number of new vertices
   std::size_t divided_faces = 0; ///< the number of divided faces
-  std::size_t new_faces = 0;     ///< the number of their parts that are new faces; each divided face remains as one of
-                                 ///< its parts
+  std::size_t new_faces = 0;     ///< the number of new faces; a divided face remains as one of its parts, and its
+                                 ///< other parts are new
   std::size_t regions = 0;       ///< the number of regions in the face patch map; 0 if no map is given
 };
 
@@ -182,20 +182,21 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * A curve is the output of a function of this package, or a polyline drawn by a user. It may be open, or closed, in
  * which case its last point must repeat the first. A curve may cross itself and other curves, lie on edges, pass
- * vertices, and overlap with others. Each crossing of two curves inside a face becomes one new vertex. Whether
- * curves cross is decided exactly, by a constrained Delaunay triangulation in the plane of each face.
+ * through vertices, and overlap with other curves. Each crossing of two curves inside a face becomes one new vertex.
+ * Whether curves cross is decided exactly, by a constrained Delaunay triangulation in the plane of each face.
  *
- * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. Of the
- * parts of a divided face or split edge, one keeps its descriptor; the other parts are new. New vertices on an edge lie
- * on the segment between its ends, at a parameter that is rounded to `double`, and new vertices in a face are affine
- * combinations of its corners. With a kernel with exact constructions, the vertices lie exactly at these points,
- * crossings lie exactly on both curves, barycentric coordinates in an exact number type are not rounded inside faces,
- * and a part of a face is degenerate only if the face is. Rounded coordinates cannot distinguish vertices that are too
- * close to each other. Therefore a point is moved to an edge if one of its barycentric coordinates is at most the
- * snapping tolerance, and to a vertex if two of them are. Points are *close* to each other if their distance is at most
- * the tolerance times the length of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ of the largest
- * coordinate. Close points are merged, and a segment that passes close to a vertex is moved to the vertex. If the
- * tolerance is zero, nothing is merged, and with rounded coordinates, faces of the result can be degenerate.
+ * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. One
+ * part of a divided face or split edge keeps the descriptor of this face or edge; the other parts are new. New vertices
+ * on an edge lie on the segment between its ends, at a parameter that is rounded to `double`, and new vertices in a
+ * face are affine combinations of its corners. In a kernel with exact constructions, the vertices lie exactly at these
+ * points, crossings lie exactly on both curves, barycentric coordinates in an exact number type are not rounded inside
+ * faces, and a part of a face is degenerate only if the face itself is degenerate. Rounded coordinates cannot
+ * distinguish vertices that are too close to each other. Therefore a point is moved to an edge if one of its
+ * barycentric coordinates is at most the snapping tolerance, and to a vertex if two of them are. Points are *close* to
+ * each other if their distance is at most the tolerance times the length of the edge, or of the longest side of the
+ * face, plus \f$2^{-48}\f$ of the largest coordinate. Close points are merged, and a segment that passes close to a
+ * vertex is moved to the vertex. If the tolerance is zero, nothing is merged, and with rounded coordinates, faces of
+ * the result can be degenerate.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
  *
@@ -262,8 +263,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *            `elements()` contains the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
- * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face has few of them, and up to
- * quadratic in the number of those in one face. Regions are labeled in time linear in the size of the mesh. If points
+ * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face contains few of them, and at most
+ * quadratic in the number within a single face. Regions are labeled in time linear in the size of the mesh. If points
  * in space are not found in the faces around their previous points, the search for them takes \cgalBigO{n \log n} time
  * in the size of the mesh once, and logarithmic time for each such point.
  *

@@ -154,7 +154,7 @@ std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulati
  * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the triangulation
  * \throws Disconnected_endpoints_error if no edge path connects the vertices
  * \throws Degenerate_face_error if a face that the search visits is degenerate
- * \throws Invalid_coordinate_error if a face that the search visits is not finite
+ * \throws Invalid_coordinate_error if a face that the search visits has an invalid coordinate or length
  *
  * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices visited.
  */

@@ -103,8 +103,8 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * - The vertices of an isoline lie on the true curve up to rounding errors. Between them the isoline is nowhere farther
  *   than \f$t\f$ from the true curve, and the distance there differs from the level by at most \f$t\f$.
  * - Points nearer than the level minus \f$t\f$ lie on its left, and points farther than the level plus \f$t\f$ on its
- *   right. A part of either side can be missed only if the distance deviates from the level by at most \f$t\f$
- *   everywhere in it.
+ *   right. A part of the region on either side can be missed only if the distance deviates from the level by at most
+ *   \f$t\f$ everywhere in this part.
  *
  * Faces that may contain a level are divided until their parts are as small as the tolerance. The bounds hold because
  * distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept; each is computed
@@ -145,10 +145,10 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex, and about twenty times per tolerance of isoline length. An
- * isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more for a length \f$\ell\f$, a
- * radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are indexed first, in
- * \cgalBigO{n \log n}.
+ * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of an isoline whose length
+ * equals the tolerance. An isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more
+ * for a length \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are
+ * indexed first, in \cgalBigO{n \log n}.
  *
  * \sa `voronoi_boundaries()`
  */
@@ -191,7 +191,8 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
  *
  * Since distances on a surface are not linear in faces, the accuracy depends on the size of the faces, and is best far
  * from the sources. In faces with obtuse angles the slope may be larger than one, so the bounds stated at `isolines()`
- * need not hold. Sign changes between vertices are still found, and curves are closed or end on the border.
+ * need not hold. Isolines are still found wherever the distances at two vertices of an edge lie on different sides of
+ * the level, and they are closed or end on the border.
  *
  * \cgalModels{GeodesicDistanceField}
  *
@@ -279,19 +280,21 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * Computes the boundaries between the regions of the Voronoi diagram of the sources of a distance field.
  *
  * A boundary is closed, or ends at junctions of three regions or on the border of the mesh. A point at which more than
- * three regions meet is represented by several junctions within the tolerance. The vertices of a boundary lie on the
- * true boundary up to rounding errors, and between them the boundary is nowhere farther than the tolerance from the
- * true boundary. A junction and the vertices next to it may deviate from their true positions by some hundredths of the
- * tolerance. As with `isolines()`, the number of vertices inside faces grows like the inverse square root of the
- * tolerance. Points that are not reached by any source form a region with the source `Voronoi_boundary::none`.
+ * three regions meet is represented by several junctions within the tolerance. Except near junctions, the vertices of a
+ * boundary lie on the true boundary up to rounding errors; a junction and the vertices next to it may deviate from
+ * their true positions by a few hundredths of the tolerance. Between its vertices, a boundary is nowhere farther than
+ * the tolerance from the true boundary. As with `isolines()`, the number of vertices inside faces grows like the
+ * inverse square root of the tolerance. Points that are not reached by any source form a region with the source
+ * `Voronoi_boundary::none`.
  *
  * Faces in which the nearest source changes are divided until their parts are as small as the tolerance. Faces in which
  * the field guarantees a single nearest source, by `GeodesicDistanceField::has_one_source()`, are not divided, so a
- * field with one source is processed quickly. In all other faces a region could extend between points with the same
- * nearest source, since a field does not return the distance of the second source. Such faces are therefore divided
- * until no side of a part is longer than \f$\sqrt{t s}\f$, where \f$t\f$ is the tolerance and \f$s\f$ the square root
- * of the area of the surface. Around sources with distance zero, they are divided as finely as the tolerance. A region,
- * or an arm of one, can only be missed if it is narrower than \f$\sqrt{t s}\f$ and contains no such source.
+ * field with one source is processed quickly. In all other faces, a region could extend between sample points that have
+ * the same nearest source, since a field does not return the distance of the second nearest source. These faces are
+ * therefore divided until no side of a part is longer than \f$\sqrt{t s}\f$, where \f$t\f$ is the tolerance and \f$s\f$
+ * the square root of the area of the surface. Around sources whose initial distance is zero, faces are divided until
+ * their parts are as small as the tolerance. A region, or an arm of one, can only be missed if it is narrower than
+ * \f$\sqrt{t s}\f$ and contains no source with initial distance zero.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`

@@ -62,9 +62,9 @@ void check_input(const Metric& metric, const Mesh& mesh)
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Represents a mesh by consecutive numbers. It is the input type of triangulations and the argument of metrics. It is a
- * class rather than a concept, since a metric and all triangulations that use it must identify elements by the same
- * numbers.
+ * Represents a mesh whose vertices and halfedges are numbered consecutively. This type is the input of triangulations
+ * and an argument of the functions of metrics. It is a class rather than a concept, since a metric and all
+ * triangulations that use the metric must identify elements by the same numbers.
  *
  * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge with number `e` in
  * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result can therefore be converted back to elements
@@ -170,7 +170,8 @@ public:
   using Place = std::conditional_t<is_rational, internal::Approximate_place, std::array<double, 3>>;
 #endif
 
-  /// Returns the length of halfedge `h` without checking it, for searches. It is zero only if the points are equal.
+  /// Returns the length of halfedge `h` without checking it, for searches. The result is zero if the points are equal
+  /// or, unless coordinates are rational, if the square of the length underflows.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = std::sqrt(squared_norm(vector(mesh, h)));
@@ -180,8 +181,8 @@ public:
     return length;
   }
 
-  /// Returns the length of halfedge `h`, given the positions of its two ends. For rational coordinates, the error is
-  /// some units in the last place of the coordinates, or \f$2^{-40}\f$ of the length if that is less.
+  /// Returns the length of halfedge `h`, given the positions of its two ends. For rational coordinates, the error is at
+  /// most a few units in the last place of the coordinates, or \f$2^{-40}\f$ of the length if this is smaller.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     if constexpr(is_rational) {
@@ -235,9 +236,10 @@ public:
       return construct(point(mesh, u), point(mesh, v), point(mesh, w));
   }
 
-  /// Returns whether a coordinate of the mesh is rounded: it is not a double, and its type does not give the exact
-  /// value as a fraction. In this case nothing is certified, since predicates refer to the rounded coordinates. The
-  /// first call is linear in the size of the mesh if the number type of the kernel allows such coordinates.
+  /// Returns whether a coordinate of the mesh must be rounded, because it is not a double and its type does not provide
+  /// the exact value as a fraction. In this case nothing is certified, since predicates refer to the rounded
+  /// coordinates. The first call is linear in the size of the mesh if the number type of the kernel allows such
+  /// coordinates.
   bool is_rounded(const Mesh& mesh) const
   {
     if constexpr(is_rational || internal::is_within_double<internal::Coordinate<Point_3>>)
@@ -368,7 +370,8 @@ struct Internals<Embedded_metric<TriangleMesh, VertexPointMap>>
 template <class TriangleMesh, class EdgeLengthMap>
 class Edge_length_metric
 {
-  static_assert(internal::has_faces<TriangleMesh>, "the arguments of an Edge_length_metric are mesh, lengths of edges");
+  static_assert(internal::has_faces<TriangleMesh>,
+                "an Edge_length_metric takes a mesh and a property map of the lengths of its edges");
   static_assert(internal::is_number_map<EdgeLengthMap, typename boost::graph_traits<TriangleMesh>::edge_descriptor>());
 
   using Length = typename internal::Map_traits<EdgeLengthMap>::value_type;
@@ -410,7 +413,7 @@ public:
   /// Returns an empty object.
   Place place(const Mesh&, Vertex_index) const { return Place(); }
 
-  /// Returns zero.
+  /// Returns zero, since lengths do not determine distances in space.
   double distance_lower_bound(Place, Place) const { return 0; }
 
   /// Returns the exact squared length of halfedge `h`. Only available if the type of lengths is exact and rational.
@@ -435,9 +438,9 @@ public:
     return internal::face_geometry_by_lengths(*this, mesh, h, traits);
   }
 
-  /// Returns whether a length is rounded: it is not a double, and its type does not give the exact value as a fraction.
-  /// In this case nothing is certified, since predicates refer to the rounded lengths. The first call is linear in the
-  /// size of the mesh if the type allows such lengths.
+  /// Returns whether a length must be rounded, because it is not a double and its type does not provide the exact value
+  /// as a fraction. In this case nothing is certified, since predicates refer to the rounded lengths. The first call is
+  /// linear in the size of the mesh if the type allows such lengths.
   bool is_rounded(const Mesh&) const
   {
     if constexpr(is_rational || internal::is_within_double<Length>)
@@ -559,7 +562,8 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
  * face satisfies the triangle inequality with a margin. Meshes with degenerate edges and faces can be used with this
  * metric, at the cost of a slightly different surface.
  *
- * Curves are geodesics of the modified surface, but their points are still those of the mesh, if it has any.
+ * Curves are geodesics of the modified surface, but their points are computed on the original mesh, if the metric has
+ * points.
  *
  * \tparam Metric `Embedded_metric` or `Edge_length_metric`, or a `Weighted_metric` over one of these
  *
@@ -568,8 +572,7 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
 template <class Metric>
 class Mollified_metric : private Metric
 {
-  static_assert(internal::is_metric<Metric>,
-                "a Mollified_metric requires another metric: its arguments are mesh, metric");
+  static_assert(internal::is_metric<Metric>, "a Mollified_metric takes a mesh and another metric");
   using Base = Metric;
 
 public:
@@ -584,7 +587,7 @@ public:
   }
 
   /*!
-   * Computes the length to be added for a factor of 1e-5. Linear in the size of the mesh.
+   * Computes the length to be added for the default factor, 1e-5. Linear in the size of the mesh.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
@@ -647,8 +650,8 @@ public:
   using Base::place;
 
   /// Returns the lower bound of the other metric, reduced if lengths are rounded in almost degenerate faces. Adding
-  /// lengths does not shorten any path: the terms added to the squares of the sides are the squares of the sides of a
-  /// triangle.
+  /// lengths does not shorten any path, because the amounts by which the squared sides of a face increase are
+  /// themselves the squared sides of a triangle.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     return m_least_stretch * Base::distance_lower_bound(p, q);
@@ -728,7 +731,7 @@ private:
  * large.
  *
  * Weights given at vertices are linear along edges. The length of an edge is that of the other metric, times the mean
- * of the weights of its two ends. Faces with these lengths are flat again. If the weight changes little over a face,
+ * of the weights of its two ends. Faces with the new lengths are flat, too. If the weight changes little over a face,
  * this is the conformal change of the metric by the weight, up to terms of second order. Weights given for edges are
  * factors by which their lengths are multiplied.
  *
@@ -737,8 +740,8 @@ private:
  * the mean of the weights of the incident faces.
  *
  * If weights change so much over one face that its lengths violate the triangle inequality, `Degenerate_face_error` is
- * thrown when the shape of the face is needed. Smaller faces, smoother weights, or a `Mollified_metric` of lengths
- * avoid this.
+ * thrown when the shape of the face is needed. Smaller faces, smoother weights, or a `Mollified_metric` of the weighted
+ * metric avoid this.
  *
  * \tparam Metric `Embedded_metric` or `Edge_length_metric`
  *
@@ -748,7 +751,7 @@ template <class Metric>
 class Weighted_metric : private Metric
 {
   static_assert(internal::is_metric<Metric>,
-                "a Weighted_metric requires another metric: its arguments are mesh, metric, weights");
+                "a Weighted_metric takes a mesh, another metric and a property map of weights");
   using Base = Metric;
 
   struct Base_place
@@ -840,7 +843,7 @@ private:
   {
     if(!(weight > 0 && weight <= (std::numeric_limits<double>::max)()))
       throw Invalid_parameter_error("the weight of " + std::string(name) + " " + std::to_string(element) +
-                                        " is not a positive number",
+                                        " is not positive and finite",
                                     {static_cast<std::size_t>(element)});
     return weight;
   }
@@ -880,7 +883,7 @@ private:
         result[static_cast<std::size_t>(v.idx())] =
             checked(CGAL::to_double(get(weights, numbered.vertex(v))), v.idx(), "vertex");
     } else if constexpr(internal::Map_traits<WeightMap>::is_map) {
-      static_assert(are_of_faces, "the weights must be those of the mesh's vertices, of its faces or of its edges");
+      static_assert(are_of_faces, "the keys of the weights must be the vertices, the faces or the edges of the mesh");
       if constexpr(are_of_faces)
         add_face_weights(mesh, numbered, weights, result);
     }

@@ -25,7 +25,7 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsStop
  *
- * Implements a visitor that does nothing; derive from it and hide the members that you need.
+ * Implements a visitor that does nothing. Derive a visitor from this class, and redefine the members that it needs.
  *
  * \cgalModels{FlipOutVisitor}
  * \cgalModels{RefinementVisitor}
@@ -62,8 +62,8 @@ class Window_limit
 {
 public:
   /// Sets the default limit, \f$10^6 + 500 n + 2 n^{3/2}\f$ for \f$n\f$ vertices, several times the number that meshes
-  /// without needles require. On smooth meshes, all distances from a vertex require up to about \f$0.7 n^{3/2}\f$
-  /// windows.
+  /// without needles require. On smooth meshes, computing the distances from one vertex to all others requires up to
+  /// about \f$0.7 n^{3/2}\f$ windows.
   Window_limit() = default;
 
   /// Sets an approximate maximal number of windows.
@@ -122,8 +122,8 @@ template <class NamedParameters, class... Others>
 decltype(auto) joined(const NamedParameters& np, const Others&... others)
 {
   static_assert(is_named_parameters<NamedParameters>,
-                "an option is not a named parameter: pass it by parameters::stop_predicate(), "
-                "parameters::search_limit() or another one; named parameters come last");
+                "an option is not a named parameter: pass it as parameters::stop_predicate(...), "
+                "parameters::search_limit(...) or the like, after all other arguments");
   if constexpr(!is_named_parameters<NamedParameters>)
     return joined(others...); // avoids another error message
   else if constexpr(sizeof...(Others) == 0)
@@ -234,8 +234,9 @@ namespace parameters {
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets the metric that defines lengths instead of the points of the mesh, for instance an `Edge_length_metric`.
- * \param metric a model of `IntrinsicMetric` for the mesh, which is copied
+ * Sets a metric, for instance an `Edge_length_metric`, whose lengths replace the distances between the points of the
+ * mesh.
+ * \param metric a model of `IntrinsicMetric` for the mesh; it is copied
  */
 template <class Metric>
 auto metric(const Metric& metric)
@@ -274,7 +275,7 @@ auto search_limit(const Limit& limit)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets whether a curve is closed: it continues from its last element to the first.
+ * Sets whether a curve is closed, that is, whether it continues from its last element to the first.
  */
 inline auto is_closed(bool is_closed)
 {

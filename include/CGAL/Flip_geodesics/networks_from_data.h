@@ -298,7 +298,7 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  *        equal the previous one are skipped
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the index of the curve
- * \pre no edge of the triangulation in these faces crosses an input edge
+ * \pre in the input faces that contain the polyline, no edge of the triangulation crosses an input edge
  * \throws Invalid_curve_error if two consecutive points have no common face, or there are too few points
  * \throws Crossing_curves_error if a segment crosses another one, or a curve of the network, between vertices;
  *         `elements()` are the ends of the crossed edge. In this case no curve is added, but points of the polyline may

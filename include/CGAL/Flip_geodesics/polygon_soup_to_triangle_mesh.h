@@ -153,7 +153,7 @@ void check_repaired(const Triangle_soup<Kernel>& soup, const Repair_record& reco
     throw Invalid_mesh_error("no triangle remains after the repair: " + reasons);
   }
   if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles))
-    throw Invalid_mesh_error("the repair failed: the triangles are not an oriented manifold");
+    throw Invalid_mesh_error("the repair failed: the triangles do not form an oriented manifold");
 }
 
 template <class Kernel, class PointRange>
@@ -213,8 +213,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   polygons that pass a point twice are split.
  * - Polygons with more than three corners are triangulated.
  * - Triangles with the same corners as another triangle are removed.
- * - Triangles are oriented consistently with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, such that as many
- *   of them as possible keep their orientation in each component. Faces are cut apart at edges with more than two
+ * - Triangles are oriented consistently with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, such that in each
+ *   component as many triangles as possible keep their orientation. Faces are cut apart at edges with more than two
  *   faces, at points at which they share only a vertex, and at edges across which the orientations cannot be made
  *   consistent.
  * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself,

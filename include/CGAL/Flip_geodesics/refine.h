@@ -57,7 +57,7 @@ struct Refinement_report
   double smallest_free_angle = 0; ///< the smallest angle of the faces that are not exempt; see `refine()`
   std::size_t exempt = 0;         ///< the number of faces whose smallest angle is unavoidably below the bound
   std::size_t missed = 0;         ///< the number of faces that violate a bound and are not exempt
-  std::size_t given_up = 0;       ///< the number of such faces that are too thin for the allowed number of vertices
+  std::size_t given_up = 0;       ///< the number of faces that were given up; see `refine()`
   /// Returns whether the bounds have been reached.
   bool is_complete() const { return status == Refinement_status::BOUNDS_REACHED; }
 };
@@ -139,8 +139,9 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * The triangulation is first flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, that
  * is, faces that violate a bound. The worst face comes first, and each insertion is followed by flips
- * \cgalCite{SSC19,section 4.3}. Curves and the border are constrained: if they are in the way of an insertion, vertices
- * on them split them instead, so they remain geodesics of the same length. The surface does not change.
+ * \cgalCite{SSC19,section 4.3}. The edges of curves and of the border are constrained: if such an edge is in the way of
+ * an insertion, a vertex on the edge splits it instead. Curves therefore remain geodesics of the same length, and the
+ * surface does not change.
  *
  * \attention Since the positions of vertices on curves are rounded, `certify()` finds a bend of the size of a rounding
  * error at such a vertex. It should therefore be called before refinement.
@@ -155,8 +156,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * faces whose shortest side is not longer than theirs. The other faces are improved until the sum stagnates again.
  *
  * Edges that are too long are never given up. They are divided, the longest first, until no such edge is left or the
- * limit is reached. Since edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$, the
- * allowed number of vertices is distributed evenly if a bound cannot be met.
+ * limit is reached. Because of this order, the vertices are distributed evenly over the surface even if the limit is
+ * reached first. Edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$.
  *
  * Two kinds of faces are exempt from the bound on angles. In one kind, the smallest angle lies between two constrained
  * edges that meet at less than 60 degrees, or at a vertex whose angles sum to less than 60 degrees; no insertion could

@@ -127,8 +127,8 @@ enum class Shortening_status {
   /// the arithmetic of the traits, or rounded coordinates, did not suffice to decide whether the curve is locally
   /// shortest
   PRECISION_LIMIT,
-  /// each angle is at least \f$\pi\f$, but the curve runs along degenerate faces and is bent if it is measured on their
-  /// other side
+  /// each angle is at least \f$\pi\f$, but the curve runs along degenerate faces and is bent if its angles are measured
+  /// on the other side of these faces
   DEGENERATE_FACES
 };
 

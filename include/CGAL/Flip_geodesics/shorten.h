@@ -25,8 +25,8 @@ namespace CGAL::Flip_geodesics {
  * Shortens the curves of a network as `shorten()` does, but in any number of runs.
  *
  * The state of the joints is kept between runs, so the time of a run depends on its steps and not on the size of the
- * network. This is useful for animations, time budgets, and limits that are raised gradually. If no run is stopped
- * early, the result is bitwise identical to that of a single call of `shorten()`.
+ * network. This is useful for animations, time budgets, and limits that are raised gradually. A single run that is not
+ * stopped early is equivalent to a call of `shorten()`, with a bitwise identical result.
  *
  * While a shortener is in use, its network and triangulation must not be changed by anything else. A shortener that has
  * thrown an exception must not be used any longer; construct a new one instead.
@@ -60,7 +60,8 @@ public:
   /*!
    * Shortens the curves until all of them are locally shortest or one of the arguments ends the run.
    *
-   * Steps that were not permitted in an earlier run are considered again, and `Shortening_step::steps` counts from 0.
+   * Steps that were not permitted in an earlier run are considered again, and `Shortening_step::steps` counts from 0 in
+   * each run.
    *
    * \param stop a model of `FlipOutStopPredicate`
    * \param visitor a model of `FlipOutVisitor`
@@ -102,12 +103,12 @@ public:
   /// Returns the length of the network in constant time. The length is updated with each step and not recomputed, so it
   /// accumulates the rounding errors of the steps.
   double length() const { return m_state.length; }
-  /// Returns the length of a curve, which is updated with each step like that of the network.
+  /// Returns the length of a curve, which is updated with each step, like the length of the network.
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
-  /// Returns the state of the curves. If the triangulation corresponds to an input mesh, their straightness is
-  /// recomputed from the input, and it is certified if the predicates of the traits are exact. The time is linear in
-  /// the size of the network and the number of input edges that it crosses.
+  /// Returns a report on the curves in their current state. If the triangulation corresponds to an input mesh, the
+  /// straightness of the curves is recomputed from the input, and is certified if the predicates of the traits are
+  /// exact. The time is linear in the size of the network and the number of input edges that it crosses.
   Shortening_report report() const
   {
     Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Verdict::UNDECIDED);
@@ -248,7 +249,7 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * Shortens the curves of a network to geodesics by flipping edges \cgalCite{SC20,Algorithm 2}, each within its isotopy
  * class.
  *
- * The process always terminates and is deterministic: it takes the smallest angle first; ties are broken in favor of
+ * The process always terminates and is deterministic: the smallest angle is widened first; ties are broken in favor of
  * the older segment, and then of the left side. The straightness of the result is recomputed from the input. With
  * traits whose `Has_drift` is `CGAL::Tag_true`, a curve is reported as `LOCALLY_SHORTEST` only if this measurement
  * confirms it; `certify()` proves it exactly.

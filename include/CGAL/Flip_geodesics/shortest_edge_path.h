@@ -30,8 +30,8 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Stores the distances of all vertices along edges from landmarks, which are vertices far from one another: up to 16 in
- * each component of the mesh.
+ * Stores the distances along edges from landmarks to all vertices. Landmarks are vertices far from one another, up to
+ * 16 in each component of the mesh.
  *
  * Landmarks are computed once for many searches on one mesh, and guide these searches around bumps and holes. By the
  * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound on the distance
@@ -109,13 +109,14 @@ enum class Search_method {
   /// an any-angle search \cgalCite{NKT10} for a path that will be shortened: the path is close to a shortest path on
   /// the surface rather than shortest along edges.
   ///
-  /// The distance of a vertex is measured along straight lines from up to two vertices back on the path to it, but is
-  /// taken to be at least the length of the path divided by 1.5. Paths that zigzag along a straight line thus count as
-  /// nearly straight, whereas shortest edge paths are diverted along the directions of edges. On smooth meshes,
-  /// `shorten()` then flips several times fewer edges. The lower bound on the remaining distance is multiplied by 1.1
-  /// (weighted A*), so that paths of nearly equal length need not be compared. A vertex that is reached again by a path
-  /// that is only marginally shorter keeps its position in the queue. The search visits about a third as many vertices
-  /// as `A_STAR`. If the metric has no lower bound, the method is equivalent to `DIJKSTRA`.
+  /// The distance of a vertex is measured along the last edge of the path to it, or along a straight line from one of
+  /// the two vertices before that edge, whichever is shorter. The length of the line is taken to be at least that of
+  /// the path between its ends, divided by 1.5. Paths that zigzag along a straight line thus count as nearly straight,
+  /// whereas shortest edge paths are diverted along the directions of edges. On smooth meshes, `shorten()` then flips
+  /// several times fewer edges. The lower bound on the remaining distance is multiplied by 1.1 (weighted A*), so that
+  /// paths of nearly equal length need not be compared. A vertex that is reached again by a path that is only
+  /// marginally shorter keeps its position in the queue. The search visits about a third as many vertices as `A_STAR`.
+  /// If the metric has no lower bound, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
   /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if this
   /// bound is zero
@@ -173,8 +174,8 @@ public:
    *     \cgalParamDefault{`Search_method::A_STAR`, or `Search_method::LOOK_BACK` if landmarks are given}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{landmarks}
-   * \cgalParamDescription{landmarks that guide the search; the lower bound is then multiplied by only 1.02, since it is
-   *     close to the distance}
+   * \cgalParamDescription{landmarks that guide the search. With landmarks, the lower bound is multiplied by only 1.02,
+   *   since it is close to the distance}
    *     \cgalParamType{`Landmark_distances`}
    *     \cgalParamDefault{no landmarks}
    *     \cgalParamPrecondition{the landmarks were computed for this mesh, and the method is `Search_method::LOOK_BACK`}

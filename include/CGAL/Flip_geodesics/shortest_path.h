@@ -773,7 +773,8 @@ Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& trian
   Shortest_path_report report = add_shortest_path(network, search, checked_landmarks(whole, np), source, target,
                                                   search_limit_of<Window_limit>(np), visitor.get());
   if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(whole))
-    throw Degenerate_face_error("a shortest path may lead through coincident vertices", {});
+    throw Degenerate_face_error(
+        "a shortest path may pass through vertices that degenerate faces fold onto one point; repair the mesh", {});
   note_contraction(whole, report.shortening);
   if(network.number_of_curves() != 0) // not stopped by the visitor
     write(network);

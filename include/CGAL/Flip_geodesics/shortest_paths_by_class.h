@@ -52,9 +52,9 @@ struct Path_class
   /// The halfedge type of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  /// A shortest edge path of the class in the part of the cover that was laid out. This part contains the first
-  /// `number` classes of edge paths; other classes may have shorter edge paths if edge paths approximate distances
-  /// poorly. For ends that are not vertices, the parts of the path in their faces or edges are not included.
+  /// A shortest edge path of the class within the part of the universal cover that was constructed. This part contains
+  /// the first `number` classes of edge paths; other classes may have shorter edge paths if edge paths approximate
+  /// distances poorly. For ends that are not vertices, the parts of the path in their faces or edges are not included.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of `edge_path`
   /// The length of the shortest path found in the class; infinite if no path was computed, because the lower bound
@@ -349,10 +349,10 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * Computes the shortest homotopically distinct paths on the surface between two points: a shortest path in each of
  * `number` homotopy classes, the shortest classes first. Two such paths enclose handles or borders of the surface.
  *
- * On a sphere or a disk, only one class exists. Obstacles create more: the mesh can be a `CGAL::Face_filtered_graph`
- * without the faces that paths must not enter. Degenerate edges are contracted if they affect the result. If both ends
- * coincide, the first path is that point and has length zero, and the others are the shortest loops at the point, one
- * in each class.
+ * On a sphere or a disk, only one class exists. Obstacles create further classes: the mesh can be a
+ * `CGAL::Face_filtered_graph` without the faces that paths must not enter. Degenerate edges are contracted if they
+ * affect the result. If both ends coincide, the first path consists of that point and has length zero, and the others
+ * are the shortest loops at the point, one in each class.
  *
  * \param mesh a triangle mesh that is a surface, in which no two umbrellas meet only at a vertex
  * \param source, target points in the same connected component, of any types that `shortest_path()` accepts
@@ -392,12 +392,12 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *
  * Complexity: \cgalBigO{m \log m} for the \f$m\f$ vertices of the cover that are visited, plus the time of
  * `shortest_path()` for each path. The search visits the vertices on the edge paths of the first `number` classes, and
- * those through which a path of another class could pass without being longer than the last result. The cover is laid
- * out in stages, each larger than the previous one by at least half, so the time is roughly proportional to the limit
- * if the limit is reached.
+ * those through which a path of another class could pass without being longer than the last result. The cover is
+ * constructed in stages, each of which enlarges the constructed part by at least half, so the time is roughly
+ * proportional to the limit if the limit is reached.
  *
  * Shortest edge paths are searched in the universal cover of the surface, in which each class of paths has its own end
- * point. A part of the cover is laid out, and a shortest path to each of these end points is computed there as by
+ * point. A part of the cover is constructed, and a shortest path to each of these end points is computed there as by
  * `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged until
  * these bounds exceed the lengths of the paths. If this does not succeed, the report is not confirmed.
  *

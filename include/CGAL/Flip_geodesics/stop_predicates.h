@@ -24,10 +24,10 @@ namespace CGAL::Flip_geodesics {
 enum class Stop_decision {
   CONTINUE,           ///< take the step
   CURVE_LENGTH_LIMIT, ///< reject the step and keep its curve unchanged, but continue with the other curves
-  LENGTH_LIMIT,       ///< reject the step and end the shortening
-  ANGLE_LIMIT,        ///< reject the step and end the shortening
-  ITERATION_LIMIT,    ///< reject the step and end the shortening
-  MEMORY_LIMIT        ///< reject the step and end the shortening
+  LENGTH_LIMIT,       ///< reject the step and end the shortening with this status
+  ANGLE_LIMIT,        ///< reject the step and end the shortening with this status
+  ITERATION_LIMIT,    ///< reject the step and end the shortening with this status
+  MEMORY_LIMIT        ///< reject the step and end the shortening with this status
 };
 
 /// \ingroup PkgFlipGeodesicsStop
@@ -35,7 +35,8 @@ enum class Stop_decision {
 struct Shortening_step
 {
   Curve_index curve;           ///< the curve that the step shortens
-  double angle_key;            ///< the `Turn_key` of the wedge, in [0, 2]: 1 - cos / (|cos| + sin) of its angle
+  double angle_key;            ///< the `Turn_key` of the wedge, in [0, 2]: 1 - c / (|c| + s), where c and s are
+                               ///< the cosine and the sine of its angle
   std::size_t steps;           ///< the number of steps taken so far
   double curve_initial_length; ///< the initial length of the curve
   double curve_length_after;   ///< the length of the curve if the step is taken
@@ -69,8 +70,8 @@ inline bool is_below_limit(double length, double ratio, double initial_length)
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Keeps the total length of the network, summed over its segments, at or above `ratio` times its initial length. To
-/// allow for rounding errors, a step is rejected if it would lead to a length that exceeds the limit by less than 2^-32
-/// of the initial length.
+/// allow for rounding errors, a step is also rejected if it would lead to a length that exceeds the limit by less than
+/// 2^-32 of the initial length.
 /// \cgalModels{FlipOutStopPredicate}
 class Length_ratio_stop_predicate
 {
@@ -97,8 +98,8 @@ private:
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Keeps the length of each curve, summed over its segments, at or above `ratio` times its initial length, so that even
-/// small loops survive. To allow for rounding errors, a step is rejected if it would lead to a length that exceeds the
-/// limit by less than 2^-32 of the initial length.
+/// small loops survive. To allow for rounding errors, a step is also rejected if it would lead to a length that exceeds
+/// the limit by less than 2^-32 of the initial length.
 /// \cgalModels{FlipOutStopPredicate}
 class Curve_length_ratio_stop_predicate
 {
@@ -197,7 +198,7 @@ decltype(auto) restarted(const StopPredicate& stop)
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Stops when a given time has elapsed since the construction of the object. As a stop predicate it limits the time of
-/// shortening; functions that compute several curves one after the other measure the time of each curve separately. As a
+/// shortening; functions that compute several curves one after the other limit the time of each curve separately. As a
 /// visitor it limits the time of any other long computation, such as a search, a tree or a distance field.
 /// \cgalModels{FlipOutStopPredicate} \cgalModels{FlipOutVisitor}
 class Time_stop_predicate : public Default_shortening_visitor
@@ -217,7 +218,7 @@ public:
     return go_further() ? Stop_decision::CONTINUE : Stop_decision::ITERATION_LIMIT;
   }
 
-  /// Returns whether the time has not elapsed.
+  /// Returns whether time remains.
   bool go_further() const { return std::chrono::steady_clock::now() - m_start < m_limit; }
 
   /// Returns a predicate with the same limit whose timer starts now.
@@ -229,8 +230,9 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the records of flips take more memory than a limit. The flips of one step can exceed the limit until they
-/// are rolled back, and data derived from these flips are kept. \cgalModels{FlipOutStopPredicate}
+/// Stops when the records of flips take more memory than a limit. The records can exceed the limit by the flips of one
+/// step until this step is rolled back, and data derived from its flips remain in memory.
+/// \cgalModels{FlipOutStopPredicate}
 class Memory_stop_predicate
 {
 public:

@@ -57,8 +57,8 @@ struct Subdivision_vertex
  * share all three vertices, or two edges share both end points, may contain such edges, which cannot be stored in files
  * of points and faces.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision and must not be
- *         flipped in the meantime
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and its edges must
+ * not be flipped while the subdivision is used
  * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
  *         `CGAL::Surface_mesh<Point_3>`
  */
@@ -91,12 +91,12 @@ public:
   /// Returns the origin of a vertex.
   Subdivision_vertex vertex_origin(vertex_descriptor v) const { return get(m_vertex_origin, v); }
 
-  /// Returns the smallest halfedge of the input face that contains a face. In the input mesh, this halfedge is
+  /// Returns the lowest-numbered halfedge of the input face that contains a face. In the input mesh, this halfedge is
   /// `triangulation.input().halfedge(input_face(f))`, and the input face is the face of that halfedge.
   Input_halfedge_index input_face(face_descriptor f) const { return get(m_faces, f).input; }
 
-  /// Returns the smallest halfedge of the intrinsic face that contains a face, or `null_index` if not all intrinsic
-  /// edges are in the mesh.
+  /// Returns the lowest-numbered halfedge of the intrinsic face that contains a face, or `null_index` if not all
+  /// intrinsic edges are in the mesh.
   Halfedge_index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
 
   /// Returns the area of a face, measured in the plane of the input face. The area is not negative, and is 0 if the
@@ -131,10 +131,10 @@ public:
   /// The maps `in` are models of `ReadablePropertyMap`, the maps `out` models of `WritablePropertyMap`; none has a
   /// default. The keys of a `VertexMap` or `FaceMap` are vertices or faces of the mesh, of type `vertex_descriptor` or
   /// `face_descriptor`. Those of an `InputMap` are vertices or faces of the input mesh. Those of an `IntrinsicMap` are
-  /// vertices of type `Vertex_index`, or faces represented by their smallest halfedges, of type `Halfedge_index`. The
-  /// value type of `out` must be constructible from that of `in`; values that are interpolated or averaged must support
-  /// sums and products with `double`. The functions take linear time, with a logarithmic factor if values are averaged.
-  /// @{
+  /// vertices of type `Vertex_index`, or faces represented by their lowest-numbered halfedges, of type
+  /// `Halfedge_index`. The value type of `out` must be constructible from that of `in`; values that are interpolated or
+  /// averaged must support sums and products with `double`. The functions take linear time, with a logarithmic factor
+  /// if values are averaged. @{
 
   /// Interpolates vertex values of the input, with keys of the `vertex_descriptor` type of the input mesh, linearly in
   /// its faces.
@@ -574,8 +574,8 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * Computes the common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which the edges
  * of both are chains of edges, with maps back to both \cgalCite{SSC19,section 3.4.1}, \cgalCite{GSC21}.
  *
- * A function that is linear in the faces of either triangulation is linear in the faces of the subdivision. Data can
- * therefore be transferred from one to the other without loss.
+ * A function that is linear in the faces of either triangulation is linear in the faces of the subdivision, and can
+ * therefore be transferred to the subdivision exactly.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, constructed from `mesh`
  * \param mesh the input mesh
@@ -628,8 +628,9 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  * their edges is then doubled, and a vertex is duplicated if this separates the faces around the vertex.
  *
  * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
- * single vertices; a closed curve, or one from border to border, becomes two borders. Since both sides of a slit of one
- * edge would have both end points in common, each side receives a vertex at its midpoint.
+ * single vertices; a closed curve becomes two borders, and a curve from border to border becomes two chains of border
+ * edges. Since both sides of a slit of one edge would have both end points in common, each side receives a vertex at
+ * its midpoint.
  *
  * \param network, mesh as for `insert_curves()`
  * \return a `Surface_subdivision`, as for `common_subdivision()`

@@ -74,8 +74,9 @@ Surface_location surface_location(
  * `Surface_location`. The coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`, and are
  * rounded to double, even from exact number types.
  *
- * Points are snapped here and only here: coordinates of at most `snap` count as exactly zero. Points that were located
- * with rounding errors, with a coordinate of -5.6e-17 for instance, thus lie on the intended edge or vertex.
+ * Coordinates of at most `snap` count as exactly zero. A point that was located with rounding errors, and has a
+ * coordinate of -5.6e-17 for instance, thus lies on the intended edge or vertex. A `Surface_location` is never snapped
+ * afterwards.
  *
  * \param triangulation the triangulation
  * \param mesh the mesh of the triangulation
@@ -95,7 +96,7 @@ Surface_location surface_location(
     double snap)
 {
   if(!internal::is_face(location.first, mesh))
-    throw Invalid_location_error("a location is not in any face of the mesh");
+    throw Invalid_location_error("the face of a location does not belong to the mesh");
   const Input_halfedge_index h = triangulation.input().index(internal::graph_halfedge(location.first, mesh));
   const auto refuse = [h](const std::string& before, const std::string& after) {
     internal::throw_naming<Invalid_location_error>(before, "a location in the face of halfedge ", h, after);
@@ -107,7 +108,7 @@ Surface_location surface_location(
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Converts a `Face_location` to a location; weights of at most 1e-12 count as zero.
+/// Converts a `Face_location` to a `Surface_location`; barycentric coordinates of at most 1e-12 count as zero.
 /// \throws Invalid_location_error if the point does not lie on the mesh
 template <class Triangulation, class FT>
 Surface_location surface_location(
@@ -119,7 +120,7 @@ Surface_location surface_location(
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Converts a point of a curve, which is a vertex or the point on a crossed edge, to a location.
+/// Converts a `Surface_point` to a `Surface_location`.
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
                                   const Surface_point& point)
@@ -128,7 +129,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Converts a `Curve_place`, a `Curve_point` or a `Curve_sample` to a location, using its member `location`.
+/// Converts a `Curve_place`, a `Curve_point` or a `Curve_sample` to a `Surface_location`, using its member `location`.
 /// \throws Invalid_location_error if the point does not lie on the mesh
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
@@ -138,7 +139,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Returns a location unchanged.
+/// Returns a `Surface_location` unchanged.
 template <class Triangulation>
 Surface_location surface_location(const Triangulation&, const typename Triangulation::Triangle_mesh&,
                                   const Surface_location& location)
@@ -229,9 +230,10 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
  * Returns the location of the point of the mesh that is nearest to a point in space, up to rounding errors. If several
  * points are equally near, one of them is chosen.
  *
- * The location is moved to an edge or a vertex if barycentric coordinates are at most 1e-9. All faces are considered.
- * Functions that take many points build a tree of bounding boxes for them, with the same results. For many single
- * calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
+ * The location is moved to an edge if one of its barycentric coordinates is at most 1e-9, and to a vertex if two are.
+ * All faces are considered. Functions that take many points build a tree of bounding boxes for them, with the same
+ * results. For many single calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns
+ * `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
  * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is more than 1e140
@@ -326,8 +328,9 @@ public:
         m_nearest_face.emplace(m_mesh, Halved_corners<Triangulation>{&m_triangulation, &m_mesh});
       return nearest_location(m_triangulation, m_mesh, *m_nearest_face, static_cast<const Point&>(place));
     } else {
-      static_assert(is_place<Triangulation, Triangle_mesh, Place>,
-                    "this is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
+      static_assert(
+          is_place<Triangulation, Triangle_mesh, Place>,
+          "the argument is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
       if constexpr(is_place<Triangulation, Triangle_mesh, Place>)
         return surface_location(m_triangulation, m_mesh, place);
       else

@@ -50,8 +50,8 @@ namespace CGAL::Flip_geodesics {
  * Geodesic_tracer<Triangulation>(triangulation).trace(source, Surface_direction{logarithm.halfedge(), p.angle},
  *                                             p.radius, CGAL::Emptyset_iterator()); \endcode
  *
- * This code arrives at the target unless the shortest path bends at a vertex, as straightest geodesics never do. A
- * `Geodesic_distance_field` finds the edges that the path crosses. These edges are unfolded into a plane, starting at
+ * This code arrives at the target unless the shortest path bends at a vertex, which a straightest geodesic never does.
+ * A `Geodesic_distance_field` finds the edges that the path crosses. These edges are unfolded into a plane, starting at
  * the source, and the unfolded target gives the result. The error is therefore a few rounding errors per edge, not the
  * error of the distances.
  *
@@ -86,10 +86,9 @@ public:
    *     \cgalParamDefault{no limits}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{a visitor, as for `Geodesic_distance_field::compute()`. If it stops the computation,
-   *     `report()`
-   *       has the status `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known up to
-   *       `distance_field().reach()`}
+   *     \cgalParamDescription{a visitor, as for `Geodesic_distance_field::compute()`. If the visitor stops the
+   *       computation, `report()` has the status `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known up
+   *       to `distance_field().reach()`}
    *     \cgalParamType{a model of `FlipOutVisitor`, of which only `go_further()` is called}
    *     \cgalParamDefault{no visitor}
    *   \cgalParamNEnd
@@ -118,7 +117,8 @@ public:
   /// vertices.
   double total_angle() const { return m_frame.total(); }
 
-  /// Returns whether the source is on the border. Angles are then not reduced to \f$[0, \mathtt{total\_angle()})\f$.
+  /// Returns whether the source is on the border. If it is, angles are not reduced to \f$[0,
+  /// \mathtt{total\_angle()})\f$.
   bool is_on_border() const { return m_frame.has_border(); }
 
   /// Returns the distances from the source.
@@ -311,7 +311,7 @@ struct Logarithmic_map_result
   halfedge_descriptor halfedge() const { return m_halfedge; }
   /// Returns the sum of the angles around the source: \f$2\pi\f$ except at vertices and on the border.
   double total_angle() const { return m_total_angle; }
-  /// Returns whether the source is on the border; at a vertex angles can then be negative.
+  /// Returns whether the source is on the border. Angles at a border vertex can be negative.
   bool is_on_border() const { return m_is_on_border; }
   Distance_field_status status() const { return report.status; } ///< returns how the computation of the distances ended
   Verdict verdict() const { return report.verdict; }             ///< returns the verdict on the distances

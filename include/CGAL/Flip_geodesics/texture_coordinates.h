@@ -37,8 +37,8 @@ namespace CGAL::Flip_geodesics {
 struct Texture_report
 {
   std::size_t faces = 0; ///< the number of faces with coordinates
-  /// the number of such faces that are laid out separately, because the map is discontinuous there or degenerates to a
-  /// line
+  /// the number of these faces that are laid out separately, because the logarithmic map is discontinuous there or
+  /// degenerates to a line
   std::size_t torn = 0;
 };
 
@@ -168,14 +168,14 @@ Value picture_place(double x, double y)
  *
  * In texture coordinates, the image is the unit square. Along each ray from its center, lengths are preserved;
  * curvature stretches or compresses the image in the perpendicular direction. The logarithmic map is discontinuous
- * where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these paths bend. A
- * face there is unfolded separately, along the shortest path from the center of the image to the center of the face,
- * and its corners can have coordinates different from those in adjacent faces. A face is thus never stretched across
- * the image or reversed.
+ * where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these paths bend. Each
+ * such face is unfolded separately, along the shortest path from the center of the image to the center of the face, and
+ * its corners can have coordinates different from those in adjacent faces. A face is thus never stretched across the
+ * image or reversed.
  *
  * \param mesh a triangle mesh
  * \param source the center: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
- * \param right the direction of the right side of the image at the center: a halfedge and an angle, as for
+ * \param right the direction from the center to the right side of the image: a halfedge and an angle, as for
  *        `trace_geodesic()`
  * \param size the length of the sides of the image on the surface, in the unit of the coordinates
  * \param corners a model of `WritablePropertyMap` with the halfedges of the mesh as keys, which represent the corners

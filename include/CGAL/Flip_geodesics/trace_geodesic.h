@@ -359,10 +359,10 @@ public:
    * \param source the start, a point of any type that `surface_location()` accepts. A `Face_location` is not moved to a
    *        nearby edge or vertex. Tracing can therefore continue from the end of any geodesic
    * \param direction a `Surface_direction`, whose angle extends over all incident faces if the start is a vertex, so
-   *        that a full turn is the sum of their angles; or a `std::array<double, 2>` of coordinates in the face of the
-   *        halfedge of the start, a `Surface_location`: the coefficients of the vectors from the tail of that halfedge
-   *        to its head and to the third corner. Coordinates are not rounded, unless the start is a vertex and the
-   *        direction points out of the face, or one coefficient is 1e100 times the other
+   *        that a full turn is the sum of their angles. Alternatively, if the start is a `Surface_location`, a
+   *        `std::array<double, 2>` of coordinates in the face of its halfedge: the coefficients of the vectors from the
+   *        tail of this halfedge to its head and to the third corner. Coordinates are not rounded, unless the start is
+   *        a vertex and the direction points out of the face, or one coefficient is more than 1e100 times the other
    * \param length the maximal length, in the unit of the coordinates
    * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and
    *        the end; `CGAL::Emptyset_iterator()` if they are not needed
@@ -522,8 +522,9 @@ private:
  *        `geodesic_path_through()`
  * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
  *        halfedge, in radians and counterclockwise on the surface. The halfedge must be a side of a face that contains
- *        the source; if the source is a vertex, the angle extends over all incident faces. A vector is projected to the
- *        plane of the face of a `Face_location`; it may point out of that face
+ *        the source; if the source is a vertex, the angle extends over all incident faces. A vector requires a source
+ *        that is not given as a vertex, and is projected to the plane of the face of the source; it may point out of
+ *        this face
  * \param length the maximal length, in the unit of the coordinates
  * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
  *        vertices, and its end, in the form described at `geodesic_path()`

@@ -18,9 +18,9 @@ namespace CGAL::Flip_geodesics::IO {
  * are one pixel wide. The object is passed to `write_VTP()` and other writers along with the data, and affects all
  * curves of the call.
  *
- * A tube is a closed surface, oriented outwards: it has a cap at each end, or is a closed ring if the last point of the
- * curve equals the first. Around each point of the curve, it has a ring of corners in the plane that bisects the angle
- * of the curve there. If a curve bends too sharply for the radius, the tube intersects itself.
+ * A tube is a closed surface, oriented outwards. It has a cap at each end, or is a closed ring if the last point of the
+ * curve equals the first. Around each point of the curve, the tube has a ring of corners in the plane that bisects the
+ * angle of the curve there. If a curve bends too sharply for the radius, the tube intersects itself.
  */
 class Tubes
 {

@@ -405,7 +405,7 @@ inline std::string checked_text(std::istream& in)
  *                        face at a gap of its edge sequence; e with the same fields, a vertex was inserted on
  *                        the edge of H
  *     curves C END       then for each: open|closed INITIAL_LENGTH S, and S lines: ID HALFEDGE IS_HEAD_FIXED
- *     bundles K           then K lines: EDGE N ID ... ID
+ *     stacks K           then K lines, one per bundle: EDGE N ID ... ID
  *     end CHECKSUM       the FNV-1a hash of all preceding lines
  *
  * Version 1 differs only in insertions: it used `v` for both kinds, without the gap. Files of version 1 can be read if

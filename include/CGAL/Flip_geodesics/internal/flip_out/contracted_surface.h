@@ -388,7 +388,7 @@ void note_contraction(const Triangulation& triangulation, Shortening_report& rep
 {
   if(are_curves_folded(triangulation, report))
     throw Degenerate_face_error(
-        "a curve passes through several vertices that coincide once degenerate faces are contracted", {});
+        "a curve is blocked by degenerate faces, which fold several vertices onto one point; repair the mesh", {});
   for(Curve_report& curve : report.curves)
     curve.are_zero_edges_contracted = triangulation.input().is_contracted();
 }

@@ -133,7 +133,7 @@ inline void check_every_component(const std::vector<Index>& component, const std
   for(std::size_t v = 0; v < component.size(); ++v)
     if(is_isolated[v] == 0 && has_value[component[v]] == 0)
       throw_naming<Singular_problem_error>("no value is given in the connected component of vertex ", Element{v},
-                                           "; the solution is not unique");
+                                           ", so the solution is not unique");
 }
 
 /*

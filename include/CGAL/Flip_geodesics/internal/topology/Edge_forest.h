@@ -25,7 +25,7 @@ namespace CGAL::Flip_geodesics::internal {
 
 [[noreturn]] inline void throw_meeting_umbrellas(Vertex_index v)
 {
-  throw_naming<Invalid_mesh_error>("umbrellas of the surface meet only at vertex ", v);
+  throw_naming<Invalid_mesh_error>("umbrellas of the surface meet only at vertex ", v, "; duplicate the vertex");
 }
 
 /*
