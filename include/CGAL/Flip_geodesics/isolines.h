@@ -145,10 +145,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of an isoline whose length
- * equals the tolerance. An isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more
- * for a length \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. Meshes other than `Surface_mesh` are
- * indexed first, in \cgalBigO{n \log n}.
+ * Complexity: the field is evaluated once per vertex, and about twenty times per length \f$t\f$ of an isoline. An
+ * isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more for a length \f$\ell\f$
+ * and a radius of curvature \f$r\f$. Meshes other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
  *
  * \sa `voronoi_boundaries()`
  */
@@ -308,8 +307,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex, about fifty times for each piece of a boundary whose length
- * equals the tolerance, and a few times \f$s / t\f$ in the faces that no boundary crosses.
+ * Complexity: the field is evaluated once per vertex, about fifty times per length \f$t\f$ of a boundary, and a few
+ * times \f$s / t\f$ in the faces that no boundary crosses.
  *
  * \sa `isolines()`
  */

@@ -58,7 +58,7 @@ struct Subdivision_vertex
  * of points and faces.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and its edges must
- * not be flipped while the subdivision is used
+ *         not be flipped while the subdivision is used
  * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
  *         `CGAL::Surface_mesh<Point_3>`
  */
@@ -134,7 +134,8 @@ public:
   /// vertices of type `Vertex_index`, or faces represented by their lowest-numbered halfedges, of type
   /// `Halfedge_index`. The value type of `out` must be constructible from that of `in`; values that are interpolated or
   /// averaged must support sums and products with `double`. The functions take linear time, with a logarithmic factor
-  /// if values are averaged. @{
+  /// if values are averaged.
+  /// @{
 
   /// Interpolates vertex values of the input, with keys of the `vertex_descriptor` type of the input mesh, linearly in
   /// its faces.

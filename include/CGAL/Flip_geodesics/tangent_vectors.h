@@ -117,8 +117,8 @@ public:
   /// vertices.
   double total_angle() const { return m_frame.total(); }
 
-  /// Returns whether the source is on the border. If it is, angles are not reduced to \f$[0,
-  /// \mathtt{total\_angle()})\f$.
+  /// Returns whether the source is on the border. If it is, angles are not reduced to
+  /// \f$[0, \mathtt{total\_angle()})\f$.
   bool is_on_border() const { return m_frame.has_border(); }
 
   /// Returns the distances from the source.

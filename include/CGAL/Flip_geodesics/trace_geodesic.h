@@ -523,8 +523,8 @@ private:
  * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
  *        halfedge, in radians and counterclockwise on the surface. The halfedge must be a side of a face that contains
  *        the source; if the source is a vertex, the angle extends over all incident faces. A vector requires a source
- *        that is not given as a vertex, and is projected to the plane of the face of the source; it may point out of
- *        this face
+ *        that is not given as a vertex, and is projected to the plane of the face of the source; the vector may point
+ *        out of this face
  * \param length the maximal length, in the unit of the coordinates
  * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
  *        vertices, and its end, in the form described at `geodesic_path()`

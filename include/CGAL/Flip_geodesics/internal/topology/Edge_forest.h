@@ -29,9 +29,9 @@ namespace CGAL::Flip_geodesics::internal {
 }
 
 /*
- * Returns which vertices are on the border. Throws Invalid_mesh_error unless all faces are triangles, each edge belongs to a face, and the border passes each
- * vertex at most once: umbrellas that are connected at a vertex only do not form a surface, and loops through it have
- * no class.
+ * Returns which vertices are on the border. Throws Invalid_mesh_error unless all faces are triangles, each edge belongs
+ * to a face, and the border passes each vertex at most once: umbrellas that are connected at a vertex only do not form
+ * a surface, and loops through it have no class.
  */
 template <class Input_mesh>
 Indexed_by<Vertex_index, std::vector<char>> check_surface(const Input_mesh& input)
