@@ -42,7 +42,7 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  * Computes closed geodesics around the handles and holes of a surface, by shortening each loop of a `Loop_basis`
  * separately.
  *
- * The resulting geodesics may cross one another. A sphere and a disk have no loops.
+ * The resulting geodesics may cross one another. For a sphere or a disk, the basis is empty.
  *
  * \param mesh a triangle mesh
  * \param out an output iterator that receives one `std::vector` per loop, in the order of the basis, of the points that

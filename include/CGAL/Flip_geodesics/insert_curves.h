@@ -215,7 +215,7 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map in which the edges of curves are marked. Edges that are marked before the
- *       call remain marked, with all their parts}
+ *       call remain marked; if such an edge is split, all its parts are marked}
  *     \cgalParamType{a model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as
  *       key and `bool` as value type}
  *     \cgalParamDefault{no map}

@@ -56,8 +56,9 @@ struct Default_shortening_visitor
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of windows that a search for shortest paths may create (about 60 bytes each), and the number of
-/// edges along which rays may start from vertices. The search is aborted when either limit is exceeded.
+/// Limits the number of windows that a search for shortest paths may create (about 60 bytes each). The same limit
+/// applies to the number of edges along which rays start at vertices. The search is aborted when either number exceeds
+/// the limit.
 class Window_limit
 {
 public:

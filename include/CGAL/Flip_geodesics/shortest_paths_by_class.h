@@ -34,7 +34,7 @@ namespace CGAL::Flip_geodesics {
 enum class Class_search_status {
   FOUND,             ///< a path has been found for each requested class
   NO_MORE_CLASSES,   ///< fewer classes exist than requested, and a path has been found for each
-  COVERING_LIMIT,    ///< the `Covering_limit` was too small; there may be fewer paths than requested, or different ones
+  COVERING_LIMIT,    ///< the `Covering_limit` was exceeded; paths may be missing, or not be the shortest ones
   STOPPED_BY_VISITOR ///< `go_further()` of the visitor returned `false`, and no paths are returned
 };
 

@@ -49,7 +49,7 @@ struct Subdivision_vertex
  *
  * Each face lies in one face of the input. The vertices are those of the triangulation, in its order, followed by the
  * crossings of intrinsic edges with input edges, by the midpoints of curve edges that were split (see
- * `cut_along_curves()`), and after a cut by copies of vertices. The connectivity is exact, regardless of rounding
+ * `cut_along_curves()`), and, after a cut, by copies of vertices. The connectivity is exact, regardless of rounding
  * errors in positions. The mesh is oriented and manifold, and has the components, borders and genus of the input unless
  * it is cut open. Since positions are rounded, very thin faces may be geometrically degenerate.
  *

@@ -296,7 +296,7 @@ private:
       if(c == '"' || c == '\\')
         name += '\\';
       if(static_cast<unsigned char>(c) < 0x20)
-        throw File_write_error("the name of an image has an invalid character");
+        throw File_write_error("the name of an image contains a control character");
       name += c;
     }
     return ",\"images\":[{\"uri\":\"" + name +
