@@ -96,9 +96,9 @@ public:
   /// `restore_loop()` requires.
   Bundle_place bundle_place(Segment_index segment) const;
 
-  /// Replaces the present segments of a closed curve by a single segment, of which the curve consisted when `place` was
-  /// recorded.
-  /// \return that segment, with a new index
+  /// Replaces the present segments of a closed curve by a single segment, at the position of its only segment when
+  /// `place` was recorded.
+  /// \return the new segment, which has a new index
   /// \pre All flips since then have been rolled back, and no other curve has changed.
   Segment_index restore_loop(Curve_index curve, const Bundle_place& place);
 

@@ -27,9 +27,9 @@
 class FlipOutStopPredicate
 {
 public:
-  /// Returns whether the step is taken, and otherwise the reason for rejecting it. `Stop_decision::CURVE_LENGTH_LIMIT`
-  /// keeps the curve of the step unchanged from now on, while other curves continue to be shortened. All other values
-  /// except `Stop_decision::CONTINUE` end the shortening.
+  /// Returns `Stop_decision::CONTINUE` to accept the step, and otherwise the reason for rejecting it.
+  /// `Stop_decision::CURVE_LENGTH_LIMIT` keeps the curve of the step unchanged from now on, while other curves continue
+  /// to be shortened. All other values except `Stop_decision::CONTINUE` end the shortening.
   Stop_decision operator()(const Shortening_step& step) const;
 
   /// Optional. Returns a predicate of the same type in its initial state; for example, a restarted

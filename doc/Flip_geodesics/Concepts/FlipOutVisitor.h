@@ -12,7 +12,8 @@
  * `on_flip()`; `refine()` requires a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Logarithmic_map`,
  * `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only `go_further()`, as do
  * `geodesic_distances()` and `logarithmic_map()` unless they grow a tree. Each of these functions has a status for a
- * computation that was stopped. In that case nothing is certified, no output is written, and all objects remain usable.
+ * computation that was stopped. After a stop, nothing is certified, no output is written, and all objects remain
+ * usable.
  *
  * Other long computations call only `go_further()`, at regular intervals, and not again after it has returned `false`.
  * Their results are then the following:
@@ -47,11 +48,11 @@ public:
   /// the shortening ends, and the curves that could still be shortened have the status
   /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls it before each pair of end points.
   /// Searches, distance fields and computations of loops, landmarks and isolines call it at regular intervals, about
-  /// once per thousand steps of at most a microsecond each.
+  /// once per thousand steps, each of which takes at most a microsecond.
   bool go_further();
 
-  /// Optional. Called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of complete
-  /// rows, from 0 to 1. If this member is missing, progress is not reported.
+  /// Optional. Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of
+  /// complete rows, from 0 to 1. If this member is missing, progress is not reported.
   void on_progress(double fraction);
 
   /// Is called after the edge of halfedge `h` has been flipped, and before the step moves its curve. The flips of a

@@ -26,8 +26,8 @@
 class IntrinsicMetric
 {
 public:
-  /// `CGAL::Flip_geodesics::Numbered_mesh` of the type of the mesh, which is the type of
-  /// `Intrinsic_triangulation::input()`.
+  /// The type of the numbered mesh that `Intrinsic_triangulation::input()` returns:
+  /// `CGAL::Flip_geodesics::Numbered_mesh<TriangleMesh>`, where `TriangleMesh` is the type of the original mesh.
   typedef unspecified_type Mesh;
 
   /// A \cgal kernel. Finished curves are measured with `Intrinsic_triangulation_traits<Kernel, double>`.
@@ -86,12 +86,12 @@ public:
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const;
 
   /// Optional. Returns whether the metric rounds the numbers that define it, such as coordinates or lengths, to
-  /// double. In this case, curves are not certified and distances not confirmed, since predicates refer to the rounded
-  /// numbers. A metric without this member is defined by the doubles that `length()` returns.
+  /// double. If it does, curves are not certified and distances are not confirmed, since predicates refer to the
+  /// rounded numbers. A metric without this member is defined by the doubles that `length()` returns.
   bool is_rounded(const Mesh& mesh) const;
 
-  /// Optional. Detects a mesh other than the one for which the metric was made, for example by the number of its edges.
-  /// Triangulations and functions that take a metric call this member first.
-  /// \throws Input_mismatch_error for such a mesh
+  /// Optional. Throws an exception if `mesh` is detected, for example by its number of edges, not to be the mesh for
+  /// which the metric was made. Triangulations and functions that take a metric call this member first.
+  /// \throws Input_mismatch_error if the metric was made for another mesh
   void check_input(const Mesh& mesh) const;
 };

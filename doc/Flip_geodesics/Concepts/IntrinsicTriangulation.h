@@ -7,7 +7,8 @@
  * The concept `IntrinsicTriangulation` describes a triangulation of a surface by straight edges that can be
  * flipped. `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
  * `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`, `Geodesic_tree`, `intrinsic_faces()`, `Operators` and
- * the solvers that are built on it require this concept. \ref Flip_geodesicsAsked contains the complete table.
+ * the solvers that are built on it require this concept. The table in Section \ref Flip_geodesicsAsked lists the
+ * requirements of each algorithm.
  *
  * The descriptors are the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, numbered from 0. The edge with
  * number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: loops, several edges between

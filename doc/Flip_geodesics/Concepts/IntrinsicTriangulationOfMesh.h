@@ -42,7 +42,7 @@ public:
   /// `bool is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped
   /// halfedge. For an insertion, `number` is the number of the inserted vertex, counted from 0. If `is_on_edge()`, the
   /// vertex was inserted on the edge of `h`, otherwise into its face; `gap()` is the number of edges in the former edge
-  /// sequence of `h` that are crossed before the input face that contains the vertex. Any other entry states that the
+  /// sequence of `h` that are crossed before the input face that contains the vertex. Any other entry records that the
   /// face of `h` was recomputed from the input.
   typedef unspecified_type Flip_record;
 

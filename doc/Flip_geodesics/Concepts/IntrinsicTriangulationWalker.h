@@ -5,7 +5,8 @@
  * \cgalConcept
  *
  * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation` that moves
- * to other halfedges. Except for the last four, its members correspond to those of the triangulation.
+ * to other halfedges. Its members from `tail()` to `extend_turn_clockwise()` correspond to members of the
+ * triangulation.
  *
  * \sa `IntrinsicTriangulation`
  */

@@ -26,10 +26,10 @@ namespace CGAL::Flip_geodesics {
  * rational, such as that of `Exact_predicates_exact_constructions_kernel`; otherwise they are rounded to doubles.
  *
  * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound on their relative error. If the bound
- * does not determine a sign, the filter fails, and the triangulation unfolds the input faces. It first uses doubles
- * with an a-priori error bound, and exact predicates on points if the faces lie in one plane, then numbers of 50 digits
- * with an error bound, and finally exact arithmetic in the field of the roots of the areas of the faces. Zeros are
- * therefore proven, and flipping terminates.
+ * does not determine a sign, the filter fails, and the triangulation determines the sign from the unfolded input faces:
+ * first by doubles with an a-priori error bound, and by exact predicates on points if the faces lie in one plane; then
+ * by numbers of 50 digits with an error bound; and finally by exact arithmetic in the field of the square roots of the
+ * areas of the faces. Unless a work limit is reached, zeros are therefore proven, and flipping terminates.
  *
  * Arithmetic with many independent roots can take too long and is subject to a work limit; see `sign_work_limit()`. A
  * sign that has not been determined when the limit is reached is assumed to be zero and counted in
@@ -57,7 +57,7 @@ public:
   using Has_drift = Tag_false;         ///< predicates reported as certain are correct
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
 
-  /// Constructs traits with the default work limit, which takes about a tenth of a second.
+  /// Constructs traits with the default work limit, which corresponds to about a tenth of a second per sign.
   Certified_intrinsic_triangulation_traits() = default;
 
   /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, exact arithmetic with roots
@@ -220,8 +220,8 @@ public:
     }
   };
 
-  /// Computes a number in [0, 2] that increases with the angle of a turn below \f$\pi\f$; only rounding can produce the
-  /// limits themselves.
+  /// Computes a number in [0, 2] that increases with the angle of a turn below \f$\pi\f$. It is 0 for the rotation by
+  /// zero; otherwise, only rounding can produce 0 or 2.
   class Turn_key
   {
   public:

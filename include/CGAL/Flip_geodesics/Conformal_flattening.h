@@ -121,9 +121,10 @@ private:
  * the sum of the angles is not prescribed.
  *
  * The factors minimize a convex function, whose minimum is found by Newton's method with the cotangent Laplacian. This
- * requires a few sparse factorizations. Faces that temporarily violate the triangle inequality are treated as
- * degenerate, as in the paper. If such a face remains at the end, the triangulation has no solution, and an exception
- * is thrown. `refine_and_flatten()` splits the edges of such faces until a solution exists.
+ * requires a few sparse factorizations. Faces that violate the triangle inequality during the iteration are treated as
+ * degenerate \cgalCite{SSP08}. If such a face remains at the end, the triangulation has no solution, and an exception
+ * is thrown. `refine_and_flatten()` splits the edges of such faces in an attempt to obtain a triangulation that has a
+ * solution.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -677,18 +678,19 @@ bool move_to_near_vertices(Network& network)
  *
  * Refines a triangulation and flattens its surface, cut open along the curves of a network.
  *
- * The triangulation is refined by `refine()` with the default bounds, by at most ten times its vertices and 10 000
- * more, and edges that connect a vertex to itself are split. As long as the lengths that are scaled by the conformal
- * factors violate the triangle inequality in some faces, the longest sides of these faces are split at their midpoints.
- * Curves that pass a vertex at a distance of less than \f$10^{-9}\f$ of an edge are moved onto it first; then the order
- * of overlapping curves and fixed nodes are lost.
+ * First, `refine()` refines the triangulation with its default quality bounds, inserting at most 10 000 vertices plus
+ * ten times the number of vertices of the triangulation. Edges that connect a vertex to itself are then split. As long
+ * as the scaled lengths violate the triangle inequality in some faces, the longest sides of these faces are split at
+ * their midpoints. Curves that pass a vertex at a distance of less than \f$10^{-9}\f$ of an edge are moved onto this
+ * vertex first; the order of overlapping curves and the fixed nodes are then lost.
  *
  * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface
  * \param np the named parameter `visitor` of `refine()`, for the refinement
  * \return the flattening, with a tolerance of 1e-10 radians
  * \throws Flattening_error if the cut surface is not a disk, a scale factor is outside the range from \f$10^{-9}\f$ to
- *         \f$10^9\f$, which makes coordinates in the plane too inaccurate, or splitting edges does not help. In the
- *         last two cases, the element is a vertex, and the surface should be cut to it
+ *         \f$10^9\f$, which makes coordinates in the plane too inaccurate, or splitting edges does not lead to a
+ *         solution. In the last two cases, `elements()` contains a vertex to which the surface should be cut, if one is
+ *         known
  * \throws Degenerate_face_error if a face is degenerate in double precision
  * \throws Occupied_triangulation_error as `refine()` does
  */

@@ -162,9 +162,9 @@ public:
    * Moves a point.
    *
    * If both positions lie in one face, the path of the move is a straight line; otherwise it is a short edge path
-   * between vertices of their faces. The successive positions of a pen thus determine the homotopy class of its path if
-   * they are closer together than the size of the features that the path passes. If an exception is thrown, the curve
-   * is unchanged.
+   * between vertices of their faces. The successive positions of a pen thus determine the homotopy class of its path,
+   * provided that they are closer together than the handles and holes that the path passes are wide. If an exception is
+   * thrown, the curve is unchanged.
    *
    * \param i the number of the point
    * \param to the new position

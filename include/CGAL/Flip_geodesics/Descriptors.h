@@ -358,7 +358,7 @@ struct Segment_end
 /// \ingroup PkgFlipGeodesicsCurves
 /// Describes the content of the wedge at one side of a joint.
 enum class Wedge_state {
-  FREE,     ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
+  FREE,     ///< the wedge is empty, and its angle is below \f$\pi\f$: the joint can be shortened
   STRAIGHT, ///< the angle is at least \f$\pi\f$
   BLOCKED,  ///< another segment, or an edge held by another network, lies in the wedge, at an angle below \f$\pi\f$
   BORDER,   ///< the border of the surface lies in the wedge, so the angle is infinite

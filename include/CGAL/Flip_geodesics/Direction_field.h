@@ -47,11 +47,11 @@ class Direction_field
 public:
   using Vector = Eigen::VectorXcd; ///< a complex number per vertex
 
-  /// Describes a face around which the field turns: `index` is in units of `1/symmetry` turns.
+  /// Describes a singularity: a face around which the field makes `index / symmetry` full turns.
   struct Singularity
   {
     std::size_t face; ///< the number of the face in `operators().faces()`
-    int index;        ///< the index, positive or negative
+    int index;        ///< the index, which is not 0 and can be negative
   };
 
   /*!
@@ -106,7 +106,7 @@ public:
   /// @}
 
   /*!
-   * Computes the field. This takes one sparse Cholesky factorization and, without alignment, some tens or hundreds of
+   * Computes the field. This takes one sparse Cholesky factorization and, without alignment, tens to hundreds of
    * solves, until the relative change of the energy is less than 1e-12.
    * \throws Singular_problem_error if curves are given but some component with faces contains none of them, or the
    *         matrix cannot be factorized
@@ -131,7 +131,7 @@ public:
     m_is_computed = true;
   }
 
-  /// Returns the powers of the field, not normalized; 0 at isolated vertices.
+  /// Returns the `symmetry`-th powers of the field at the vertices, which are not normalized; 0 at isolated vertices.
   /// \throws Invalid_parameter_error before `compute()`, as all following functions do
   const Vector& values() const
   {

@@ -141,7 +141,7 @@ public:
   }
 
   /// Fixes every node that a curve currently has at vertex `v`: the node keeps its position, and other curves cannot
-  /// move across it. Takes time linear in the number of segment ids.
+  /// move across it. This takes time linear in the number of segment ids.
   void fix_nodes_at(Vertex_index v)
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
@@ -170,7 +170,7 @@ public:
         continue;
       for(Segment_index fixed : freed)
         set_head_fixed(fixed, true);
-      internal::throw_naming<Crossing_curves_error>("curves cross at vertex ", v);
+      internal::throw_naming<Crossing_curves_error>("nodes of a curve cannot be freed: curves cross at vertex ", v);
     }
   }
 
@@ -732,8 +732,8 @@ Order_conflict order_if_possible(Network& network)
  * insertion.
  *
  * The result depends on the connectivity only and is exact: if an order without crossings exists, it is found.
- * Otherwise the curves cross in every order; examples are two curves that part on opposite sides at the ends of a
- * common chain of edges, and a curve that goes around an annulus twice before it closes.
+ * Otherwise the curves cross in every order, for example if two curves part on opposite sides at the two ends of a
+ * common chain of edges, or if a curve goes around an annulus twice before it closes.
  *
  * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. A
  * chain that ends at the end of a path or at a fixed node does not determine an order there, but all such ends at a
@@ -751,8 +751,8 @@ Order_conflict order_if_possible(Network& network)
  *         edge. After either exception the curves are unchanged, but the order of their segments may have changed
  *
  * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the degrees of the vertices that they pass. If edges have
- * several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time, half a
- * second per million pairs, and \cgalBigO{p} memory. If the choices described above are inconsistent and must be
+ * several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time (about half a
+ * second per million pairs) and \cgalBigO{p} memory. If the choices described above are inconsistent and must be
  * revised, the time is proportional to \f$p\f$ times the maximal number of segments on one edge.
  */
 template <class Network>

@@ -33,7 +33,7 @@ namespace CGAL::Flip_geodesics {
  *
  * Provides predicates for intrinsic triangulations over an exchangeable number type, which determines their exactness:
  *
- * | number type | predicates | square roots |
+ * | number type | predicates | supported meshes |
  * |---|---|---|
  * | exact with roots, such as `Exact_predicates_exact_constructions_kernel_with_sqrt::FT` | exact | any mesh |
  * | rational, such as `Gmpq`, `boost::multiprecision::cpp_rational`, `Epeck::FT` | exact | meshes with one radicand |
@@ -93,8 +93,8 @@ class Exact_intrinsic_triangulation_traits
 
 public:
   using FT = NT; ///< the type of squared lengths
-  /// `Tag_true` for rounded numbers, which drift even if this is not noticeable with 100 digits; `Tag_false` for
-  /// intervals, which bound their error.
+  /// `Tag_true` for rounded numbers, whose errors accumulate, although this is not noticeable with 100 digits;
+  /// `Tag_false` for exact numbers, and for intervals, which bound their errors.
   using Has_drift = Boolean_tag<is_rounded>;
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
   /// The type of radicands: `NT` or, for `Sqrt_extension<NT, ROOT>`, `ROOT`.
@@ -129,12 +129,13 @@ public:
   /// `IntrinsicTriangulationTraits::sign_work_limit()`.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
-  /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight. It is
-  /// zero unless `NT` rounds. In that case half of the digits are reserved for errors, so the angle is about 1e-9 for
+  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. It is zero
+  /// unless `NT` rounds. In that case half of the digits are reserved for errors, so the result is about 1e-9 for
   /// `double` and 1e-51 for 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
-  /// Constructs a face from points. \throws Inexact_root_error if the area is not rational in the unit of area
+  /// Constructs a face from points. \throws Inexact_root_error if the area is not a rational multiple of the unit of
+  /// area
   class Construct_face_3 : Functor_with_unit
   {
     using Vector_3 = typename Geometry::Vector_3;
@@ -170,7 +171,8 @@ public:
     }
   };
 
-  /// Constructs a face from lengths. \throws Inexact_root_error if the area is not rational in the unit of area
+  /// Constructs a face from lengths. \throws Inexact_root_error if the area is not a rational multiple of the unit of
+  /// area
   class Construct_face_from_lengths : Functor_with_unit
   {
   public:

@@ -102,11 +102,11 @@ struct Distance_field_report
 {
   Distance_field_status status = Distance_field_status::COMPLETE; ///< why the computation ended
   std::size_t windows = 0;                                        ///< the total number of windows created
-  /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, so distances are
+  /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, so distances can be
   /// too long.
   bool has_flat_face = false;
   /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of its value. The errors grow
-  /// with the number of faces that paths cross, and with the number of those edges that are long compared with the
+  /// with the number of faces that paths cross, and with the number of crossed edges that are long compared with the
   /// distance. The bound is conservative: most errors are far smaller.
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if each distance up to `Geodesic_distance_field::reach()` exceeds the length of a shortest path
@@ -121,9 +121,9 @@ struct Distance_field_report
  * Computes the distances on a surface from a set of sources, exactly up to rounding errors.
  *
  * Windows of straight rays are propagated from face to face, and each edge keeps the lower envelope of the windows that
- * reach it \cgalCite{MMP87}. Sources are vertices, points anywhere on the surface, and curves. Each has an offset,
- * which is added to all distances from it. A computed field can be queried for the distance at any location, the
- * shortest path from this location, the nearest source and the gradient.
+ * reach it \cgalCite{MMP87}. Sources are vertices, points anywhere on the surface, and curves. Each source has an
+ * offset, which is added to all distances from this source. A computed field can be queried for the distance at any
+ * location, the shortest path from this location, the nearest source and the gradient.
  *
  * \code
  * Geodesic_distance_field<Triangulation> field(triangulation, mesh);
@@ -388,7 +388,7 @@ public:
   }
 
   /// Returns whether one source is known to be the nearest at all points of a face that have a finite distance. The
-  /// result is `false` before the field is complete. Linear in the number of windows on the sides of the face. \pre the
+  /// result is `false` unless the field is complete. Linear in the number of windows on the sides of the face. \pre the
   /// extent is `EVERYWHERE`
   bool has_one_source(face_descriptor face) const
   {
@@ -446,8 +446,8 @@ public:
    * away from the source.
    *
    * The coordinates refer to the frame of the face in which `location.halfedge` lies on the x-axis and the face lies
-   * above it. The gradient is zero at a source, at vertices, and where the distance is infinite. If several shortest
-   * paths end at the location, the gradient belongs to one of them.
+   * above it. The gradient is zero at a source, at every vertex, and at points with infinite distance. If several
+   * shortest paths end at the location, the gradient belongs to one of them.
    *
    * \pre `location.halfedge` is not a border halfedge
    * \throws Invalid_location_error if `location` is not a point of the surface
@@ -506,7 +506,7 @@ private:
   void check_addition(double offset, Input_halfedge_index h) const
   {
     if(m_reach > 0)
-      throw Invalid_parameter_error("a source is added to a distance field that has been computed");
+      throw Invalid_parameter_error("a source cannot be added to a distance field that has been computed");
     if(!(std::isfinite(offset) && offset >= 0))
       throw_unusable_offset(offset, ", but must be finite and not negative");
     if(offset == 0 || h == null_index)

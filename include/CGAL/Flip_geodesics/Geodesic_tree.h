@@ -50,7 +50,7 @@ void check_is_grown(const Tree& tree)
 namespace parameters {
 
 /// \ingroup PkgFlipGeodesicsParameters
-/// Sets the length up to which a tree of geodesics must contain paths.
+/// Sets the length up to which a tree of geodesics contains paths.
 inline auto max_distance(double distance)
 {
   return Named_function_parameters<double, Flip_geodesics::internal::Distance_parameter>(distance);
@@ -80,8 +80,8 @@ struct Geodesic_tree_report
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Represents the tree of geodesics from a source to all vertices, or to those within a distance. Every
- * path consists of edges of one intrinsic triangulation \cgalCite{SC20,section 6.5}.
+ * Represents the tree of geodesics from a source to all vertices, or to those within a given distance. Every path
+ * consists of edges of one intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
  * forms an angle of at least \f$\pi\f$ on both sides at the vertex at which it leaves the tree. Otherwise the edges
@@ -131,7 +131,7 @@ public:
    *   \cgalParamNBegin{max_distance}
    *     \cgalParamDescription{the length of the longest path that is needed. A vertex within this distance is missed if
    *       the search reaches it only through neighbors that are farther away. Choose a slightly larger value if all
-   *       vertices within a distance are required}
+   *       vertices within a given distance are required}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{infinity}
    *   \cgalParamNEnd

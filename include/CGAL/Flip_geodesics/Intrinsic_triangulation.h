@@ -404,9 +404,9 @@ enum class Zero_length_edges {
  *
  * The triangulation is a \f$\Delta\f$-complex: an edge may be a loop, two edges may have the same two end points, a
  * vertex may have degree 1, and a face may be glued to itself. Elements are therefore identified by their indices,
- * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`;
- * both ids survive flips, and before the first flip they are those of the input. Points of the surface can be inserted
- * as further vertices, which receive the next indices.
+ * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`.
+ * Flips do not change these numbers; before the first flip, the elements with these numbers are those of the input.
+ * Points of the surface can be inserted as further vertices, which receive the next indices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
  * `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, whose elements are indexed first.
@@ -511,7 +511,7 @@ public:
   /// @{
 
   /// Replaces the vectors of the face on the left of `h`, starting with that of `h`, by more accurate ones. The log
-  /// keeps the old vectors.
+  /// records the old vectors.
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
     m_log.lay_out(store(), h, geometry);
@@ -552,8 +552,8 @@ public:
    * at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped, and is locally Delaunay afterwards.
    *
    * The result is exact if the predicates of the traits are exact. Otherwise, points that are cocircular up to the
-   * tolerance of the traits count as Delaunay, so flipping non-Delaunay edges in any order terminates as long as the
-   * drift stays below the tolerance.
+   * tolerance of the traits count as Delaunay, so a process that flips non-Delaunay edges in any order terminates as
+   * long as the drift stays below the tolerance.
    */
   bool is_locally_delaunay(Halfedge_index h) const
   {
@@ -645,7 +645,7 @@ public:
   /*!
    * Returns the location of vertex `v` on the input in a canonical form. An input vertex is given by a halfedge that
    * starts there, with weights (1, 0, 0); a point on an edge by the first halfedge of the edge that is not on the
-   * border, with third weight zero; and a point inside a face by the halfedge of the face with the lowest number.
+   * border, with third weight zero; and a point inside a face by the lowest-numbered halfedge of the face.
    * \pre `v` is not isolated
    */
   Surface_location location(Vertex_index v) const
@@ -660,8 +660,8 @@ public:
    *
    * The position of the point with respect to the input faces and the edge sequences is determined exactly. The point
    * lies in the face or on the edge that is split, and the edge sequences of the new edges are correct, even if the
-   * geometry is rounded. Only with inexact predicates is it possible that no face contains the point. In this case the
-   * point is inserted on the nearest edge if rounding errors can explain its distance from this edge. `rollback()`
+   * geometry is rounded. If predicates are inexact, it can happen that no face contains the point; the point is then
+   * inserted on the nearest edge, provided that rounding errors can explain its distance from this edge. `rollback()`
    * removes the vertex again.
    *
    * \param location any point of the surface
@@ -670,8 +670,8 @@ public:
    * \throws Insertion_error if rounding errors have caused incorrect flips around the point, the point is too close to
    *         a vertex to be distinguished from it, or an exact number type cannot represent it; in this case the
    *         triangulation is unchanged
-   * \throws Occupied_triangulation_error if a curve lies on the edge that contains the point, which
-   *         `Edge_path_network::insert()` would split; in this case the triangulation is unchanged
+   * \throws Occupied_triangulation_error if a curve lies on the edge that contains the point; in this case the
+   *         triangulation is unchanged. `Edge_path_network::insert()` can split such an edge
    * \throws Degenerate_face_error if a face that is visited is degenerate
    * \throws Invalid_coordinate_error if a face that is visited is not finite
    *
@@ -682,8 +682,9 @@ public:
   {
     return insert(location, [&](const internal::Edge_halves& halves) {
       if(holds(edge(halves.first)) > 0)
-        internal::throw_naming<Occupied_triangulation_error>("a point in the face of halfedge ", location.halfedge,
-                                                             " cannot be inserted on an edge under a curve");
+        internal::throw_naming<Occupied_triangulation_error>(
+            "a point in the face of halfedge ", location.halfedge,
+            " lies on an edge under a curve; use Edge_path_network::insert()");
     });
   }
 

@@ -48,9 +48,8 @@ using Traits_in_number_type =
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * The model of `IntrinsicTriangulationTraits` that computes in the number type of the kernel: angles, squared lengths
- * and flips are computed with numbers of type `NT`, and predicates are as exact as that type. The kernel thus selects
- * the number type:
+ * Computes angles, squared lengths and flips with numbers of type `NT`, by default the number type of the kernel;
+ * predicates are as exact as this type. A kernel thus selects the number type:
  *
  *     const FG::Intrinsic_triangulation_traits<K> traits;
  *     FG::geodesic_path(mesh, source, target, output, CGAL::parameters::geom_traits(traits));
@@ -78,8 +77,8 @@ public:
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * The fast model of `IntrinsicTriangulationTraits`, which computes with doubles: each halfedge stores its vector, two
- * doubles, in a frame of its own face. A flip costs one complex division and no square root.
+ * Provides fast arithmetic with doubles for intrinsic triangulations: each halfedge stores its vector, two doubles, in
+ * a frame of its own face. A flip costs one complex division and no square root.
  *
  * Predicates are evaluated up to `angle_tolerance()`: a wedge whose angle is less than \f$\pi\f$ by no more than this
  * tolerance counts as straight, in the wedge test as well as in the flip test. In addition, `shorten()` measures the
@@ -101,7 +100,8 @@ class Intrinsic_triangulation_traits<K, double>
 
 public:
   using FT = double; ///< the type to which squared lengths are rounded
-  /// Vectors drift with flips, so predicates can be wrong, and finished curves must be checked.
+  /// The errors of vectors grow with the number of flips, so predicates can be wrong, and finished curves must be
+  /// checked.
   using Has_drift = Tag_true;
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
 
@@ -174,7 +174,7 @@ public:
     Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
   };
 
-  /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-9.
+  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight: 1e-9.
   static constexpr double angle_tolerance() { return internal::straight_angle_tolerance; }
 
   /*!
@@ -234,8 +234,8 @@ public:
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.is_straight ? LARGER : SMALLER; }
   };
 
-  /// Computes a number in [0, 2] that increases with the angle of a turn below \f$\pi\f$; only rounding can produce the
-  /// limits themselves.
+  /// Computes a number in [0, 2] that increases with the angle of a turn below \f$\pi\f$. It is 0 for the rotation by
+  /// zero; otherwise, only rounding can produce 0 or 2.
   class Turn_key
   {
   public:
@@ -315,8 +315,8 @@ public:
     }
   };
 
-  /// Determines whether a vector is so inaccurate that its faces should be recomputed. With these traits, drift is
-  /// detected only in finished curves.
+  /// Determines whether a vector is so inaccurate that its face should be recomputed. With these traits, drift is not
+  /// detected here but only in finished curves.
   class Is_inaccurate
   {
   public:

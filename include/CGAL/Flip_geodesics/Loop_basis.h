@@ -204,8 +204,9 @@ public:
   /// @{
 
   /*!
-   * Returns the homology class of a closed chain of input halfedges: the exact number of times that it traverses each
-   * loop of the basis, up to boundaries of parts of the surface. Shortening a curve does not change its class.
+   * Returns the homology class of a closed chain of input halfedges: its integer coefficients in the basis, which are
+   * exact. The chain differs from the corresponding combination of loops by the boundary of a part of the surface.
+   * Shortening a curve does not change its class.
    *
    * \param halfedges a range of `Input_halfedge_index` that forms a closed chain; an empty one has class zero. A
    *        halfedge `h` of the mesh corresponds to `triangulation.input().index(h)`. A `Halfedge_index` refers to the
@@ -334,7 +335,7 @@ private:
   void check_complete() const
   {
     if(!m_is_complete)
-      throw Invalid_parameter_error("a basis of loops is queried whose construction was stopped by a visitor");
+      throw Invalid_parameter_error("a loop basis is queried, but its construction was stopped by a visitor");
   }
 
   const internal::Cotree::Loop& generator(Index i) const
@@ -374,7 +375,7 @@ private:
   {
     const auto& triangulation = network.triangulation();
     CGAL_precondition_msg(triangulation.input().number_of_halfedges() == m_triangulation->input().number_of_halfedges(),
-                          "the network belongs to another mesh");
+                          "the network and the loop basis belong to different meshes");
     std::vector<Input_halfedge_index> result;
     Vertex_index start = null_index, end = null_index;
     network.for_each_segment(curve, [&](Segment_index s) {
@@ -451,11 +452,11 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * Which classes bound a surface inside or outside is decided exactly, from the linking numbers of loops that are pushed
  * off the surface; these numbers are computed by counting crossings in a projection. Each candidate consists of an edge
  * and the two paths to its ends in a tree of shortest paths, which starts at a base point or at a point near a handle.
- * Among the candidates that bound such a surface, the shortest ones are chosen that can be extended, together with the
- * loops already chosen, to a basis. If the candidates do not suffice, as on a knotted tube, several loops of a
- * `Loop_basis` are combined, and the resulting loops may pass edges more than once and cross themselves. Since the
- * points near the handles depend on the numbering of the mesh, the same mesh with a different numbering can have
- * different loops, whose lengths differ by a few percent.
+ * The candidates that bound such a surface are considered in the order of their lengths, and a candidate is chosen if
+ * it and the loops already chosen can be extended to a basis. If the candidates do not suffice, as on a knotted tube,
+ * several loops of a `Loop_basis` are combined, and the resulting loops may pass edges more than once and cross
+ * themselves. Since the points near the handles depend on the numbering of the mesh, the same mesh with a different
+ * numbering can have different loops, whose lengths differ by a few percent.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; only its input is read
  * \param np an optional sequence of named parameters among those listed below

@@ -30,7 +30,7 @@ enum class Repair {
   POINTS_MERGED,            ///< points merged with a coincident point, at stitched borders or removed corners
   DEGENERATE_FACES_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
   DEGENERATE_FACES_DROPPED, ///< triangles deleted because their corners are collinear or two corners coincide
-  POINTS_LEFT               ///< points that lost all their polygons as a result
+  POINTS_LEFT               ///< points without faces, because other repairs removed all their polygons
 };
 
 /// \ingroup PkgFlipGeodesicsRepair

@@ -127,7 +127,7 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * \ingroup PkgFlipGeodesicsObstacles
  *
  * Represents a mesh that is slit along some of its edges: a view of the mesh in which these edges are borders on both
- * sides. Paths can run along slits but not cross them. Only a list of the vertices and edges of the mesh is copied.
+ * sides. Paths can run along slits but cannot cross them. Only a list of the vertices and edges of the mesh is copied.
  *
  * A vertex has several copies, one for each sector of faces, if it lies inside a slit, or if several slits or a slit
  * and the border meet there. The end of a slit inside the surface is a single vertex. An edge of a slit becomes two

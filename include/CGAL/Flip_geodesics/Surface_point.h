@@ -42,12 +42,12 @@ struct Surface_location
  * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from it.
  *
  * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is either
- * a side of a face that contains the location, or starts at the location. The free functions take and return both as a
- * `std::pair` of a halfedge of the mesh and an angle. A function that chooses the halfedge itself uses the halfedge of
- * the location, or its twin if that halfedge is on the border. For a `Face_location`, the halfedge of the location is
- * `halfedge(face, mesh)`; for a vertex, it starts there. There are only two exceptions: a `Trace_report` refers to the
- * side through which the geodesic has entered its last face, and `logarithmic_map()` of a tree refers, if the source
- * lies on the border or was inserted, to a direction that its documentation specifies.
+ * a side of a face that contains the location, or starts at the location. The free functions take and return a
+ * direction as a `std::pair` of a halfedge of the mesh and an angle. A function that chooses the halfedge itself uses
+ * the halfedge of the location, or its twin if that halfedge is on the border. For a `Face_location`, the halfedge of
+ * the location is `halfedge(face, mesh)`; for a vertex, it starts there. There are only two exceptions: a
+ * `Trace_report` refers to the side through which the geodesic has entered its last face, and `logarithmic_map()` of a
+ * tree refers, if the source lies on the border or was inserted, to a direction that its documentation specifies.
  */
 struct Surface_direction
 {

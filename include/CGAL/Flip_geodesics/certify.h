@@ -28,16 +28,16 @@ struct Straightness
   /// The smallest angle, in radians, at an unblocked side of a joint; infinite if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// Returns the angle, in radians, by which an angle may deviate from \f$\pi\f$ and still count as straight: 1e-8,
-  /// which is far above the error of the measurement.
+  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight: 1e-8, which
+  /// is far above the error of the measurement.
   static constexpr double tolerance() { return internal::reported_bend; }
   /// Returns the smallest angle, in radians, at which a side of a joint counts as straight: \f$\pi\f$ minus
   /// `tolerance()`.
   static constexpr double straight_angle() { return boost::math::constants::pi<double>() - tolerance(); }
 
-  /// Accounts for the bend of a segment.
+  /// Updates `largest_bend` with the bend of a segment.
   void note_bend(double bend) { largest_bend = (std::max)(largest_bend, bend); }
-  /// Accounts for the angle at a side of a joint.
+  /// Updates `smallest_angle` with the angle at a side of a joint.
   void note_angle(double angle) { smallest_angle = (std::min)(smallest_angle, angle); }
 
   /// Returns whether the curve is locally shortest up to `tolerance()`.
@@ -76,10 +76,10 @@ private:
  *
  * The sequence of input edges that a segment crosses is unfolded from the input coordinates, and the angles at the
  * joints are summed over input faces. Only integers are taken from the results of the flips, so rounding errors of the
- * flips have no influence. The unfolding uses doubles, with an error of some units in the last place per face. The idea
- * of such a check is due to \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
+ * flips have no influence. The unfolding uses doubles, with an error of a few units in the last place per face. The
+ * idea of such a check is due to \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
  *
- * A meter becomes invalid when the triangulation changes.
+ * An object of this class becomes invalid when the triangulation changes.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
@@ -90,7 +90,7 @@ class Straightness_meter
   using Edges = decltype(edge_straightness(std::declval<const Triangulation&>()));
 
 public:
-  /// Constructs a meter for the curves of a network, which must outlive it.
+  /// Constructs an object that measures the curves of a network; the network must outlive the object.
   explicit Straightness_meter(const Network& network)
     : m_network(network)
     , m_edges(edge_straightness(network.triangulation()))
@@ -149,8 +149,9 @@ public:
 
   /*!
    * Recomputes the faces in the wedge at a side of a joint from the input, so that the angles of the triangulation
-   * agree with those of the input; in needles, drift may have made them inaccurate.
-   * \return whether every corner of the faces is between 0 and \f$\pi\f$; if not, incorrect flips have been made
+   * agree with those of the input; in needles, drift may have made the former inaccurate.
+   * \return whether the angle at every corner of these faces lies between 0 and \f$\pi\f$; if not, rounding errors have
+   *         caused incorrect flips
    */
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
   {
@@ -223,14 +224,14 @@ struct Network_certificate
  *
  * The input edges that a segment crosses must unfold to a strip that contains the straight line between the ends of the
  * segment, and each unblocked side of a joint must have an angle of at least \f$\pi\f$. The comparisons are those of
- * exact real numbers, filtered by error bounds. A contracted curve is `PROVEN`. If a coordinate or length of the
- * mesh is not a double, no curve is certified, and the verdict is `Verdict::UNDECIDED`.
+ * exact real numbers, filtered by error bounds. The verdict on a contracted curve is `PROVEN`. If a coordinate or
+ * length of the mesh is not a double, no curve is certified, and the verdict is `Verdict::UNDECIDED`.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  * \return one certificate per curve
  *
  * Complexity: linear in the number of crossed input edges if the floating-point filter suffices, and also in the size
- * of the mesh if the number type of the mesh is not limited to doubles.
+ * of the mesh if the number type of the mesh can represent numbers that are not doubles.
  *
  * \sa `certify_curve()`
  */

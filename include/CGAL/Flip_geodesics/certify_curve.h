@@ -66,7 +66,7 @@ struct Given_curve_certificate
   /// vertex, it is \f$2\pi\f$ minus the sum of the angles at the vertex.
   double bend = 0;
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
-  /// The number of the point at the bend: the number of the passed vertex, or of the first crossed edge that ends at
+  /// The number of the given point at the bend: the passed vertex or, in a segment, the first crossed edge that ends at
   /// `vertex`.
   std::size_t number = 0;
   Side side = Side::LEFT; ///< the side of a bent joint; in a segment, the side on which `vertex` lies
@@ -82,7 +82,7 @@ struct Given_curve_certificate
   /// lengths of the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.
   Verdict verdict() const { return m_verdict; }
 
-  /// Returns whether the curve is locally shortest, `PROVEN` or `PROBABLE`.
+  /// Returns whether the curve is locally shortest, that is, `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return is_confirmed(m_verdict); }
 
 private:
@@ -128,7 +128,7 @@ public:
                                       ? Surface_location{halfedge(crossing->first, i), {{1, 1, 0}}}
                                       : location(given[i], i);
       if(is_closed && i == 0 && kind(at) != Location_kind::VERTEX)
-        throw Invalid_curve_error("a closed curve does not start at a vertex", {0});
+        throw Invalid_curve_error("a closed curve does not start at a vertex; start it at one that it passes", {0});
       if(is_end || kind(at) == Location_kind::VERTEX)
         arrive(m_places.add(at), i, i > 0 && i + 1 == given.size() && !is_closed);
       else if(kind(at) == Location_kind::EDGE)

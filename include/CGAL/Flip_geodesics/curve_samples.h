@@ -88,8 +88,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Parametrizes a curve, which is straight between consecutive locations, by arc length: it returns the location and the
- * direction of the curve at a given length.
+ * Represents a curve that is straight between consecutive locations, parametrized by arc length: the members return the
+ * location and the direction of the curve at a given length from its start.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -140,7 +140,7 @@ public:
   std::size_t piece(double length) const
   {
     if(m_starts.empty())
-      throw Invalid_curve_error("a curve of length zero cannot be divided");
+      throw Invalid_curve_error("a curve of length zero has no pieces");
     return place(length).leg;
   }
 
@@ -248,7 +248,7 @@ double angle_between(const Triangulation& triangulation, const Surface_location&
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// Stores a point on a curve, with the frame of the curve and the surface there.
+/// Stores a point on a curve, with the tangent of the curve and the normal of the surface at this point.
 template <class TriangleMesh, class Point>
 struct Curve_sample : Curve_point<TriangleMesh, Point>
 {
@@ -365,7 +365,7 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
   static_assert(internal::Has_points<typename Surface::Metric>::value,
                 "the metric has no points in space: use Located_curve to obtain locations only");
   if(number < 2)
-    throw Invalid_parameter_error("the number of samples must be at least two");
+    throw Invalid_parameter_error("fewer than two samples are requested, but the start and the end are samples");
   const Surface surface = internal::make_surface(mesh, options);
   const Located_curve<Surface> located = internal::located_curve(surface, mesh, curve);
   const internal::Curve_sampler<Surface, TriangleMesh> sample(surface, mesh, located);

@@ -44,15 +44,15 @@ enum class Spline_kind {
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Computes a chain of geodesic B&eacute;zier curves on the surface \cgalCite{MCV08}, \cgalCite{SC20,section 6.2}, by de
- * Casteljau's algorithm with geodesics instead of straight lines. In the plane, the points at which pieces meet lie
- * exactly on the B&eacute;zier curve, up to rounding errors.
+ * Casteljau's algorithm with geodesics instead of straight lines. In the plane, the points at which pieces meet lie on
+ * the B&eacute;zier curve up to rounding errors.
  *
  * Each *leg* of a control polygon, the geodesic between two consecutive control points, is shortened independently, in
  * a triangulation that is restored for the next one. Legs may therefore pass through control points, overlap, and cross
  * one another, so the control polygon may cross itself. A leg of the next level is obtained by shortening a path that
- * leads from the midpoint of one leg over the control point to the midpoint of the next, so that the curve stays in the
- * homotopy class of the polygon. `add_curve_along()` turns the pieces of the finished curve into a curve of a network,
- * and thus into edges of a triangulation.
+ * leads from the midpoint of one leg through the control point to the midpoint of the next, so that the curve stays in
+ * the homotopy class of the polygon. `add_curve_along()` turns the pieces of the finished curve into a curve of a
+ * network, and thus into edges of a triangulation.
  *
  * The invariant is that each leg is a geodesic that starts at the end of the previous one, and that the triangulation
  * is unchanged.
@@ -161,8 +161,8 @@ public:
   }
 
   /*!
-   * Connects the points at which pieces meet, which lie on the curve, by geodesics along the control polygons of the
-   * pieces.
+   * Connects consecutive points at which pieces meet, which lie on the curve, by geodesics in the homotopy classes of
+   * the control polygons of the pieces.
    * \return one polyline per piece, from its start to its end, through the points at which it crosses edges
    * \throws Insertion_error as `refine()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -325,9 +325,9 @@ private:
  *
  * A curve through two points is a shortest edge path. A curve through more points consists of *legs*, which connect
  * consecutive points. Each leg is first shortened on its own, with the other points ignored, and therefore passes each
- * of the other points on the same side as the unobstructed geodesic does. The edges that the legs cross are flipped. A
- * leg that crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects whether the
- * curves cross. The initial length is that of the edge paths.
+ * of them on the same side as a geodesic without obstacles does. The edges that the legs cross are flipped. A leg that
+ * crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects whether the curves
+ * cross. The initial length is that of the edge paths.
  *
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
@@ -381,12 +381,12 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a curve along given legs, which are geodesics on the surface, such as the pieces of a `Geodesic_spline`, or the
- * legs of a `Curve_editor` or of `geodesics_through()`.
+ * Adds a curve along given legs, which should be geodesics on the surface, such as the pieces of a `Geodesic_spline`,
+ * or the legs of a `Curve_editor` or of `geodesics_through()`.
  *
  * The ends of the legs become vertices, at which the curve is fixed. The legs become edges of the triangulation; to
- * this end, the edges that they cross are flipped. A leg that is not a geodesic is shortened to one in its homotopy
- * class.
+ * this end, the edges that they cross are flipped. A leg that is not a geodesic is replaced by a geodesic in its
+ * homotopy class.
  *
  * \param network the network
  * \param legs the legs, each starting at the end of the previous one; any two consecutive points of a leg must lie in a

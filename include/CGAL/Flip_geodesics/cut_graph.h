@@ -39,11 +39,11 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * curves have fixed ends where they meet, so the network can be shortened by `shorten_cut_graph()` and then be passed
  * to `cut_along_curves()` or `Conformal_flattening`.
  *
- * In each component, the network consists of the shortest homotopy generators \cgalCite{EW05}, as for `Loop_basis`,
- * without the paths that all of them traverse back and forth. The network is therefore short, but not the shortest cut
- * graph, whose computation is NP-hard \cgalCite{EH04}. Since borders are already cut, curves lead from one border to
- * another and end there; paths along the border count as having length zero. A disk receives no curve. A sphere
- * receives one, from its base point to the vertex that is farthest from it along edges.
+ * In each component, the network consists of the shortest loops that generate the fundamental group \cgalCite{EW05}, as
+ * in `Loop_basis`, without the paths that these loops traverse back and forth. The network is therefore short, but not
+ * the shortest cut graph, whose computation is NP-hard \cgalCite{EH04}. Borders need not be cut open; curves therefore
+ * lead from one border to another and end there, and paths along the border count as having length zero. A disk
+ * receives no curve. A sphere receives one, from its base point to the vertex that is farthest from it along edges.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param base_points vertices, at most one in each component. In a component without a base point, the first vertex of

@@ -58,8 +58,9 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Flips given edges of a triangulation until each is locally Delaunay, by Lawson's algorithm \cgalCite{BS07}. Other
- * edges are not flipped. If all edges are given, the result is an intrinsic Delaunay triangulation.
+ * Flips given edges of a triangulation until each of them is locally Delaunay or lies under a curve, by Lawson's
+ * algorithm \cgalCite{BS07}. Other edges are not flipped. If all edges are given and none lies under a curve, the
+ * result is an intrinsic Delaunay triangulation.
  *
  * An edge whose four points are cocircular is Delaunay and not flipped. With exact traits, the process terminates on
  * every input: each flip decreases a function of the triangulation, and only finitely many triangulations have a
@@ -89,7 +90,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * \cgalNamedParamsEnd
  *
  * \return a report on the given edges
- * \throws Invalid_parameter_error if the number of flips is negative
+ * \throws Invalid_parameter_error if `number_of_iterations` is negative
  * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
  * \throws Degenerate_face_error if such a face is degenerate
  * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
@@ -112,9 +113,9 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Flips all edges of a triangulation until each is locally Delaunay, so that the triangulation becomes the intrinsic
- * Delaunay triangulation. If networks have curves in it, it becomes the intrinsic constrained Delaunay triangulation
- * (iCDT) of all these curves \cgalCite{SC20,section 6.3}.
+ * Flips the edges of a triangulation until each edge is locally Delaunay or lies under a curve. The result is the
+ * intrinsic Delaunay triangulation or, if networks have curves in the triangulation, the intrinsic constrained Delaunay
+ * triangulation (iCDT) of all these curves \cgalCite{SC20,section 6.3}.
  *
  * The named parameters and exceptions are those of `flip_to_delaunay()` for given edges.
  *

@@ -39,8 +39,8 @@ const char* name_of(Enumeration value, const char* const (&names)[N])
  *
  * Is the base class of all exceptions that this package throws because of invalid or unsuitable input.
  *
- * It stores the indices of the offending elements, in the order in which the message names them: positions in
- * `vertices(mesh)` for meshes, and positions in the input for curves.
+ * It stores the indices of the offending elements, in the order in which the message names them: elements of a mesh by
+ * their positions, such as in `vertices(mesh)`, and points of a curve by their positions in the curve.
  */
 class Error : public std::runtime_error
 {
@@ -102,10 +102,10 @@ template <class Exception, class... Parts>
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the connectivity of the input is not that of an oriented triangulated surface: a face is not a
 /// triangle, an edge does not belong to a face, a `Surface_mesh` contains removed vertices or edges, or there are more
-/// elements than 32-bit indices can number. It is also thrown if umbrellas meet only at a vertex and the class of a
-/// curve or the angle of directions at this vertex is requested, or if handles and tunnels of a surface that does not
-/// bound a solid are requested. `elements()` are at most eight vertices of the face, the vertices of the edge, or the
-/// vertex at which umbrellas meet.
+/// elements than 32-bit indices can number. It is also thrown if umbrellas meet only at a vertex, and the homology
+/// class of a curve or an angle between directions at this vertex is requested, or if handle and tunnel loops are
+/// requested of a surface that does not bound a solid. `elements()` contains at most eight vertices of the face, the
+/// vertices of the edge, or the vertex at which umbrellas meet.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -122,9 +122,9 @@ enum class Degeneracy_remedy {
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a face has a degenerate edge, or lengths that violate the triangle inequality, or if no surface remains
-/// at a degenerate edge when it is contracted together with the degenerate faces at this edge. `elements()` are the
-/// vertices of the edge or face. It is also thrown if a path cannot be followed through almost degenerate faces because
-/// of rounding errors; in this case `elements()` is empty.
+/// at a degenerate edge when it is contracted together with the degenerate faces at this edge. `elements()` contains
+/// the vertices of the edge or face. The exception is also thrown if rounding errors make it impossible to follow a
+/// path through almost degenerate faces; in this case `elements()` is empty.
 class Degenerate_face_error : public Error
 {
 public:
@@ -142,7 +142,7 @@ public:
   {
   }
 
-  /// Returns the message without the advice, for callers that give advice of their own.
+  /// Returns the message without the remedy, for callers that give advice of their own.
   std::string problem() const { return std::string(what()).substr(0, m_problem_size); }
 
   /// Returns the remedy of the problem.
@@ -169,7 +169,7 @@ private:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a coordinate or an edge length is NaN, infinite, or too large or too small for computations; lengths
 /// must lie between 1e-70 and 1e70. It is also thrown if the offset of a source is negative, not finite, or far too
-/// large for the mesh. `elements()` is the vertex, the two vertices of the edge, or the number of the source.
+/// large for the mesh. `elements()` contains the vertex, the two vertices of the edge, or the number of the source.
 class Invalid_coordinate_error : public Error
 {
 public:
@@ -181,7 +181,7 @@ public:
 /// positive or is smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached,
 /// isolated base points of loops, or two base points in one component. It is also thrown if a distance field returns
 /// NaN, or is queried at a location for which it stores no data, or if a result is requested before it has been
-/// computed. `elements()` is the position of the level, the face, the halfedge or the base point, if applicable.
+/// computed. `elements()` contains the position of the level, the face, the halfedge or the base point, if applicable.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -189,8 +189,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a vertex does not belong to the mesh. `elements()` contains the index of the vertex; if
-/// vertices of the mesh have no index, its position among the given vertices.
+/// Is thrown if a vertex does not belong to the mesh. `elements()` contains the index of the vertex or, if the vertices
+/// of the mesh have no indices, its position among the given vertices.
 class Vertex_out_of_range_error : public Error
 {
 public:
@@ -198,8 +198,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if no edge path connects the two vertices in `elements()`, or no path connects a point of a mean, whose
-/// position is in `elements()`, and the others.
+/// Is thrown if no edge path connects two vertices, which `elements()` contains, or if one of the points of which a
+/// mean is computed is not connected to the others; in this case `elements()` contains the position of that point.
 class Disconnected_endpoints_error : public Error
 {
 public:
@@ -208,8 +208,9 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a location is not a point of the surface: its face or halfedge does not belong to the mesh, or its
-/// weights are negative, NaN, all zero, or do not sum to one although this is required. `elements()` is the position of
-/// the location among several given ones; for a single one, it is the halfedge if this exists.
+/// weights are negative, NaN, all zero, or do not sum to one although this is required. If several locations are given,
+/// `elements()` contains the position of the invalid one; otherwise it contains the halfedge of the location, if this
+/// halfedge exists.
 class Invalid_location_error : public Error
 {
 public:
@@ -218,7 +219,7 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a point in space is farther from the surface than `parameters::greatest_point_distance()` allows;
-/// `elements()` is the position of this point among the given points.
+/// `elements()` contains the position of this point among the given points.
 class Distant_point_error : public Invalid_location_error
 {
 public:
@@ -227,8 +228,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a point cannot be inserted, because rounding errors have caused incorrect flips of the triangulation
-/// around it, or because the number type of the traits cannot represent it. `elements()` is the input halfedge of its
-/// location.
+/// around it, or because the number type of the traits cannot represent it. `elements()` contains the input halfedge of
+/// the location of the point.
 class Insertion_error : public Error
 {
 public:
@@ -237,8 +238,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a curve is empty, is not a chain of edges of the mesh or of points in common faces, is or would be a
-/// single point, is open where a closed one is required, or does not start at a required point. `elements()` are
-/// positions in the curve, the number of the curve, or vertices of it.
+/// single point, is open where a closed one is required, or does not start at a required point. `elements()` contains
+/// positions in the curve, the number of the curve, or vertices of the curve.
 class Invalid_curve_error : public Error
 {
 public:
@@ -246,8 +247,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if input curves cross at the vertex in `elements()` in every order of their overlapping segments, or if a
-/// segment of a polyline crosses the edge of a curve between the two vertices in `elements()`.
+/// Is thrown if input curves cross in every order of their overlapping segments; `elements()` then contains a vertex at
+/// which they cross. It is also thrown if a segment of a polyline crosses an edge of a curve; `elements()` then
+/// contains the two end points of this edge.
 class Crossing_curves_error : public Error
 {
 public:
@@ -256,8 +258,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if an edge would have to be flipped or split although a curve of a network lies on it; if a network is
-/// being changed, only the curves of other networks count. In this case nothing has been changed. `elements()` is the
-/// halfedge of the point to be inserted, if there is one.
+/// being changed, only the curves of other networks count. In this case nothing has been changed. `elements()` contains
+/// the halfedge of the point to be inserted, if there is one.
 class Occupied_triangulation_error : public Error
 {
 public:
@@ -265,8 +267,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if the search for an order of overlapping curves is aborted; `elements()` are the vertices of a shared
-/// edge.
+/// Is thrown if the search for an order of overlapping curves is aborted; `elements()` contains the vertices of an edge
+/// that the curves share.
 class Ambiguous_order_error : public Error
 {
 public:
@@ -274,8 +276,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a number type without square roots encounters an area that is not rational in the unit of areas chosen
-/// for it; `elements()` are the vertices of the face, if they are known.
+/// Is thrown if a number type without square roots encounters a face whose area is not a rational multiple of the unit
+/// of area of the traits; `elements()` contains the vertices of the face, if they are known.
 class Inexact_root_error : public Error
 {
 public:
@@ -283,8 +285,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a linear system cannot be solved: its solution is not unique, because no value is given in a component
-/// of the surface, or its matrix cannot be factorized in double precision, because faces are too thin.
+/// Is thrown if a linear system cannot be solved, either because its solution is not unique, since no value is given in
+/// a component of the surface, or because its matrix cannot be factorized in double precision, since faces are too
+/// thin.
 class Singular_problem_error : public Error
 {
 public:
@@ -293,8 +296,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a surface to be flattened is not a topological disk, a conformal factor makes a face violate the
-/// triangle inequality, or a conformal factor is beyond the precision of coordinates; `elements()` is the vertex to
-/// which the surface should be cut, if it is known.
+/// triangle inequality, or a conformal factor is beyond the precision of coordinates; `elements()` contains the vertex
+/// to which the surface should be cut, if this vertex is known.
 class Flattening_error : public Error
 {
 public:
@@ -302,8 +305,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a file is not in the expected format, has a different version, or is damaged; `elements()` is the
-/// number of words before the damage, if it is known.
+/// Is thrown if a file is not in the expected format, has a different version, or is damaged; `elements()` contains the
+/// number of undamaged words before the damage, if this number is known.
 class File_format_error : public Error
 {
 public:
@@ -320,7 +323,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if loaded data were saved, or landmarks or a metric were made, for a different mesh or metric.
+/// Is thrown if loaded data, landmarks or a metric belong to a mesh or metric other than the one with which they are
+/// used.
 class Input_mismatch_error : public Error
 {
 public:

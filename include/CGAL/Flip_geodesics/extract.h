@@ -58,8 +58,9 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
  * Extracts curves of a network as curves on the input mesh, by unfolding the edge sequences of their segments. The
  * crossed edges and their order are exact; the positions of the crossings are rounded to double.
  *
- * If the distance of a curve from a vertex is within rounding errors, consecutive points on the edges of the vertex may
- * coincide in space. The edges then determine on which side the curve passes, and `Surface_point::t` is not zero.
+ * If a curve passes a vertex at a distance of the order of rounding errors, consecutive points on the edges at this
+ * vertex may coincide in space. The edges then determine on which side the curve passes, and `Surface_point::t` is not
+ * zero.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */

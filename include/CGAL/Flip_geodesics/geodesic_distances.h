@@ -53,7 +53,8 @@ struct Distances_report
 {
   /// the number of vertices other than the source that the search reached within the limit of the tree
   std::size_t vertices = 0;
-  /// the number of these vertices whose path was initially missing or longer than the one found
+  /// the number of these vertices whose path in the tree was initially missing or longer than the path that the search
+  /// found
   std::size_t longer_before = 0;
   /// the number of these vertices for which this is still the case, because of rounding errors or degenerate faces
   std::size_t longer = 0;
@@ -61,11 +62,11 @@ struct Distances_report
   double largest_excess = 0;        ///< the largest remaining excess length of a path, relative to the shortest length
   std::size_t windows = 0;          ///< the number of windows of the search
   std::size_t flips = 0;            ///< the number of flips that inserted shortest paths
-  /// `WITHIN_TOLERANCE` if the figures are exact up to rounding errors, and no shortest path is shorter than the one
-  /// found by more than 1e-10 of its length. `UNDECIDED` otherwise, that is, if the search was aborted or stopped, or
-  /// encountered a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. If the search
-  /// encounters a face whose height is at most 1e-10 of its base, or if rounding errors may exceed this tolerance, a
-  /// second search with outward-rounded bounds is run to confirm the figures, provided that all sources are vertices.
+  /// `WITHIN_TOLERANCE` if the members above are exact up to rounding errors, and no path found exceeds the length of a
+  /// shortest path by more than 1e-10 of this length. `UNDECIDED` if the search was aborted or stopped, or encountered
+  /// a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. If the search encounters a face
+  /// whose height is at most 1e-10 of its base, or if rounding errors may exceed this tolerance, a second search with
+  /// outward-rounded bounds is run to confirm the results, provided that all sources are vertices.
   Verdict verdict = Verdict::UNDECIDED;
   /// Whether the paths are locally shortest, including those that were not replaced, as reported by
   /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
@@ -410,7 +411,7 @@ void put_distances(const Geodesic_distance_field<Triangulation>& field, const Tr
 }
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// Writes the number of the nearest source of each vertex into a property map, or 0 if it is not known.
+/// Writes the number of the nearest source of each vertex into a property map, or 0 if the nearest source is not known.
 /// \throws Invalid_parameter_error before `Geodesic_distance_field::compute()`
 template <class Triangulation, class VertexSourceMap>
 void put_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
@@ -493,7 +494,9 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
     return result;
   if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
     throw Degenerate_face_error(
-        "paths pass through several vertices that coincide once degenerate faces are contracted", {});
+        "geodesics remain bent at several vertices that coincide once degenerate faces are contracted; "
+        "contract degenerate edges (Zero_length_edges::CONTRACT)",
+        {});
   if(result.report.longer > 0)
     result.report.verdict = Verdict::UNDECIDED;
   write(tree, Value_collector<typename Triangulation::Mesh_vertex, Value>{&result.values});
@@ -784,7 +787,7 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * Sources are vertices, points anywhere on the surface, and curves; different kinds can be mixed. The distances are
  * computed with a `Geodesic_distance_field`. Two fallbacks handle difficult input:
  * - If the field encounters a face so close to degenerate that rays can be lost in it, or if rounding errors may have
- *   changed a distance by more than 1e-10 of its value, a search with outward-rounded bounds follows, provided that all
+ *   changed a distance by more than 1e-10 of its value, a search with outward-rounded bounds is run, provided that all
  *   sources are vertices.
  * - If the bounds of the search are too far apart as well, or the field exceeds its limit, a tree of geodesics is grown
  *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was passed by itself and not in a range.
@@ -801,9 +804,9 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *          boundary
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
  *        Unreachable vertices receive infinity. If degenerate edges had to be contracted, this includes vertices that
- *        were connected to a source only by degenerate faces; these distances are not confirmed. If the search is
- *        aborted, the distances from one source are those of the geodesics of the tree, and unknown distances from
- *        several sources are infinite
+ *        were connected to a source only by degenerate faces; these distances are not confirmed. If a computation is
+ *        aborted at its limit, the distances are those of the geodesics of the tree if the second fallback has grown
+ *        one; otherwise unknown distances are infinite
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
@@ -829,8 +832,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report with the number of vertices other than sources whose distance is that of a shortest path, and
- *         whether all distances are confirmed
+ * \return a report on the distances: the number of vertices other than sources whose distance is finite, and whether
+ *         all distances are confirmed
  *
  * \throws Vertex_out_of_range_error if a source is not a vertex of the mesh
  * \throws Invalid_location_error if a source is not a point of the mesh
@@ -839,10 +842,11 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. Locating
- * points in space takes \cgalBigO{n \log n}, and logarithmic time for each point close to the surface. The search takes
- * \cgalBigO{w \log w} for \f$w\f$ windows, whose number is limited as for the field. If the errors of doubles are too
- * large, it creates twice as many, in double-double arithmetic.
+ * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. If sources are
+ * points in space, building a search tree of the faces takes \cgalBigO{n \log n} time, and locating each point takes
+ * logarithmic time if the point is close to the surface. The search of the first fallback, if needed, takes \cgalBigO{w
+ * \log w} time for \f$w\f$ windows; the `Window_limit` bounds \f$w\f$, as it does for the field. If doubles are not
+ * accurate enough, the search is repeated in double-double arithmetic, with at most twice as many windows.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
@@ -1090,8 +1094,8 @@ private:
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report with the number of pairs whose distance is finite, as `vertices`, the number of windows of all
- *         fields, and whether all distances are confirmed
+ * \return a report on the distances: the number of pairs whose distance is finite (in the member `vertices`), the
+ *         number of windows of all fields, and whether all distances are confirmed
  * \throws Vertex_out_of_range_error if a point given as a vertex is not a vertex of the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
