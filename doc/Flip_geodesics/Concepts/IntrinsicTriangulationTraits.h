@@ -41,7 +41,8 @@ public:
   /// all records at once.
   typedef unspecified_type Halfedge_geometry;
 
-  /// The geometry of a face: a range of three `Halfedge_geometry`, of `h`, `hn`, `hp`, with `operator[]`.
+  /// The geometry of a face: a range of three objects of type `Halfedge_geometry`, those of `h`, `hn` and `hp`, with
+  /// `operator[]`.
   typedef unspecified_type Face_geometry;
 
   /// A partial sum of the corner angles from one halfedge clockwise to another around a vertex. Copyable; a

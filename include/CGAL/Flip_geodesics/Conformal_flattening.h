@@ -588,7 +588,7 @@ private:
     if(extreme == null_index)
       return;
     const auto v = static_cast<std::size_t>(flattening.vertex(extreme).idx());
-    throw Flattening_error("the conformal factors degenerate: lengths at vertex " + std::to_string(v) +
+    throw Flattening_error("the conformal factors are out of range: lengths at vertex " + std::to_string(v) +
                                " would be multiplied by about 1e" +
                                std::to_string(std::lround(log_scales[extreme] / std::log(10))) +
                                "; cut the surface to this vertex",
@@ -724,10 +724,11 @@ Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network
     for(Halfedge_index h : sides)
       is_changed = internal::split_in_half(network, h) || is_changed;
     if(!is_changed || round == most_rounds || triangulation.number_of_vertices() > most_vertices)
-      throw Flattening_error("the conformal factors violate the triangle inequality however small the faces are; " +
-                                 (tip.empty() ? std::string("cut the surface differently")
-                                              : "cut the surface to vertex " + std::to_string(tip.front())),
-                             tip);
+      throw Flattening_error(
+          "the conformal factors violate the triangle inequality even after faces have been split; " +
+              (tip.empty() ? std::string("cut the surface along other curves")
+                           : "cut the surface to vertex " + std::to_string(tip.front())),
+          tip);
   }
 }
 

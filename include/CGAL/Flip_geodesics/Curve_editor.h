@@ -27,7 +27,7 @@ namespace CGAL::Flip_geodesics {
 /// Reports the effect of a move of a `Curve_editor`.
 struct Move_report
 {
-  std::size_t legs = 0;              ///< the number of legs that were recomputed, one or two
+  std::size_t legs = 0;              ///< the number of recomputed legs: one or two, or 0 if the point has not moved
   std::size_t legs_by_flips = 0;     ///< the number of these legs that required edge flips
   Verdict verdict = Verdict::PROVEN; ///< the worst verdict on the recomputed legs
 };
@@ -45,8 +45,8 @@ struct Move_report
  * A leg is stored as the sequence of edges that it crosses. The time of a move depends only on the legs at the moved
  * point and not on previous moves; it is roughly the time to extract these legs, multiplied by the number of rows of
  * vertices over which they sweep. The leg is unfolded, shortened with a funnel algorithm, and certified as by
- * `certify()`, regardless of the traits. Only if this fails are edges flipped, as by `shorten()`; these flips are then
- * undone.
+ * `certify()`, regardless of the traits. If this fails, edges are flipped, as by `shorten()`, and the flips are undone
+ * afterwards.
  *
  * Guarantee: a leg is a bitwise reproducible function of its end points and its edge sequence, and does not depend on
  * the moves that led to it. If a homotopy class has only one geodesic, as on surfaces whose vertices have angles of
@@ -140,8 +140,8 @@ public:
     return sum;
   }
   /// Returns the verdict on a leg, obtained by exact arithmetic on the input coordinates. A leg can fail to be a
-  /// geodesic only if it requires flips and crosses itself, or if it exceeds the precision of the traits. Nothing is
-  /// certified if coordinates or lengths of the mesh had to be rounded.
+  /// geodesic only if it requires flips and crosses itself, or if its computation exceeds the precision of the traits.
+  /// Nothing is certified if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// Returns the verdict on the curve, which is the worst one of its legs.
   Verdict verdict() const
@@ -190,14 +190,14 @@ public:
   }
 
   /*!
-   * Moves a point along a given path, which determines the homotopy classes of its legs.
+   * Moves a point along a given path, which determines the homotopy classes of the legs at this point.
    * \param i the number of the point
    * \param way the path: it must start at `point(i)` and end at the new position, and any two consecutive locations
    *        must lie in one face
    * \return a report on the recomputed legs
    * \pre `i < number_of_points()`
-   * \throws Invalid_curve_error if the path starts elsewhere, or two consecutive locations have no common face, in
-   *         which case `elements()` contains the position in the path; also in the cases listed for `move()`
+   * \throws Invalid_curve_error if the path does not start at `point(i)`, or two consecutive locations have no common
+   *         face (`elements()` contains a position in the path); also in the cases listed for `move()`
    * \throws Invalid_location_error as `move()` does
    * \throws Occupied_triangulation_error as `move()` does
    * \throws Crossing_curves_error as `move()` does

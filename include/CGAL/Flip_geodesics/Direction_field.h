@@ -31,9 +31,10 @@ namespace CGAL::Flip_geodesics {
  *
  * The field is stored at vertices, as the `symmetry`-th power of a complex number in the tangent space of the vertex
  * (`Tangent_spaces`). It minimizes \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$ with the cotangent weights \f$w\f$ and
- * the transport \f$r\f$ along edges, among all fields of unit norm or, if curves were given, among the fields aligned
- * to them \cgalCite{SC20,section 6.4 and Figure 26}. Edges that are not Delaunay have negative weights, which can make
- * the minimal energy meaningless; flip the triangulation to Delaunay first.
+ * the transport \f$r\f$ along edges, among all fields of unit norm or, if directions are prescribed, for instance along
+ * curves, among the fields that are aligned to them \cgalCite{SC20,section 6.4 and Figure 26}. Edges that are not
+ * Delaunay have negative weights, which can make the minimal energy meaningless; flip the triangulation to Delaunay
+ * first.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -108,7 +109,7 @@ public:
   /*!
    * Computes the field. This takes one sparse Cholesky factorization and, without alignment, tens to hundreds of
    * solves, until the relative change of the energy is less than 1e-12.
-   * \throws Singular_problem_error if curves are given but some component with faces contains none of them, or the
+   * \throws Singular_problem_error if directions are prescribed but not in every component that has faces, or the
    *         matrix cannot be factorized
    */
   void compute()

@@ -747,8 +747,9 @@ Order_conflict order_if_possible(Network& network)
  * \throws Crossing_curves_error if curves cross in every order. `elements()` contains a vertex at which they cross, or
  *         one of several vertices that together make an order impossible
  * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
- *         repeatedly and the choices of their orders depend on each other; the elements are the vertices of a shared
- *         edge. After either exception the curves are unchanged, but the order of their segments may have changed
+ *         repeatedly and the choices of their orders depend on each other; `elements()` contains the vertices of an
+ *         edge that they share. After either exception the curves are unchanged, but the order of their segments may
+ *         have changed
  *
  * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the degrees of the vertices that they pass. If edges have
  * several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time (about half a

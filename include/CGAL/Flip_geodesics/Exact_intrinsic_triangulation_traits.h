@@ -465,8 +465,8 @@ private:
  * \tparam Radicand a number type to which integers given as doubles can be converted
  * \param mesh a triangle mesh
  * \param metric an `Embedded_metric` or `Edge_length_metric`
- * \throws Inexact_root_error if no such number exists; `elements()` are the vertices of a face that does not match the
- *         first one
+ * \throws Inexact_root_error if no such number exists; `elements()` contains the vertices of a face whose area is not a
+ *         rational multiple of that of the first face
  *
  * Complexity: linear in the size of the mesh, with arithmetic on integers of a few hundred bits.
  */

@@ -84,9 +84,10 @@ struct Geodesic_tree_report
  * consists of edges of one intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
- * forms an angle of at least \f$\pi\f$ on both sides at the vertex at which it leaves the tree. Otherwise the edges
- * inside the wedge with the smaller angle are flipped, which makes a shorter path possible, and the search continues.
- * Such a wedge never contains an edge of the tree, since the paths through its apex are straight. In contrast to
+ * forms an angle of at least \f$\pi\f$ on both sides at the preceding vertex, its parent in the tree. Otherwise the
+ * edges inside the wedge with the smaller angle are flipped, which makes a shorter path possible, and the search
+ * continues. Such a wedge never contains an edge of the tree, since the paths through its apex are straight. In
+ * contrast to
  * \cgalCite{SC20}, an accepted vertex is reopened if a new edge gives a shorter path to it. The finished tree is
  * therefore a shortest path tree of the edge graph of the final triangulation.
  *

@@ -304,8 +304,8 @@ public:
 
   /// @}
   /// \name Held edges
-  /// A held edge is not flipped. A network holds each edge on which it has a segment once. The functions take constant
-  /// time.
+  /// A held edge is not flipped. A network places one hold on each edge on which it has segments. The functions take
+  /// constant time.
   /// @{
 
   /// Returns the number of holds on edge `e`, one for each network that has a segment there; it is 0 initially.
@@ -617,8 +617,8 @@ public:
   }
 
   /// Undoes flips and insertions in reverse order until the log has `position` entries. The former state is restored
-  /// bitwise. Linear in the number of undone entries. \pre no network has a curve on an edge that is undone, unless the
-  /// curve is removed before it is used again
+  /// bitwise. Linear in the number of undone entries. \pre no network has a curve on an edge that the rollback changes,
+  /// unless the curve is removed before it is used again
   void rollback(Log_position position = 0)
   {
     if(m_log.size() > position)

@@ -38,7 +38,7 @@ enum class Repair {
 constexpr std::size_t number_of_repairs = static_cast<std::size_t>(Repair::POINTS_LEFT) + 1;
 
 /// \ingroup PkgFlipGeodesicsRepair
-/// Returns a phrase that states how often a repair was made, such as "2 points merged into ...".
+/// Returns a phrase that states how often a repair was made, such as "2 points merged with coincident points".
 inline std::string describe(Repair repair, std::size_t count)
 {
   const auto counted = [count](const char* one, const char* several, const char* what) {

@@ -89,7 +89,8 @@ public:
 
   /*!
    * Constructs a spline from a control polygon whose legs are already geodesics, such as those of a `Curve_editor`.
-   * With legs of an editor, the curve stays in the homotopy class of the polygon while control points are dragged.
+   * If the legs are those of an editor, the curve stays in the homotopy class of the polygon while control points are
+   * dragged.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
@@ -119,7 +120,7 @@ public:
   /*!
    * Subdivides every piece at its midpoint, which doubles the number of pieces.
    * \throws Insertion_error if the subdivision is too fine for the number type
-   * \throws Crossing_curves_error if two consecutive legs, taken together, cross themselves
+   * \throws Crossing_curves_error if the path formed by two consecutive legs crosses itself
    * \throws Ambiguous_order_error if the search for an order of the overlapping parts of two consecutive legs is
    *         aborted
    */
@@ -226,7 +227,7 @@ private:
   {
     if(m_report.curves.empty())
       throw Invalid_parameter_error(
-          "a result of a spline is requested before it has been finished; call finish() first");
+          "a result of a spline is requested before the spline is finished; call finish() first");
     return m_report.curves.front();
   }
 
@@ -325,9 +326,9 @@ private:
  *
  * A curve through two points is a shortest edge path. A curve through more points consists of *legs*, which connect
  * consecutive points. Each leg is first shortened on its own, with the other points ignored, and therefore passes each
- * of them on the same side as a geodesic without obstacles does. The edges that the legs cross are flipped. A leg that
- * crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects whether the curves
- * cross. The initial length is that of the edge paths.
+ * of these points on the same side as a geodesic without obstacles does. The edges that the legs cross are flipped. A
+ * leg that crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects whether the
+ * curves cross. The initial length is that of the edge paths.
  *
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
@@ -335,9 +336,10 @@ private:
  * \param np the named parameter `is_closed`, a `bool`: whether the curve is closed; `false` by default
  * \return the index of the curve
  * \throws Invalid_curve_error if fewer than two points are given, or all points coincide
- * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` are the ends of the crossed
- *         edge. In this case no curve is added, but points may have become vertices, and edges may have been flipped
- * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+ * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` contains the ends of the
+ *         crossed edge. In this case no curve is added, but points may have become vertices, and edges may have been
+ *         flipped
+ *         \throws Disconnected_endpoints_error if no edge path connects two consecutive points
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
@@ -394,12 +396,12 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * \param np the named parameter `is_closed`, a `bool`: whether the last leg ends where the first starts, and the curve
  *        is closed; `false` by default
  * \return the index of the curve
- * \pre no edge of the triangulation in these faces crosses an input edge
+ * \pre in the faces through which the legs pass, no edge of the triangulation crosses an input edge
  * \throws Invalid_curve_error if a leg has fewer than two points, consecutive points have no common face, or all legs
  *         are points
- * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()` are
- *         the ends of the crossed edge. In this case no curve is added, but points may have become vertices, and edges
- *         may have been flipped
+ * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()`
+ *         contains the ends of the crossed edge. In this case no curve is added, but points may have become vertices,
+ *         and edges may have been flipped
  * \throws Ambiguous_order_error if the search for an order of overlapping segments is aborted
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does

@@ -35,7 +35,7 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Adds to an empty network curves along which each component of a surface can be cut open to a topological disk. The
+ * Fills an empty network with curves along which each component of a surface can be cut open to a topological disk. The
  * curves have fixed ends where they meet, so the network can be shortened by `shorten_cut_graph()` and then be passed
  * to `cut_along_curves()` or `Conformal_flattening`.
  *
@@ -78,8 +78,8 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, const Name
 }
 
 /// \ingroup PkgFlipGeodesicsLoops
-/// Adds to an empty network curves along which each component of a surface can be cut open to a topological disk, with
-/// a base point chosen by the function in each component.
+/// Fills an empty network with curves along which each component of a surface can be cut open to a topological disk;
+/// the function chooses a base point in each component.
 template <class Network, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Index add_cut_graph(Network& network, const NamedParameters&... np)

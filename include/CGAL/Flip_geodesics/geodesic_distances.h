@@ -844,9 +844,9 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. If sources are
  * points in space, building a search tree of the faces takes \cgalBigO{n \log n} time, and locating each point takes
- * logarithmic time if the point is close to the surface. The search of the first fallback, if needed, takes \cgalBigO{w
- * \log w} time for \f$w\f$ windows; the `Window_limit` bounds \f$w\f$, as it does for the field. If doubles are not
- * accurate enough, the search is repeated in double-double arithmetic, with at most twice as many windows.
+ * logarithmic time if the point is close to the surface. If the search of the first fallback is needed, it takes
+ * \cgalBigO{w\log w} time for \f$w\f$ windows; the `Window_limit` bounds \f$w\f$, as it does for the field. If doubles
+ * are not accurate enough, the search is repeated in double-double arithmetic, with at most twice as many windows.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
