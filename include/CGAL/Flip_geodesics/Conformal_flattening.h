@@ -405,7 +405,7 @@ private:
   {
     if(!(m_angle_error <= tolerance))
       throw Flattening_error("the angle sums still differ from 2 pi by " + internal::written(m_angle_error) +
-                             "; some faces of the triangulation are too thin for double precision");
+                             ", since some faces are too thin for double precision; remesh the surface");
   }
 
   // Halves the step until the convex function decreases along all of it, that is, until the slope at its end is not

@@ -171,7 +171,7 @@ private:
     if(!m_triangles[f].has_finite_cotangents())
       internal::throw_naming<Degenerate_face_error>(
           "the intrinsic face with vertices ", m_faces[f].vertices[0], ", ", m_faces[f].vertices[1], ", ",
-          m_faces[f].vertices[2], " is degenerate; flip to a Delaunay triangulation first, or mollify the metric");
+          m_faces[f].vertices[2], " is degenerate; flip the triangulation to Delaunay first, or mollify the metric");
   }
 
   std::size_t m_number_of_vertices;
@@ -183,8 +183,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Defines directions at the vertices of an intrinsic triangulation, by the angle of each halfedge, measured
- * counterclockwise from the reference direction at its tail, in radians.
+ * Defines directions at the vertices of an intrinsic triangulation: each halfedge has an angle, in radians, which is
+ * measured counterclockwise from the reference direction at the tail of the halfedge.
  *
  * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}. At
  * the border they are not scaled, and the reference is the first halfedge counterclockwise from the border. The object

@@ -110,13 +110,14 @@ void check_location(const Input_mesh& input, const Surface_location& location)
   for(double weight : location.weights)
     if(!(weight == 0 || (weight >= least_weight && weight <= greatest_weight))) // sums and products would not be normal
       throw_naming<Invalid_location_error>("a weight of a location in the face of halfedge ", h,
-                                           " is negative, too small, too large or not a number");
+                                           " is neither 0 nor between 1e-100 and 1e100");
   if(location.weights[0] == 0 && location.weights[1] == 0 && location.weights[2] == 0)
     throw_naming<Invalid_location_error>("the weights of a location in the face of halfedge ", h, " are all zero");
   if(!input.is_border(h) && (location.weights[1] != 0 || location.weights[2] != 0))
     check_triangle(input, h);
   if(input.is_border(h) && location.weights[2] != 0)
-    throw_naming<Invalid_location_error>("a location lies in the face of halfedge ", h, ", which is on the border");
+    throw_naming<Invalid_location_error>("a location lies in the face of halfedge ", h,
+                                         ", which is on the border and has no face");
 }
 
 /* Returns the location with its weights beginning at halfedge `next(halfedge)`. */
