@@ -143,7 +143,7 @@ public:
   /// geodesic only if it requires flips and crosses itself, or if its computation exceeds the precision of the traits.
   /// Nothing is certified if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
-  /// Returns the verdict on the curve, which is the worst one of its legs.
+  /// Returns the verdict on the curve, which is the worst verdict on its legs.
   Verdict verdict() const
   {
     Verdict worst = Verdict::PROVEN;

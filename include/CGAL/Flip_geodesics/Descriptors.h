@@ -138,9 +138,9 @@ using Curve_index = Descriptor<Element_kind::Curve>;
 using Vertex_copy_index = Descriptor<Element_kind::Vertex_copy>;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Identifies an edge of a triangulation. The descriptor stores the halfedge from which it was constructed, which does
-/// not affect comparisons. The `source()` of an edge returned by a traversal is therefore the current vertex of the
-/// traversal, and the `target()` is the vertex to which the edge leads.
+/// Identifies an edge of a triangulation. The descriptor stores the halfedge from which it was constructed; this
+/// halfedge does not affect comparisons. The `source()` of an edge returned by a traversal is therefore the current
+/// vertex of the traversal, and the `target()` is the vertex to which the edge leads.
 class Edge_index
 {
 public:
@@ -347,7 +347,7 @@ struct Segment_end
   Halfedge_index halfedge = null_index; ///< the halfedge of the end, outgoing at the node; null if this is not an end
   Segment_index segment = null_index;   ///< the segment that starts or ends at the node along `halfedge`
 
-  /// Returns whether this is not an end.
+  /// Returns whether the object does not identify an end.
   bool is_none() const { return halfedge == null_index; }
   /// Returns whether the ends are the same.
   bool operator==(const Segment_end& other) const { return halfedge == other.halfedge && segment == other.segment; }

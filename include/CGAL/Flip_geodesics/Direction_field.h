@@ -74,7 +74,7 @@ public:
     CGAL_precondition(symmetry >= 1);
   }
 
-  /// Returns the finite elements used, which define the numbers of the faces.
+  /// Returns the operators of the discretization, which define the numbers of the faces.
   const Operators<Triangulation>& operators() const { return m_operators; }
   /// Returns the tangent spaces used.
   const Tangent_spaces<Triangulation>& tangent_spaces() const { return m_spaces; }

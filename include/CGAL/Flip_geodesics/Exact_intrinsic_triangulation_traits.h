@@ -31,7 +31,8 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * Provides predicates for intrinsic triangulations over an exchangeable number type, which determines their exactness:
+ * Evaluates the predicates of intrinsic triangulations with an exchangeable number type, which determines whether they
+ * are exact:
  *
  * | number type | predicates | supported meshes |
  * |---|---|---|
@@ -110,7 +111,7 @@ public:
   {
     NT x = NT(1);         ///< the real part; the argument of the number is the angle
     NT y = NT(0);         ///< the imaginary part, a multiple of the unit in which the traits store areas
-    bool is_empty = true; ///< whether it is the rotation by zero
+    bool is_empty = true; ///< whether the turn is the rotation by zero
     Uncertain<Comparison_result> comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$
   };
 

@@ -369,7 +369,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsMetrics
-/// The default metric of a mesh, which is defined by its own points.
+/// The default metric of a mesh: the metric that the points of the mesh define.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
@@ -390,7 +390,7 @@ using Default_traits = std::conditional_t<internal::has_exact_faces<Metric>,
 /// \ingroup PkgFlipGeodesicsCurves
 /// Specifies how a triangulation treats degenerate edges.
 enum class Zero_length_edges {
-  REFUSE, ///< a face with a degenerate edge throws `Degenerate_face_error` when it is accessed
+  REFUSE, ///< `Degenerate_face_error` is thrown when a face with a degenerate edge is accessed
   /// the ends of a degenerate edge become one vertex, and so do the vertices opposite to the common edge of two
   /// degenerate faces if they coincide; faces with a degenerate edge and such pairs of faces are removed
   CONTRACT
@@ -549,7 +549,8 @@ public:
 
   /*!
    * Returns whether the edge of `h` is locally Delaunay: it is on the border, or the sum of the two opposite angles is
-   * at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped, and is locally Delaunay afterwards.
+   * at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped unless it is held, and is locally Delaunay
+   * after the flip.
    *
    * The result is exact if the predicates of the traits are exact. Otherwise, points that are cocircular up to the
    * tolerance of the traits count as Delaunay, so a process that flips non-Delaunay edges in any order terminates as
@@ -691,8 +692,8 @@ public:
   /*!
    * Inserts a point of the surface as a vertex, and calls `on_split` if this splits an edge.
    *
-   * The arguments of `on_split` are two halfedges: `first`, which now has part of its former length, and `second`,
-   * which leads from the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
+   * The arguments of `on_split` are two halfedges: `first`, which has become shorter, and `second`, which leads from
+   * the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
    */
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split)

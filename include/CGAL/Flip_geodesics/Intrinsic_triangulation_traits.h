@@ -226,7 +226,8 @@ public:
     }
   };
 
-  /// Compares a turn with \f$\pi\f$: `SMALLER`, or `LARGER` if it is at least straight.
+  /// Compares the angle of a turn with \f$\pi\f$. The result is `LARGER` if the angle counts as straight or is greater,
+  /// and `SMALLER` otherwise.
   class Compare_turn_with_straight
   {
   public:

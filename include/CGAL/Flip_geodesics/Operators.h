@@ -38,7 +38,7 @@ namespace CGAL::Flip_geodesics {
  * Delaunay triangulation improves the approximation.
  *
  * The rows and columns of the matrices are numbered as follows. Vertex \f$v\f$ of the triangulation has number \f$v\f$;
- * face \f$f\f$ is the \f$f\f$-th face that `intrinsic_faces()` writes, which is `faces()[f]`. A vector in face \f$f\f$
+ * face \f$f\f$ is the \f$f\f$-th face that `intrinsic_faces()` writes, that is, `faces()[f]`. A vector in face \f$f\f$
  * has the coordinates \f$2f\f$ and \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of
  * the face and whose second axis points to its left.
  *

@@ -40,7 +40,7 @@ template <class Triangulation>
 class Parallel_transport
 {
 public:
-  /// Constructs a transport, which refers to the triangulation.
+  /// Constructs an object for a triangulation, which must outlive the object.
   explicit Parallel_transport(const Triangulation& triangulation)
     : m_triangulation(triangulation)
   {
@@ -53,8 +53,8 @@ public:
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \param direction the direction at the first location; its halfedge must either be a side of a face that contains
    *        the location, or start there
-   * \param halfedge the halfedge from which the result is measured, which satisfies the same condition at the last
-   *        location; by default the one described at `Surface_direction`
+   * \param halfedge the halfedge from which the resulting angle is measured; it must satisfy the same condition at the
+   *        last location. By default, it is the halfedge described at `Surface_direction`
    * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$ or, at an interior vertex, between
    *         0 and the sum of the angles there. At a border vertex, where a full turn does not exist, the angle is not
    *         reduced and can have any value
