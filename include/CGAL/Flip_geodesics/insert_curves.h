@@ -251,11 +251,11 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \return the numbers of new vertices, divided and new faces, and regions
  *
  * \exception Invalid_location_error if a face is null, barycentric coordinates are negative, NaN or do not sum to one
- *            within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` are the
+ *            within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` contains the
  *            positions of the curve and of the point in it
  * \exception Vertex_out_of_range_error if a vertex does not belong to any face, with the same elements
  * \exception Invalid_curve_error if a curve has no points, or two consecutive points do not lie in a common face;
- *            `elements()` are the positions of the curve and of the second point
+ *            `elements()` contains the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, also if any face that is examined is not a triangle; if vertices, `Surface_location`s or
  *            `Surface_point`s are given, also if a `Surface_mesh` contains removed vertices or edges

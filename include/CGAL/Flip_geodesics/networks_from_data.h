@@ -301,8 +301,8 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * \pre in the input faces that contain the polyline, no edge of the triangulation crosses an input edge
  * \throws Invalid_curve_error if two consecutive points have no common face, or there are too few points
  * \throws Crossing_curves_error if a segment crosses another one, or a curve of the network, between vertices;
- *         `elements()` are the ends of the crossed edge. In this case no curve is added, but points of the polyline may
- *         have become vertices
+ *         `elements()` contains the ends of the crossed edge. In this case no curve is added, but points of the
+ *         polyline may have become vertices
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
