@@ -10,17 +10,23 @@
 #include "input/read_ply.h"
 #include "input/read_stl.h"
 #include "input/read_ts.h"
-#include "input/soup_checks.h"
 #include "program_mesh.h"
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/polygon_soup_to_triangle_mesh.h>
 
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 // Reads the mesh of the program, as a soup first, so that an error can name its element and vertices keep the numbers
 // that they have in the file.
@@ -59,21 +65,90 @@ inline Soup read_soup(const Input_text& input)
                   names_of_mesh_formats());
 }
 
+// What has to hold of a soup of polygons so that it is a mesh of triangles, except that it is an oriented manifold.
+// \throws Bad_input that names the first element that is wrong, counted from 0
+inline void check_soup(const Soup& soup)
+{
+  if(soup.faces.empty())
+    throw Bad_input("the file has no faces; use a triangle mesh");
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    for(int i = 0; i < 3; ++i)
+      if(!std::isfinite(soup.points[v][i]))
+        throw Bad_input("vertex " + std::to_string(v) + " has a coordinate that is not a finite number; correct it");
+  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const std::vector<std::size_t>& face = soup.faces[f];
+    const std::string name = "face " + std::to_string(f);
+    if(face.size() != 3)
+      throw Bad_input(name + " has " + std::to_string(face.size()) +
+                      " vertices, but only triangles are accepted; triangulate the mesh");
+    if(face[0] == face[1] || face[1] == face[2] || face[2] == face[0])
+      throw Bad_input(name + " has vertex " + std::to_string(face[0] == face[1] ? face[0] : face[2]) +
+                      " twice; remove the face");
+  }
+}
+
+// Why a mesh is not a manifold at one of its vertices.
+inline std::string message_of_vertex(Mesh::Vertex_index v, std::size_t face)
+{
+  return "vertex " + std::to_string(v) + " connects parts that do not share an edge there, one with face " +
+         std::to_string(face) + ", so the mesh is not a manifold; duplicate the vertex";
+}
+
+// Why a mesh, an oriented manifold, cannot have another face with some vertices.
+inline std::string message_of_face(const Mesh& mesh, const std::array<Mesh::Vertex_index, 3>& face)
+{
+  const std::size_t number = mesh.number_of_faces();
+  const auto name = [&](Mesh::Halfedge_index h) { return std::to_string(mesh.face(h)); };
+  for(std::size_t i = 0; i < 3; ++i) {
+    const Mesh::Vertex_index v = face[i], w = face[(i + 1) % 3];
+    const Mesh::Halfedge_index h = mesh.halfedge(v, w);
+    if(h == Mesh::null_halfedge() || mesh.is_border(h))
+      continue;
+    const std::string edge = "the edge between vertices " + std::to_string((std::min)(v, w)) + " and " +
+                             std::to_string((std::max)(v, w)) + " has ";
+    if(mesh.is_border(mesh.opposite(h)))
+      return edge + "faces " + name(h) + " and " + std::to_string(number) +
+             " of opposite orientation; orient the faces alike";
+    return edge + "more than two faces, among them " + name(h) + ", " + name(mesh.opposite(h)) + " and " +
+           std::to_string(number) + ", so the mesh is not a manifold; remove or separate faces";
+  }
+  const auto is_inside = [&](Mesh::Vertex_index v) { return !mesh.is_isolated(v) && !mesh.is_border(v, true); };
+  return message_of_vertex(*std::find_if(face.begin(), face.end() - 1, is_inside), number);
+}
+
+/// The mesh of a soup, with the same numbers of vertices and faces. \throws Bad_input that names the first element that
+/// is wrong
+inline Mesh mesh_of_soup(const Soup& soup)
+{
+  check_soup(soup);
+  Mesh mesh;
+  mesh.reserve(soup.points.size(), 2 * soup.faces.size(), soup.faces.size());
+  for(const Point_3& p : soup.points)
+    mesh.add_vertex(p);
+  for(const std::vector<std::size_t>& face : soup.faces) {
+    std::array<Mesh::Vertex_index, 3> vertices;
+    for(std::size_t i = 0; i < 3; ++i)
+      vertices[i] = Mesh::Vertex_index(static_cast<Mesh::size_type>(face[i]));
+    if(CGAL::Euler::add_face(vertices, mesh) == Mesh::null_face())
+      throw Bad_input(message_of_face(mesh, vertices));
+  }
+  std::vector<Mesh::Halfedge_index> fans;
+  CGAL::Polygon_mesh_processing::non_manifold_vertices(mesh, std::back_inserter(fans));
+  for(const Mesh::Halfedge_index h : fans)
+    throw Bad_input(message_of_vertex(mesh.target(h), mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)));
+  return mesh;
+}
+
 /// The mesh in a text, an oriented manifold of triangles. \throws Bad_input with one line that names the file and the
 /// element
 inline Input_mesh read_mesh(const Input_text& input)
 {
   Soup soup = read_soup(input);
   try {
-    check_soup(soup);
+    return Input_mesh(mesh_of_soup(soup), std::move(soup.remarks));
   } catch(const Bad_input& error) {
     throw Bad_input(input.name() + ": " + error.what() + (soup.faces.empty() ? "" : ", or use --repair"));
   }
-  Mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
-  if(mesh.number_of_faces() != soup.faces.size())
-    throw Bad_input(input.name() + ": the faces do not form an oriented manifold; use --repair");
-  return Input_mesh(std::move(mesh), std::move(soup.remarks));
 }
 
 /// Reads whatever a file holds and repairs it, with a tolerance within which points are welded. \throws Bad_input if
