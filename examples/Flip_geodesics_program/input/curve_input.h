@@ -6,7 +6,7 @@
 #include "input/curve_requests.h"
 #include "input/input_mesh.h"
 #include "input/input_text.h"
-#include "input/text_scanner.h"
+#include "input/scanners.h"
 #include "program_mesh.h"
 
 #include <boost/pending/disjoint_sets.hpp>

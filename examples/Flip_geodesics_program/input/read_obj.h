@@ -3,14 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_READ_OBJ_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_READ_OBJ_H
 
+#include "input/scanners.h"
 #include "input/soup.h"
-#include "input/text_scanner.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -58,7 +57,7 @@ public:
       throw Bad_input(m_name + ": no line starts with `v` (a vertex) or `f` (a face), so this is not an OBJ file of a "
                                "surface; correct the file or its extension");
     if(m_last_vertex >= static_cast<long long>(m_soup.points.size()))
-      fail_without_vertex(*m_words_at_last_vertex, m_face_of_last_vertex);
+      throw Bad_input(m_error_at_last_vertex);
     check_unclean_vertices();
     return std::move(m_soup);
   }
@@ -74,16 +73,15 @@ private:
   void read_vertex()
   {
     const Element element = {"vertex", m_soup.points.size()};
-    const Text_scanner start = m_words;
     std::array<double, 3> x;
-    bool is_clean = true;
     for(double& coordinate : x) {
-      const std::string_view word = m_words.next_word(), number = word.substr(0, length_of_number(word));
-      is_clean = is_clean && number.size() == word.size();
-      coordinate = m_words.number<double>(number.empty() ? word : number, element);
+      const std::string_view word = m_words.next_word();
+      const std::size_t length = length_of_number(word);
+      if(length > 0 && length < word.size())
+        m_unclean.emplace_back(element.index, m_words.message(element, "has '" + printable(word) +
+                                                                           "', which is not a number; correct it"));
+      coordinate = m_words.number<double>(length > 0 ? word.substr(0, length) : word, element);
     }
-    if(!is_clean)
-      m_unclean.emplace_back(element, start);
     m_soup.points.emplace_back(x[0], x[1], x[2]);
   }
 
@@ -105,9 +103,9 @@ private:
     for(const std::vector<std::size_t>& face : m_soup.faces)
       for(std::size_t v : face)
         is_used[v] = 1;
-    for(auto& [element, words] : m_unclean)
-      for(int i = 0; i < 3 && is_used[element.index] != 0; ++i)
-        words.number<double>(words.next_word(), element);
+    for(const auto& [vertex, error] : m_unclean)
+      if(is_used[vertex] != 0)
+        throw Bad_input(error);
   }
 
   void read_texture_coordinates()
@@ -126,11 +124,6 @@ private:
     return index < 0 ? static_cast<long long>(count) + index : index - 1;
   }
 
-  [[noreturn]] static void fail_without_vertex(const Text_scanner& words, std::size_t face)
-  {
-    words.fail(Element{"face", face}, "has a vertex that is not one of those in the file; correct it");
-  }
-
   void read_face()
   {
     const Element element = {"face", m_soup.faces.size()};
@@ -147,13 +140,13 @@ private:
 
   void read_vertex_of_face(std::string_view word, const Element& face)
   {
+    const char* const what = "has a vertex that is not one of those in the file; correct it";
     const long long v = resolve(m_words.number<long long>(word, face), m_soup.points.size());
     if(v < 0)
-      fail_without_vertex(m_words, face.index);
+      m_words.fail(face, what);
     if(v >= static_cast<long long>(m_soup.points.size()) && v > m_last_vertex) {
       m_last_vertex = v;
-      m_words_at_last_vertex = m_words;
-      m_face_of_last_vertex = face.index;
+      m_error_at_last_vertex = m_words.message(face, what);
     }
     m_soup.faces.back().push_back(static_cast<std::size_t>(v));
   }
@@ -175,10 +168,9 @@ private:
   std::string m_name; // of the file
   Texture* m_texture;
   Soup m_soup;
-  std::vector<std::pair<Element, Text_scanner>> m_unclean; // vertices, each with the beginning of its line
-  long long m_last_vertex = -1;                            // of those that a face had before they came
-  std::optional<Text_scanner> m_words_at_last_vertex;
-  std::size_t m_face_of_last_vertex = 0;
+  std::vector<std::pair<std::size_t, std::string>> m_unclean; // vertices, each with an error for it
+  long long m_last_vertex = -1;                               // of those that a face had before they came
+  std::string m_error_at_last_vertex;
 };
 
 /// \throws Bad_input

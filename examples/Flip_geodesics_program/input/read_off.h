@@ -3,16 +3,17 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_READ_OFF_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_READ_OFF_H
 
-#include "input/byte_scanner.h"
+#include "input/scanners.h"
 #include "input/soup.h"
-#include "input/text_scanner.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace program {
 
@@ -39,18 +40,24 @@ public:
   Soup read()
   {
     read_keyword();
-    if(m_is_binary)
-      return read_binary();
-    read_counts();
+    m_vertices = read_number_of("vertices");
+    m_faces = read_number_of("faces");
+    if(m_bytes) {
+      m_bytes->skip(sizeof(std::int32_t), {"header", 0}); // the number of edges is of no use
+      return read_elements();
+    }
+    skip_number_of_edges();
     const Text_scanner start = m_words;
+    m_is_by_lines = true;
     try {
-      return read_text(true);
+      return read_elements();
     } catch(const Bad_input&) {
       if(are_lines_of_vertices_alike(start) && m_words_of_line != number_of_coordinates() + m_words_of_vertex)
         throw;
       m_words = start;
+      m_is_by_lines = false;
       try {
-        return read_text(false);
+        return read_elements();
       } catch(const Bad_input&) {
       }
       throw; // lines are the rule: their errors are more specific
@@ -87,42 +94,42 @@ private:
     if(has_dimension && m_words.next_word_of_text() != "3")
       m_words.fail("the vertices must have three coordinates; convert the mesh");
     const std::string_view next = m_words.next_word_of_text();
-    m_is_binary = next == "BINARY";
-    if(!m_is_binary)
+    if(next == "BINARY")
+      m_bytes.emplace(m_input, m_words.next_position(), boost::endian::order::big);
+    else
       m_words.go_back(next.size());
   }
 
-  std::size_t count(const char* of_what, long long number) const
+  const Scanner& scanner() const { return m_bytes ? static_cast<const Scanner&>(*m_bytes) : m_words; }
+
+  std::size_t read_number_of(const std::string& what)
   {
+    long long number = 0;
+    if(m_bytes) {
+      number = m_bytes->get<std::int32_t>({"header", 0});
+    } else {
+      const std::string_view word = m_words.next_word_of_text();
+      if(const char* const error = parse_number(word, number))
+        m_words.fail("the number of " + what + ", '" + printable(word) + "', " + error + "; correct the header");
+    }
     if(number < 0 || static_cast<unsigned long long>(number) > m_input.bytes().size())
-      m_words.fail("the header announces a number of " + std::string(of_what) + " that " +
-                   std::to_string(m_input.bytes().size()) + " bytes cannot hold; correct the header");
+      m_words.fail("the header announces a number of " + what + " that " + std::to_string(m_input.bytes().size()) +
+                   " bytes cannot hold; correct the header");
     return static_cast<std::size_t>(number);
   }
 
-  long long read_number_of(const char* what)
-  {
-    const std::string_view word = m_words.next_word_of_text();
-    long long number = 0;
-    if(const char* const error = parse_number(word, number))
-      m_words.fail("the number of " + std::string(what) + ", '" + printable(word) + "', " + error +
-                   "; correct the header");
-    return number;
-  }
-
   // The number of edges is of no use. Some files leave it out.
-  void read_counts()
+  void skip_number_of_edges()
   {
-    m_vertices = count("vertices", read_number_of("vertices"));
-    m_faces = count("faces", read_number_of("faces"));
-    if(m_words.has_word()) {
-      read_number_of("edges");
+    Text_scanner after = m_words;
+    const bool is_on_line = m_words.has_word();
+    const std::string_view word = after.next_word_of_text();
+    long long number = 0;
+    if(!is_on_line && after.has_word())
       return;
-    }
-    const Text_scanner before = m_words;
-    m_words.next_word_of_text();
-    if(m_words.has_word())
-      m_words = before;
+    m_words = after;
+    if(const char* const error = is_on_line ? parse_number(word, number) : nullptr)
+      m_words.fail("the number of edges, '" + printable(word) + "', " + error + "; correct the header");
   }
 
   // Returns whether as many lines as there are vertices have equally many words, all of them numbers.
@@ -145,24 +152,35 @@ private:
   }
 
   // Goes to where the next vertex or face starts.
-  void start(const Element& element)
+  Element start(const char* kind, std::size_t index)
   {
-    if(!m_is_by_lines)
-      return;
-    if(m_words.has_word())
+    const Element element = {kind, index};
+    if(m_is_by_lines && m_words.has_word())
       m_words.fail(element, "does not start on a new line; insert a line break");
-    if(!m_words.next_line_with_words())
+    if(m_is_by_lines && !m_words.next_line_with_words())
       m_words.fail(element, "is missing at the end of the file; complete it, or correct the counts");
+    return element;
   }
 
+  // In a binary file, all numbers have four bytes.
   template <class T>
   T read_number(const Element& element)
   {
+    if(m_bytes)
+      return m_bytes->get<std::conditional_t<std::is_integral<T>::value, std::int32_t, float>>(element);
     return m_words.number<T>(m_is_by_lines ? m_words.next_word() : m_words.next_word_of_text(), element);
   }
 
-  // Colors and the like.
-  void skip_numbers(const Element& element)
+  std::size_t read_size(const Element& element)
+  {
+    const long long size = read_number<long long>(element);
+    if(size < 0)
+      scanner().fail(element, "has a negative number of vertices; correct it");
+    return static_cast<std::size_t>(size);
+  }
+
+  // Passes over what is left of a line: colors and the like.
+  void skip_line(const Element& element)
   {
     double number = 0;
     for(std::string_view word; !(word = m_words.next_word()).empty();)
@@ -170,112 +188,63 @@ private:
         m_words.fail(element, "is followed by '" + printable(word) + "', which is not a number; correct it");
   }
 
-  template <class Scanner>
-  Soup::Point_3 point(const std::array<double, 4>& x, const Element& element, const Scanner& scanner) const
-  {
-    if(x[3] == 0)
-      scanner.fail(element, "lies at infinity because its fourth coordinate is 0; correct it");
-    const std::array<double, 3> divided = {x[0] / x[3], x[1] / x[3], x[2] / x[3]};
-    for(double coordinate : divided)
-      if(!std::isfinite(coordinate) && !m_input.may_have_points_not_finite())
-        scanner.fail(element, "has a coordinate that exceeds the range of doubles; correct it");
-    return Soup::Point_3(divided[0], divided[1], divided[2]);
-  }
-
   void read_vertex(Soup& soup)
   {
-    const Element element = {"vertex", soup.points.size()};
-    start(element);
+    const Element element = start("vertex", soup.points.size());
     std::array<double, 4> x = {0, 0, 0, 1};
     for(std::size_t i = 0; i < number_of_coordinates(); ++i)
-      x[i] = read_number<double>(element);
-    soup.points.push_back(point(x, element, m_words));
+      x[i] = scanner().checked(read_number<double>(element), element);
+    if(x[3] == 0)
+      scanner().fail(element, "lies at infinity because its fourth coordinate is 0; correct it");
+    for(std::size_t i = 0; i < 3; ++i) {
+      x[i] /= x[3];
+      if(!std::isfinite(x[i]) && !m_input.may_have_points_not_finite())
+        scanner().fail(element, "has a coordinate that exceeds the range of doubles; correct it");
+    }
+    soup.points.emplace_back(x[0], x[1], x[2]);
     if(m_is_by_lines)
-      skip_numbers(element);
-    for(std::size_t i = 0; i < m_words_of_vertex && !m_is_by_lines; ++i)
+      return skip_line(element);
+    for(std::size_t i = 0; i < m_words_of_vertex; ++i)
       read_number<double>(element);
   }
 
-  template <class Scanner>
-  std::size_t vertex(long long v, const Element& face, const Scanner& scanner) const
-  {
-    if(v < 0 || static_cast<unsigned long long>(v) >= m_vertices)
-      scanner.fail(face,
-                   "has a vertex that is not one of the " + std::to_string(m_vertices) + " in the file; correct it");
-    return static_cast<std::size_t>(v);
-  }
-
+  // In a binary file, the number of components of its color is behind a face.
   void read_face(Soup& soup)
   {
-    const Element element = {"face", soup.faces.size()};
-    start(element);
-    const long long corners = read_number<long long>(element);
-    if(corners < 0)
-      m_words.fail(element, "has a negative number of vertices; correct it");
+    const Element element = start("face", soup.faces.size());
     soup.faces.emplace_back();
-    for(long long i = 0; i < corners; ++i)
-      soup.faces.back().push_back(vertex(read_number<long long>(element), element, m_words));
+    for(std::size_t left = read_size(element); left > 0; --left) {
+      const long long v = read_number<long long>(element);
+      if(v < 0 || static_cast<unsigned long long>(v) >= m_vertices)
+        scanner().fail(element, "has a vertex that is not one of the " + std::to_string(m_vertices) +
+                                    " in the file; correct it");
+      soup.faces.back().push_back(static_cast<std::size_t>(v));
+    }
     if(m_is_by_lines)
-      skip_numbers(element);
+      skip_line(element);
+    if(m_bytes)
+      m_bytes->skip(sizeof(float) * read_size(element), element);
   }
 
-  Soup read_text(bool is_by_lines)
+  Soup read_elements()
   {
-    m_is_by_lines = is_by_lines;
     Soup soup;
     soup.points.reserve(m_vertices);
     while(soup.points.size() < m_vertices)
       read_vertex(soup);
     while(soup.faces.size() < m_faces)
       read_face(soup);
-    if(!m_words.next_word_of_text().empty())
+    if(!m_bytes && !m_words.next_word_of_text().empty())
       m_words.fail("there is text after the last face; remove it, or correct the counts");
     return soup;
-  }
-
-  // All numbers have four bytes, the highest first: counts, coordinates, and for a face its vertices and its color.
-  Soup read_binary()
-  {
-    Byte_scanner bytes(m_input, m_words.next_position(), boost::endian::order::big);
-    const Element header = {"header", 0};
-    m_vertices = count("vertices", bytes.get<std::int32_t>(header));
-    m_faces = count("faces", bytes.get<std::int32_t>(header));
-    bytes.get<std::int32_t>(header);
-    Soup soup;
-    soup.points.reserve(m_vertices);
-    while(soup.points.size() < m_vertices) {
-      const Element element = {"vertex", soup.points.size()};
-      std::array<double, 4> x = {0, 0, 0, 1};
-      for(std::size_t i = 0; i < number_of_coordinates(); ++i)
-        x[i] = bytes.coordinate<float>(element);
-      soup.points.push_back(point(x, element, bytes));
-      bytes.skip(sizeof(float) * m_words_of_vertex, element);
-    }
-    while(soup.faces.size() < m_faces)
-      read_face(soup, bytes);
-    return soup;
-  }
-
-  void read_face(Soup& soup, Byte_scanner& bytes)
-  {
-    const Element element = {"face", soup.faces.size()};
-    const auto read_size = [&] {
-      const std::int32_t size = bytes.get<std::int32_t>(element);
-      if(size < 0 || static_cast<std::size_t>(size) > bytes.bytes_left() / 4)
-        bytes.fail(element, "is cut off; complete it");
-      return static_cast<std::size_t>(size);
-    };
-    soup.faces.emplace_back(read_size());
-    for(std::size_t& v : soup.faces.back())
-      v = vertex(bytes.get<std::int32_t>(element), element, bytes);
-    bytes.skip(sizeof(float) * read_size(), element);
   }
 
   std::size_t number_of_coordinates() const { return m_is_homogeneous ? 4 : 3; }
 
   const Input_text& m_input;
   Text_scanner m_words;
-  bool m_is_homogeneous = false, m_is_binary = false, m_is_by_lines = true;
+  std::optional<Byte_scanner> m_bytes; // of a binary file, behind the keyword
+  bool m_is_homogeneous = false, m_is_by_lines = false;
   std::size_t m_words_of_vertex = 0; // behind its coordinates, as the keyword implies
   std::size_t m_words_of_line = 0;   // of a vertex, as the file has it
   std::size_t m_vertices = 0, m_faces = 0;

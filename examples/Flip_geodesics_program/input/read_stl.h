@@ -3,18 +3,20 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_READ_STL_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_READ_STL_H
 
-#include "input/byte_scanner.h"
+#include "input/scanners.h"
 #include "input/soup.h"
-#include "input/text_scanner.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <locale>
+#include <map>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 namespace program {
 
@@ -41,7 +43,7 @@ public:
       read_binary();
     else
       read_text();
-    return m_soup.release();
+    return std::move(m_soup);
   }
 
 private:
@@ -72,18 +74,29 @@ private:
     if(count > bytes.bytes_left() / size_of_triangle)
       bytes.fail("the header announces more triangles than the file contains; complete the file or, if it is a text "
                  "file, begin it with solid");
-    for(std::size_t f = 0; f < count; ++f) {
-      const Element element = {"face", f};
+    while(m_soup.faces.size() < count) {
+      const Element element = {"face", m_soup.faces.size()};
       bytes.skip(3 * sizeof(float), element); // the normal
-      std::vector<std::size_t> face;
-      for(int i = 0; i < 3; ++i) {
-        const double x = bytes.coordinate<float>(element), y = bytes.coordinate<float>(element),
-                     z = bytes.coordinate<float>(element);
-        face.push_back(m_soup.add_point(Soup::Point_3(x, y, z)));
-      }
-      m_soup.add_face(face);
+      m_soup.faces.emplace_back();
+      for(int i = 0; i < 3; ++i)
+        add_corner([&] { return bytes.checked(static_cast<double>(bytes.get<float>(element)), element); });
       bytes.skip(sizeof(std::uint16_t), element);
     }
+  }
+
+  // Adds a corner to the last face. Points that are not finite are equal to none, and in no order.
+  template <class Read>
+  void add_corner(const Read& read_coordinate)
+  {
+    std::array<double, 3> x;
+    for(double& coordinate : x)
+      coordinate = read_coordinate();
+    std::size_t v = m_soup.points.size();
+    if(std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+      v = m_indices.try_emplace(x, v).first->second;
+    if(v == m_soup.points.size())
+      m_soup.points.emplace_back(x[0], x[1], x[2]);
+    m_soup.faces.back().push_back(v);
   }
 
   // Solids, one after the other. The name of a solid, which is what is left of its line, may be any words. Between
@@ -109,35 +122,26 @@ private:
   // Behind `facet`: the normal and `outer loop`, which are passed over, three vertices, `endloop` and `endfacet`.
   void read_facet()
   {
-    const Element element = {"face", m_soup.number_of_faces()};
-    std::vector<std::size_t> face;
+    const Element element = {"face", m_soup.faces.size()};
+    m_soup.faces.emplace_back();
     std::string_view word = m_words.next_word_of_text();
     for(; !word.empty() && !is(word, "endfacet"); word = m_words.next_word_of_text()) {
       if(is(word, "vertex"))
-        face.push_back(read_vertex(element));
+        add_corner([&] { return m_words.number<double>(m_words.next_word_of_text(), element); });
       else if(is(word, "facet") || is(word, "endsolid"))
         m_words.fail(element, "has no endfacet; complete it");
     }
     if(word.empty())
       m_words.fail(element, "is cut off; complete it");
-    if(face.size() != 3)
-      m_words.fail(element, "has " + std::to_string(face.size()) +
-                                " vertices, but all faces of an STL file are triangles; "
-                                "correct it");
-    m_soup.add_face(face);
-  }
-
-  std::size_t read_vertex(const Element& face)
-  {
-    double x[3];
-    for(double& coordinate : x)
-      coordinate = m_words.number<double>(m_words.next_word_of_text(), face);
-    return m_soup.add_point(Soup::Point_3(x[0], x[1], x[2]));
+    if(m_soup.faces.back().size() != 3)
+      m_words.fail(element, "has " + std::to_string(m_soup.faces.back().size()) +
+                                " vertices, and an STL file has only triangles; correct it");
   }
 
   const Input_text& m_input;
   Text_scanner m_words;
-  Soup_of_triangles m_soup;
+  Soup m_soup;
+  std::map<std::array<double, 3>, std::size_t> m_indices; // of points
 };
 
 /// \throws Bad_input

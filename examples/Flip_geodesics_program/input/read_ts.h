@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_READ_TS_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_READ_TS_H
 
+#include "input/scanners.h"
 #include "input/soup.h"
-#include "input/text_scanner.h"
 
 #include <array>
 #include <cstddef>

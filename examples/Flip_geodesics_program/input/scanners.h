@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_PROGRAM_TEXT_SCANNER_H
-#define CGAL_FLIP_GEODESICS_PROGRAM_TEXT_SCANNER_H
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_SCANNERS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_SCANNERS_H
 
 #include "decimal_numbers.h"
 #include "input/input_text.h"
 
+#include <boost/endian/conversion.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -22,17 +25,54 @@ struct Element
   std::size_t index;
 };
 
+/// The errors of what goes through a file, each with its place.
+class Scanner
+{
+public:
+  explicit Scanner(const Input_text& input)
+    : m_input(&input)
+  {
+  }
+
+  /// Returns the place for messages: the file, and the position in it.
+  virtual std::string place() const = 0;
+
+  [[noreturn]] void fail(const std::string& what) const { throw Bad_input(place() + ": " + what); }
+  [[noreturn]] void fail(const Element& element, const std::string& what) const
+  {
+    throw Bad_input(message(element, what));
+  }
+  std::string message(const Element& element, const std::string& what) const
+  {
+    return place() + ": " + element.kind + ' ' + std::to_string(element.index) + ' ' + what;
+  }
+
+  /// Returns a coordinate. \throws Bad_input if it is not finite, and has to be
+  double checked(double coordinate, const Element& element) const
+  {
+    if(!std::isfinite(coordinate) && !m_input->may_have_points_not_finite())
+      fail(element, "has a coordinate that is not a finite number; correct it");
+    return coordinate;
+  }
+
+protected:
+  const Input_text& input() const { return *m_input; }
+
+private:
+  const Input_text* m_input;
+};
+
 /*!
  * Goes through a text by lines and words and keeps the position for messages. Lines end with LF, CR LF or CR; words
  * stand between blanks and tabs. A byte order mark at the beginning is passed over.
  */
-class Text_scanner
+class Text_scanner final : public Scanner
 {
 public:
   /// \param comment what starts a comment, up to the end of the line; nothing if it is 0
   /// \param has_continued_lines does a line with a backslash at its end go on in the next one?
   explicit Text_scanner(const Input_text& text, char comment = '\0', bool has_continued_lines = false)
-    : m_input(&text)
+    : Scanner(text)
     , m_text(text.bytes())
     , m_comment(comment)
     , m_has_continued_lines(has_continued_lines)
@@ -111,14 +151,8 @@ public:
   /// The start of the next line.
   std::size_t next_position() const { return m_next; }
 
-  /// The place for messages: file and line.
-  std::string place() const { return m_input->name() + " line " + std::to_string(m_line); }
-
-  [[noreturn]] void fail(const std::string& what) const { throw Bad_input(place() + ": " + what); }
-  [[noreturn]] void fail(const Element& element, const std::string& what) const
-  {
-    fail(element.kind + (' ' + std::to_string(element.index)) + ' ' + what);
-  }
+  /// Returns the file and the line.
+  std::string place() const override { return input().name() + " line " + std::to_string(m_line); }
 
   /// The number that a word of an element is. \throws Bad_input
   template <class T>
@@ -128,20 +162,13 @@ public:
     if(word.empty())
       fail(element, "is cut off; complete it");
     const char* const error = parse_number(word, value);
-    if(error != nullptr && !(m_input->may_have_points_not_finite() && is_not_finite(value)))
+    const bool is_not_finite = std::is_floating_point<T>::value && !std::isfinite(static_cast<double>(value));
+    if(error != nullptr && !(is_not_finite && input().may_have_points_not_finite()))
       fail(element, "has '" + printable(word) + "', which " + error + "; correct it");
     return value;
   }
 
 private:
-  template <class T>
-  static bool is_not_finite(T value)
-  {
-    if constexpr(std::is_floating_point<T>::value)
-      return !std::isfinite(value);
-    return false;
-  }
-
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
   bool find_line()
@@ -170,7 +197,6 @@ private:
       m_end = end - 1;
   }
 
-  const Input_text* m_input;
   std::string_view m_text;
   char m_comment;
   bool m_has_continued_lines, m_is_continued = false;
@@ -178,6 +204,50 @@ private:
   std::size_t m_line = 0;
 };
 
+/// Goes through the binary part of a file and keeps the position for messages.
+class Byte_scanner final : public Scanner
+{
+public:
+  Byte_scanner(const Input_text& input, std::size_t position, boost::endian::order order)
+    : Scanner(input)
+    , m_at(position)
+    , m_order(order)
+  {
+  }
+
+  bool is_at_end() const { return bytes_left() == 0; }
+  std::size_t bytes_left() const { return input().bytes().size() - m_at; }
+
+  /// Returns the file and the byte.
+  std::string place() const override { return input().name() + " byte " + std::to_string(m_at); }
+
+  void skip(std::size_t bytes, const Element& element)
+  {
+    if(bytes > bytes_left())
+      fail(element, "is cut off; complete it");
+    m_at += bytes;
+  }
+
+  /// The next number of an element. \throws Bad_input
+  template <class T>
+  T get(const Element& element)
+  {
+    const std::size_t start = m_at;
+    skip(sizeof(T), element);
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &input().bytes()[start], sizeof bytes);
+    if(m_order != boost::endian::order::native)
+      std::reverse(bytes, bytes + sizeof bytes);
+    T value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+  }
+
+private:
+  std::size_t m_at;
+  boost::endian::order m_order;
+};
+
 } // namespace program
 
-#endif // CGAL_FLIP_GEODESICS_PROGRAM_TEXT_SCANNER_H
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_SCANNERS_H
