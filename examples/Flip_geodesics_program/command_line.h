@@ -33,16 +33,14 @@ struct Range
   double least, most = std::numeric_limits<double>::infinity();
   bool is_least_excluded = false, is_most_excluded = false;
 
-  bool contains(double x) const
+  /// Returns what is wrong with a number, and nothing if it is in range.
+  std::string error(double x) const
   {
-    return (is_least_excluded ? x > least : x >= least) && (is_most_excluded ? x < most : x <= most);
-  }
-
-  std::string text() const
-  {
+    if((is_least_excluded ? x > least : x >= least) && (is_most_excluded ? x < most : x <= most))
+      return {};
     std::ostringstream out;
     out.precision(std::numeric_limits<float>::max_digits10); // more than the limits have
-    out << (is_least_excluded ? "more than " : "at least ") << least;
+    out << "is out of range; use " << (is_least_excluded ? "more than " : "at least ") << least;
     if(std::isfinite(most))
       out << " and " << (is_most_excluded ? "less than " : "at most ") << most;
     return out.str();
@@ -79,9 +77,11 @@ public:
     m_options.command = m_app.get_subcommands().front()->get_name();
     m_options.format = format_name(m_options.format);
     m_options.output_format = format_name(m_options.output_format);
-    for(const Choice& choice : m_choices)
-      if(choice.command->get_name() == m_options.command)
-        check(choice);
+    for(const auto& [command, names] : m_required) {
+      const auto is_given = [command = command](const std::string& name) { return command->count(name) > 0; };
+      if(command->parsed() && std::none_of(names.begin(), names.end(), is_given))
+        throw Bad_input("use one of " + joined(names, ", "));
+    }
   }
 
   std::string help() const { return m_app.help(); }
@@ -124,26 +124,6 @@ private:
     }
   };
 
-  // Options of which one at most may be given, or none may be missing.
-  struct Choice
-  {
-    const CLI::App* command;
-    std::vector<const CLI::Option*> options;
-    bool is_required, is_exclusive;
-  };
-
-  // What an option holds that may lack.
-  template <class Value>
-  struct Held
-  {
-    using Type = Value;
-  };
-  template <class Value>
-  struct Held<std::optional<Value>>
-  {
-    using Type = Value;
-  };
-
   static constexpr const char* m_points =
       "A POINT is a vertex `v`, x,y,z in space (with a decimal point or an exponent in x or y), a,b,t on the edge of "
       "vertices a and b, or a,b,c,t,u in the face of vertices a, b and c";
@@ -152,14 +132,18 @@ private:
 
   // Decimal, as numbers are in files; CLI11 itself would take them for octal after a zero.
   template <class Number>
-  static Number number(const std::string& name, const std::string& text, const Range& range)
+  static CLI::Validator number_in(const Range& range)
   {
-    Number result = 0;
-    if(const char* const error = parse_number(text, result))
-      throw CLI::ValidationError(name, "'" + text + "' " + error);
-    if(!range.contains(static_cast<double>(result)))
-      throw CLI::ValidationError(name, "'" + text + "' is out of range; use " + range.text());
-    return result;
+    const auto check = [range](std::string& text) {
+      Number number = 0;
+      const char* const error = parse_number(text, number);
+      const std::string problem = error != nullptr ? error : range.error(static_cast<double>(number));
+      if(!problem.empty())
+        return "'" + text + "' " + problem;
+      text = std::is_integral<Number>::value ? std::to_string(number) : decimal_text(static_cast<double>(number));
+      return problem;
+    };
+    return {check, ""};
   }
 
   // Requires one of some names, which the message lists.
@@ -169,7 +153,7 @@ private:
       const bool is_known = std::find(names.begin(), names.end(), text) != names.end();
       return is_known ? std::string() : "'" + text + "' is not known; use " + joined(names, " or ");
     };
-    return CLI::Validator(check, "");
+    return {check, ""};
   }
 
   // The names with commas between, and `last` before the last one.
@@ -181,21 +165,22 @@ private:
     return text;
   }
 
-  template <class Text>
-  CLI::Option* add_text(const char* name, const char* type, Text& value, const char* description)
+  template <class Value>
+  CLI::Option* add(const char* name, const char* type, Value& value, const std::string& description)
   {
     return m_command->add_option(name, value, description)->type_name(type)->group(m_group);
   }
 
-  // A number, or none that is given.
-  template <class Value>
-  CLI::Option* add(const char* name, const char* type, Value& value, const Range& range, const char* description)
+  template <class Number>
+  CLI::Option* add(const char* name, const char* type, Number& value, const Range& range, const char* description)
   {
-    const auto read = [name, range, &value](const std::string& text) {
-      value = number<typename Held<Value>::Type>(name, text, range);
-    };
-    CLI::Option* const option = m_command->add_option_function<std::string>(name, read, description);
-    return option->type_name(type)->group(m_group);
+    return add(name, type, value, description)->transform(number_in<Number>(range));
+  }
+  template <class Number>
+  CLI::Option* add(const char* name, const char* type, std::optional<Number>& value, const Range& range,
+                   const char* description)
+  {
+    return add(name, type, value, description)->transform(number_in<Number>(range));
   }
 
   CLI::Option* add(const char* name, bool& value, const char* description)
@@ -204,52 +189,41 @@ private:
   }
 
   // Numbers with commas between, none of which is left out. May be repeated.
-  template <class Number>
-  CLI::Option* add_list(const char* name, const char* type, std::vector<Number>& numbers, const Range& range,
-                        const char* description)
+  void add_isolines()
   {
-    const auto append = [name, range, &numbers](const std::vector<std::string>& texts) {
+    const auto append = [this, number = number_in<double>(positive)](const std::vector<std::string>& texts) {
       for(const std::string& text : texts) {
         if(text.back() == ',')
-          throw CLI::ValidationError(name, "'" + text + "' ends with a comma");
-        for(const std::string_view piece : pieces_of(text))
-          numbers.push_back(number<Number>(name, std::string(piece), range));
+          throw CLI::ValidationError("--isolines", "'" + text + "' ends with a comma");
+        for(const std::string_view piece : pieces_of(text)) {
+          std::string level(piece);
+          if(const std::string error = number(level); !error.empty())
+            throw CLI::ValidationError("--isolines", error);
+          parse_number(level, m_options.isolines.emplace_back());
+        }
       }
     };
-    return m_command->add_option_function<std::vector<std::string>>(name, append, description)
-        ->type_name(type)
+    m_command
+        ->add_option_function<std::vector<std::string>>("--isolines", append, "compute isolines at these distances")
+        ->type_name("DISTANCE,...")
         ->group(m_group)
         ->allow_extra_args(false);
   }
 
-  void choose(const std::vector<std::string>& names, bool is_required, bool is_exclusive = true)
-  {
-    Choice choice = {m_command, {}, is_required, is_exclusive};
-    for(const std::string& name : names)
-      choice.options.push_back(m_command->get_option(name));
-    m_choices.push_back(choice);
-  }
+  void require_one_of(const std::vector<std::string>& names) { m_required.emplace_back(m_command, names); }
 
   void exclude(const std::string& name, const std::vector<std::string>& others)
   {
     for(const std::string& other : others)
-      choose({name, other}, false);
+      m_command->get_option(name)->excludes(m_command->get_option(other));
   }
 
-  static void check(const Choice& choice)
+  // One of them, and no more.
+  void require_single(const std::vector<std::string>& names)
   {
-    const CLI::Option* given = nullptr;
-    std::string names;
-    for(const CLI::Option* option : choice.options) {
-      names += (names.empty() ? "" : ", ") + option->get_name();
-      if(option->count() == 0)
-        continue;
-      if(given != nullptr && choice.is_exclusive)
-        throw Bad_input(given->get_name() + " and " + option->get_name() + " cannot be combined; use one of them");
-      given = option;
-    }
-    if(given == nullptr && choice.is_required)
-      throw Bad_input("use one of " + names);
+    require_one_of(names);
+    for(std::size_t i = 0; i < names.size(); ++i)
+      exclude(names[i], {names.begin() + static_cast<std::ptrdiff_t>(i) + 1, names.end()});
   }
 
   // A command, with the options that all of them have.
@@ -258,10 +232,10 @@ private:
     m_command = m_app.add_subcommand(name, description);
     m_command->footer(std::string("\nExamples:\n") + examples);
     m_group = "Options";
-    add_text("MESH", "FILE", m_options.mesh, "read an OFF, OBJ, PLY, STL or TS file; - for standard input")
+    add("MESH", "FILE", m_options.mesh, "read an OFF, OBJ, PLY, STL or TS file; - for standard input")
         ->group("Positionals")
         ->required();
-    add_text("--format", "NAME", m_options.format, "read the format off, obj, ply, stl or ts [by the extension]");
+    add("--format", "NAME", m_options.format, "read this format: off, obj, ply, stl or ts [by the extension]");
     const std::string command = name;
     CLI::Option* const repair = command == "repair" || command == "info"
                                     ? nullptr
@@ -273,16 +247,16 @@ private:
       weld->description(weld->get_description() + "; requires --repair")->needs(repair);
     add("--force", m_options.is_replacing_input, "allow a result to replace an input file");
     add("-q,--quiet", m_options.is_quiet, "do not print the table or the progress");
-    add_text("--json", "FILE", m_options.results.json, "write all results as JSON; - for standard output");
-    add_text("--output-format", "NAME", m_options.output_format,
-             "write standard output (-o -) in this format, a file extension such as obj");
+    add("--json", "FILE", m_options.results.json, "write all results as JSON; - for standard output");
+    add("--output-format", "NAME", m_options.output_format,
+        "write standard output (-o -) in this format, a file extension such as obj");
   }
 
   void add_ends()
   {
     m_group = std::string("Curves (use one of these options). ") + m_points;
-    CLI::Option* const from = add_text("--from", "POINT", m_options.from, "start a path at this point");
-    CLI::Option* const to = add_text("--to", "POINT", m_options.to, "end the path at this point");
+    CLI::Option* const from = add("--from", "POINT", m_options.from, "start a path at this point");
+    CLI::Option* const to = add("--to", "POINT", m_options.to, "end the path at this point");
     from->needs(to);
     to->needs(from);
   }
@@ -290,15 +264,15 @@ private:
   void add_pairs()
   {
     add_ends();
-    add_text("--pairs", "FILE", m_options.pairs, "read one path per line, `source target`; # starts a comment");
+    add("--pairs", "FILE", m_options.pairs, "read one path per line, `source target`; # starts a comment");
     add("--random", "NUMBER", m_options.random, {1, 1e7}, "compute this many paths between random vertices");
     add("--seed", "NUMBER", m_options.seed, not_negative, "set the seed of --random [1]");
   }
 
   void add_files_of_paths()
   {
-    add_text("--edges", "FILE", m_options.edges, "read one path along edges per line, given by its vertices");
-    add_text("--points", "FILE", m_options.points, "read one path per line, given by points through which it passes");
+    add("--edges", "FILE", m_options.edges, "read one path along edges per line, given by its vertices");
+    add("--points", "FILE", m_options.points, "read one path per line, given by points through which it passes");
     add_draw();
     add("--snap", m_options.is_snapped, "move the polylines of --draw to edges first")
         ->needs(m_command->get_option("--draw"));
@@ -306,31 +280,36 @@ private:
 
   CLI::Option* add_draw()
   {
-    return add_text(
-        "--draw", "FILE", m_options.draw,
-        "read one polyline per line, given by its points, or NAME.polylines.txt; `o ...` is a closed polyline");
+    return add("--draw", "FILE", m_options.draw,
+               "read one polyline per line, given by its points, or NAME.polylines.txt; `o ...` is a closed polyline");
   }
 
   CLI::Option* add_loop()
   {
-    return add_text("--loop", "FILE", m_options.loop, "read one closed loop of edges per line, given by its vertices");
+    return add("--loop", "FILE", m_options.loop, "read one closed loop of edges per line, given by its vertices");
   }
+
+  void add_network()
+  {
+    add("--network", "FILE", m_options.network,
+        "read one path per line, given by its vertices; `o v v ...` is a loop, `! v ...` fixes vertices");
+  }
+
+  void add_seams() { add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file"); }
 
   void add_networks()
   {
-    add_text("--network", "FILE", m_options.network,
-             "read one path per line, given by its vertices; `o v v ...` is a loop, `! v ...` fixes vertices");
-    add_text("--segmentation", "FILE", m_options.segmentation,
-             "read one face label per line, and shorten the boundaries between faces with different labels");
+    add_network();
+    add("--segmentation", "FILE", m_options.segmentation,
+        "read one face label per line, and shorten the boundaries between faces with different labels");
     add("--free-junctions", m_options.has_free_junctions, "let junctions of boundaries move")
         ->needs(m_command->get_option("--segmentation"));
-    add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
+    add_seams();
   }
 
   void add_splines()
   {
-    add_text(
-        "--bezier", "FILE", m_options.bezier,
+    add("--bezier", "FILE", m_options.bezier,
         "read one Bezier curve per line, given by its control points; `s ...` is a B-spline, `o ...` a closed one");
     add("--rounds", "NUMBER", m_options.rounds, {0, 16}, "halve the pieces of splines this many times [5]")
         ->needs(m_command->get_option("--bezier"));
@@ -339,8 +318,8 @@ private:
   void add_arithmetic()
   {
     m_group = "Computation";
-    add_text("--kernel", "NAME", m_options.kernel,
-             "evaluate predicates exactly (certified) or in floating point (double) [certified]")
+    add("--kernel", "NAME", m_options.kernel,
+        "evaluate predicates exactly (certified) or in floating point (double) [certified]")
         ->check(one_of({"certified", "double"}));
     add_mollify();
     add("--refuse-zero-edges", m_options.are_zero_edges_refused,
@@ -357,10 +336,10 @@ private:
 
   void add_weights()
   {
-    add_text("--face-weights", "FILE", m_options.face_weights,
-             "read length factors of faces: one per line, or lines `face weight`");
-    add_text("--edge-weights", "FILE", m_options.edge_weights, "read length factors of edges: lines `v w weight`");
-    choose({"--face-weights", "--edge-weights"}, false);
+    add("--face-weights", "FILE", m_options.face_weights,
+        "read length factors of faces: one per line, or lines `face weight`");
+    add("--edge-weights", "FILE", m_options.edge_weights, "read length factors of edges: lines `v w weight`");
+    exclude("--face-weights", {"--edge-weights"});
     if(m_command->get_option_no_throw("--kernel") != nullptr)
       exclude("--kernel", {"--face-weights", "--edge-weights"}); // certified
   }
@@ -368,9 +347,8 @@ private:
   void add_avoid()
   {
     const std::string on_barrier = m_command->get_name() == "shortest" ? "; no path may end on a barrier" : "";
-    add_text("--avoid", "FILE", m_options.obstacles,
-             ("read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`" + on_barrier)
-                 .c_str());
+    add("--avoid", "FILE", m_options.obstacles,
+        "read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`" + on_barrier);
   }
 
   void add_most_memory()
@@ -381,7 +359,7 @@ private:
 
   void add_search()
   {
-    add_text("--search", "NAME", m_options.search, "search for edge paths by lookback, astar or dijkstra [lookback]")
+    add("--search", "NAME", m_options.search, "search for edge paths by lookback, astar or dijkstra [lookback]")
         ->check(one_of({"lookback", "astar", "dijkstra"}));
   }
 
@@ -408,23 +386,22 @@ private:
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
         "write equally spaced points, at most this far apart, instead of the crossings with edges");
-    add_text("--page", "FILE", m_options.results.page,
-             "write an HTML page that shows the surface, the curves and the flips");
-    add_text("--polylines", "FILE", m_options.results.polylines,
-             "write one line `curve a b t x y z` per point: (1-t) a + t b on edge ab, and its coordinates");
-    add_text("--stats", "FILE", m_options.results.stats, "write one line per curve as CSV");
-    add_text("--insert", "FILE", m_options.meshes.insertion,
-             "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
-    add_text("--cut", "FILE", m_options.meshes.cut,
-             "write the mesh cut open along the curves (.off, .obj, .ply, .stl, .vtp)");
+    add("--page", "FILE", m_options.results.page, "write a page for a browser: surface, curves and flips");
+    add("--polylines", "FILE", m_options.results.polylines,
+        "write one line `curve a b t x y z` per point: (1-t) a + t b on edge ab, and its coordinates");
+    add("--stats", "FILE", m_options.results.stats, "write one line per curve as CSV");
+    add("--insert", "FILE", m_options.meshes.insertion,
+        "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
+    add("--cut", "FILE", m_options.meshes.cut,
+        "write the mesh cut open along the curves (.off, .obj, .ply, .stl, .vtp)");
     if(m_command->get_option_no_throw("--threads") != nullptr)
       exclude("--threads", {"--page"}); // which shows the steps of the curves one after the other
   }
 
-  CLI::Option* add_outputs(const char* name, const char* description)
+  CLI::Option* add_outputs(const char* name, const std::string& description)
   {
     m_group = "Results";
-    return add_text(name, "FILE", m_options.results.outputs, description)->allow_extra_args(false);
+    return add(name, "FILE", m_options.results.outputs, description)->allow_extra_args(false);
   }
 
   void add_commands_of_triangulations()
@@ -435,7 +412,7 @@ private:
           "  flip_geodesics path bunny.off --draw pen.polylines.txt --page paths.html");
     add_pairs();
     add_files_of_paths();
-    choose({"--from", "--pairs", "--random", "--edges", "--points", "--draw"}, true);
+    require_single({"--from", "--pairs", "--random", "--edges", "--points", "--draw"});
     add_arithmetic();
     add_weights();
     add_search();
@@ -462,7 +439,7 @@ private:
     m_group = "Curves [a basis of the homology]";
     add("--handles", m_options.are_handles, "compute handle loops, then tunnel loops, of the enclosed solid");
     add("--cut-graph", m_options.is_cut_graph, "compute curves that cut each component open to a disk");
-    choose({"--handles", "--cut-graph"}, false);
+    exclude("--handles", {"--cut-graph"});
     add_arithmetic();
     add_stop_length();
     exclude("--cut-graph", {"--stop-length"});
@@ -475,7 +452,7 @@ private:
           "  flip_geodesics network textured.obj --seams --cut pieces.off");
     m_group = "Curves (use one of these options)";
     add_networks();
-    choose({"--network", "--segmentation", "--seams"}, true);
+    require_single({"--network", "--segmentation", "--seams"});
     add_arithmetic();
     add_weights();
     add_stop_length();
@@ -505,8 +482,8 @@ private:
     add_loop();
     add_networks();
     add_splines();
-    choose({"--from", "--edges", "--points", "--draw", "--loop", "--network", "--segmentation", "--seams", "--bezier"},
-           true);
+    require_single(
+        {"--from", "--edges", "--points", "--draw", "--loop", "--network", "--segmentation", "--seams", "--bezier"});
     m_group = "The triangulation";
     add("--delaunay", m_options.meshes.is_delaunay,
         "flip all edges except those of the curves to obtain a constrained Delaunay triangulation");
@@ -518,9 +495,9 @@ private:
     add("--most-vertices", "NUMBER", m_options.meshes.most_vertices, not_negative,
         "insert at most this many vertices [1000000]")
         ->needs(refine);
-    add_text("--subdivision", "FILE", m_options.meshes.subdivision,
-             "write the common subdivision of mesh and triangulation");
-    choose({"--delaunay", "--refine", "--subdivision"}, true, false);
+    add("--subdivision", "FILE", m_options.meshes.subdivision,
+        "write the common subdivision of mesh and triangulation");
+    require_one_of({"--delaunay", "--refine", "--subdivision"});
     add_arithmetic();
     add_search();
     add_stop_length();
@@ -535,7 +512,7 @@ private:
           "  flip_geodesics shortest bunny.off --pairs pairs.txt --landmarks 8 --stats paths.csv\n"
           "  flip_geodesics shortest torus.off --from 0 --to 150 --ways 4 --avoid walls.txt -o ways.vtp");
     add_pairs();
-    choose({"--from", "--pairs", "--random"}, true);
+    require_single({"--from", "--pairs", "--random"});
     m_group = "Homotopy classes and obstacles";
     add("--ways", "NUMBER", m_options.ways, {1, 1000}, "compute the shortest paths of this many homotopy classes");
     add_avoid();
@@ -556,8 +533,8 @@ private:
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --trace 0,1,2,0.3,0.3,4.71,20 --polylines straight.txt\n"
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
     m_group = m_points;
-    add_text("--trace", "POINT,ANGLE,LENGTH", m_options.traces,
-             "trace a geodesic of this length, at an angle in radians, over at most 1000000 edges; may be repeated")
+    add("--trace", "POINT,ANGLE,LENGTH", m_options.traces,
+        "trace a geodesic of this length, at an angle in radians, over at most 1000000 edges; may be repeated")
         ->allow_extra_args(false)
         ->required();
     m_group = "Metric and obstacles";
@@ -571,11 +548,11 @@ private:
           "  flip_geodesics distance bunny.off --source 0 --spacing 0.1 --polylines isolines.txt\n"
           "  flip_geodesics distance bunny.off --sources points.txt --map distances.csv --values -o distances.vtp");
     m_group = m_points;
-    add_text("--source", "POINT", m_options.sources, "measure from a point, or from vertices v,v,...; may be repeated")
+    add("--source", "POINT", m_options.sources, "measure from a point, or from vertices v,v,...; may be repeated")
         ->allow_extra_args(false);
-    add_text("--sources", "FILE", m_options.sources_file, "read further sources, separated by blanks");
-    choose({"--source", "--sources"}, true, false);
-    add_list("--isolines", "DISTANCE,...", m_options.isolines, positive, "compute isolines at these distances");
+    add("--sources", "FILE", m_options.sources_file, "read further sources, separated by blanks");
+    require_one_of({"--source", "--sources"});
+    add_isolines();
     add("--spacing", "DISTANCE", m_options.spacing, positive, "compute isolines at all multiples of this distance");
     add("--voronoi", m_options.has_voronoi, "compute the boundaries of the Voronoi diagram of the sources");
     add("--tolerance", "LENGTH", m_options.tolerance, positive,
@@ -586,24 +563,24 @@ private:
     add_mollify();
     add_weights();
     add_files_of_curves();
-    add_text("--map", "FILE", m_options.results.map, "write one line `vertex,distance,source` per vertex as CSV");
+    add("--map", "FILE", m_options.results.map, "write one line `vertex,distance,source` per vertex as CSV");
     add("--values", m_options.results.has_values, "add the distances of vertices to binary .ply and .vtp files")
         ->needs(m_command->get_option("--output"));
-    add_text("--matrix", "FILE", m_options.results.matrix, "write the distances between the sources as CSV");
-    choose({"--isolines", "--spacing"}, false);
-    choose({"--isolines", "--spacing", "--voronoi", "--map", "--values", "--matrix"}, true, false);
+    add("--matrix", "FILE", m_options.results.matrix, "write the distances between the sources as CSV");
+    exclude("--isolines", {"--spacing"});
+    require_one_of({"--isolines", "--spacing", "--voronoi", "--map", "--values", "--matrix"});
 
     begin("log", "Compute the tree of geodesics from a point, and the logarithmic map at this point",
           "  flip_geodesics log bunny.off --source 0 --map map.csv\n"
           "  flip_geodesics log bunny.off --source 0 --shortest --map map.csv -o tree.ply\n"
           "  flip_geodesics log bunny.off --source 0 --kernel double --stats tree.csv");
     m_group = m_points;
-    add_text("--source", "POINT", m_options.sources, "grow the tree from this point")->required()->expected(1);
-    add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest by shortest paths");
+    add("--source", "POINT", m_options.sources, "grow the tree from this point")->required()->expected(1);
+    add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest");
     add_arithmetic();
     add_weights();
     add_files_of_curves();
-    add_text("--map", "FILE", m_options.results.map, "write one line `vertex,distance,angle,x,y` per vertex as CSV");
+    add("--map", "FILE", m_options.results.map, "write one line `vertex,distance,angle,x,y` per vertex as CSV");
   }
 
   void add_commands_of_meshes()
@@ -635,10 +612,9 @@ private:
           "  flip_geodesics flatten bunny.off --network seams.txt --output flat.glb\n"
           "  flip_geodesics flatten textured.obj --seams --output flat.obj");
     m_group = "Curves along which the mesh is cut, after they have been shortened [the cut graph]";
-    add_text("--network", "FILE", m_options.network,
-             "read one path per line, given by its vertices; `o v v ...` is a loop, `! v ...` fixes vertices");
-    add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file");
-    choose({"--network", "--seams"}, false);
+    add_network();
+    add_seams();
+    exclude("--network", {"--seams"});
     add_outputs("-o,--output", "write .obj or .glb with texture coordinates; may be repeated")->required();
 
     begin("info", "Print components, borders, genus, size and defects of a mesh",
@@ -651,7 +627,7 @@ private:
           "  flip_geodesics view polygons.obj --repair --output polygons.html\n"
           "  flip_geodesics view - --format stl --output scan.html");
     m_group = "Results";
-    add_text("-o,--output", "FILE", m_options.results.live, "write this .html file")->required();
+    add("-o,--output", "FILE", m_options.results.live, "write this .html file")->required();
   }
 
   // Letters to insert, to drop or to exchange until one text is the other (Levenshtein distance).
@@ -691,6 +667,9 @@ private:
     const std::string too_often = ": At Most 1 required but received ";
     if(const std::size_t at = text.find(too_often); at != std::string::npos)
       return text.substr(0, at) + " is given " + text.substr(at + too_often.size()) + " times; give it once";
+    const std::string excludes = " excludes ";
+    if(const std::size_t at = text.find(excludes); at != std::string::npos)
+      return text.substr(0, at) + " and " + text.substr(at + excludes.size()) + " cannot be combined; use one of them";
     if(text.rfind("--longest-edge requires", 0) == 0)
       return text + "; use --refine 0 for no bound on angles";
     return text;
@@ -729,7 +708,7 @@ private:
   CLI::App m_app;
   CLI::App* m_command = nullptr; // that options are added to
   std::string m_group;
-  std::vector<Choice> m_choices;
+  std::vector<std::pair<const CLI::App*, std::vector<std::string>>> m_required; // one of some options at least
 };
 
 } // namespace program
