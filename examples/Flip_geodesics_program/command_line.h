@@ -3,11 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_COMMAND_LINE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_COMMAND_LINE_H
 
-#include "bad_input.h"
 #include "decimal_numbers.h"
 #include "file_name.h"
+#include "messages.h"
 #include "program_options.h"
-#include "run/parallel_runs.h"
+#include "run/machine.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,30 +5,19 @@
 // Exit status: 0 on success, 1 if a curve could not be computed or a result not be written (the others are), 2 on bad
 // input, 128 and the signal's number if it is interrupted.
 
-#include "advice.h"
-#include "bad_input.h"
 #include "command_line.h"
 #include "file_name.h"
 #include "input/program_input.h"
+#include "messages.h"
 #include "output/program_output.h"
 #include "output/result_formats.h"
 #include "output/run_files.h"
-#include "printable.h"
 #include "program_options.h"
-#include "readable.h"
+#include "run/computations.h" // flattens by Eigen under CGAL_EIGEN3_ENABLED
 #include "run/curve_engine.h"
-#include "run/field_curves.h"
-#include "run/flattened_mesh.h" // flattens by Eigen under CGAL_EIGEN3_ENABLED
-#include "run/inserted_curves.h"
-#include "run/landmarks.h"
-#include "run/machine_memory.h"
-#include "run/mesh_info.h"
-#include "run/other_ways.h"
-#include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
+#include "run/machine.h" // uses threads under CGAL_LINKED_WITH_TBB
 #include "run/path_conditions.h"
 #include "run/progress.h"
-#include "run/surface_loops.h"
-#include "run/traced_curves.h"
 #include "run/watcher.h"
 
 #include <CGAL/assertions_behaviour.h>

@@ -4,14 +4,16 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_MESH_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
+#include <optional>
 
-// The mesh of the program, and how the library numbers its elements.
+// The mesh of the program, its metric, and how the library numbers its elements.
 namespace program {
 
 using CGAL::Flip_geodesics::Index;
@@ -50,6 +52,29 @@ inline double size_of(const Mesh& mesh)
   for(const auto v : mesh.vertices())
     box += mesh.point(v).bbox();
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+using Mesh_metric =
+    CGAL::Flip_geodesics::Embedded_metric<Mesh, Mesh::Property_map<Mesh::Vertex_index, program::Point_3>>;
+
+/// The metric of the mesh, or one with longer edges; one type for both, so that the engine is compiled once for each
+/// arithmetic.
+using Program_metric = CGAL::Flip_geodesics::Mollified_metric<Mesh_metric>;
+
+/// The same of weighted lengths.
+using Weighted_program_metric =
+    CGAL::Flip_geodesics::Mollified_metric<CGAL::Flip_geodesics::Weighted_metric<Mesh_metric>>;
+
+/// A metric with longer edges. \param margin of the triangle inequality, relative to the mean edge length; none for the
+/// metric as it is
+template <class Metric>
+CGAL::Flip_geodesics::Mollified_metric<Metric> mollified_metric(const Mesh& mesh, const Metric& metric,
+                                                                std::optional<double> margin)
+{
+  using Mollified_metric = CGAL::Flip_geodesics::Mollified_metric<Metric>;
+  //! [Mollified metric]
+  return margin ? Mollified_metric(mesh, metric, *margin) : Mollified_metric(metric);
+  //! [Mollified metric]
 }
 
 } // namespace program

@@ -3,14 +3,25 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_OPTIONS_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_OPTIONS_H
 
-#include "run/mesh_result_options.h"
-
 #include <optional>
 #include <string>
 #include <vector>
 
 // The options of the command line.
 namespace program {
+
+/// What becomes of the triangulation once its curves are finished.
+struct Mesh_result_options
+{
+  bool is_delaunay = false;
+  std::optional<double> refine; ///< the smallest angle, in degrees
+  std::optional<double> longest_edge;
+  std::optional<long long> most_vertices; ///< that are inserted
+  std::string subdivision, insertion, cut;
+
+  bool is_any_wanted() const { return is_delaunay || refine || has_files(); }
+  bool has_files() const { return !subdivision.empty() || !insertion.empty() || !cut.empty(); }
+};
 
 /// The names of the other files that are written; empty for those that are not wanted.
 struct Result_names

@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_INPUT_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_INPUT_H
 
-#include "input/curve_requests.h"
 #include "input/input_mesh.h"
 #include "input/input_text.h"
+#include "input/requests.h"
 #include "input/scanners.h"
 #include "program_mesh.h"
 

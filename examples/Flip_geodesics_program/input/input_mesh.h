@@ -3,10 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_INPUT_MESH_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_INPUT_MESH_H
 
-#include "bad_input.h"
 #include "input/input_text.h"
+#include "messages.h"
 #include "program_mesh.h"
-#include "readable.h"
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
 

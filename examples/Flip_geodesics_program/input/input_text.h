@@ -3,9 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_INPUT_TEXT_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_INPUT_TEXT_H
 
-#include "bad_input.h"
 #include "file_name.h"
-#include "printable.h"
+#include "messages.h"
 
 #include <cstddef>
 #include <filesystem>

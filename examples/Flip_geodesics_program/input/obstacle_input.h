@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_OBSTACLE_INPUT_H
 
 #include "input/curve_input.h"
-#include "input/obstacles.h"
-#include "readable.h"
+#include "input/requests.h"
+#include "messages.h"
 
 #include <array>
 #include <cstddef>

@@ -3,9 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_INPUT_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_INPUT_H
 
-#include "input/curve_requests.h"
 #include "input/input_mesh.h"
-#include "input/obstacles.h"
+#include "input/requests.h"
 #include "program_options.h"
 #include "run/progress.h"
 

@@ -5,7 +5,7 @@
 
 #include "input/scanners.h"
 #include "input/soup.h"
-#include "readable.h"
+#include "messages.h"
 
 #include <algorithm>
 #include <array>

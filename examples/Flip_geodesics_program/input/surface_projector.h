@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_SURFACE_PROJECTOR_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_SURFACE_PROJECTOR_H
 
-#include "bad_input.h"
 #include "input/input_mesh.h"
+#include "messages.h"
 #include "program_mesh.h"
 
 #include <CGAL/Flip_geodesics/Surface_point.h>

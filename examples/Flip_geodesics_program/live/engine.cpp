@@ -5,17 +5,15 @@
 // program's files, so that the program computes the same curve from the same line. The engine keeps the mesh and
 // nothing else: a page that has interrupted it opens the mesh again and continues.
 
-#include "bad_input.h"
 #include "input/drawn_input.h"
 #include "input/mesh_input.h"
 #include "input/point_input.h"
+#include "messages.h"
 #include "output/scene_json.h"
 #include "output/viewer_curves.h"
+#include "run/computations.h"
 #include "run/curve_engine.h"
-#include "run/field_curves.h"
-#include "run/other_ways.h"
 #include "run/progress.h"
-#include "run/traced_curves.h"
 #include "scene.h"
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>

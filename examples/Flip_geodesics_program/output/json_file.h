@@ -6,9 +6,8 @@
 #include "output/json_text.h"
 #include "output/output_file.h"
 #include "program_mesh.h"
+#include "run/computations.h"
 #include "run/curve_engine.h"
-#include "run/field_curves.h"
-#include "run/mesh_info.h"
 
 #include <cstddef>
 #include <string>

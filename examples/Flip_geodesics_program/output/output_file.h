@@ -3,9 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_OUTPUT_FILE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_OUTPUT_FILE_H
 
-#include "bad_input.h"
+#include "messages.h"
 #include "output/run_files.h"
-#include "printable.h"
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 

@@ -5,9 +5,8 @@
 
 #include "program_mesh.h"
 #include "program_options.h"
+#include "run/computations.h"
 #include "run/curve_engine.h"
-#include "run/field_curves.h"
-#include "run/mesh_info.h"
 
 #include <cstddef>
 #include <memory>

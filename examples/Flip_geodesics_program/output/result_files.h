@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_RESULT_FILES_H
 
 #include "output/output_file.h"
+#include "run/computations.h"
 #include "run/curve_engine.h"
-#include "run/field_curves.h"
 
 #include <cmath>
 #include <cstddef>

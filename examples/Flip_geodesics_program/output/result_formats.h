@@ -3,10 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_RESULT_FORMATS_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_RESULT_FORMATS_H
 
-#include "bad_input.h"
 #include "file_name.h"
+#include "messages.h"
 #include "output/run_files.h"
-#include "printable.h"
 #include "program_options.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include "decimal_numbers.h"
 #include "file_name.h"
-#include "printable.h"
+#include "messages.h"
 
 #include <cerrno>
 #include <cstddef>

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_RUN_SUMMARY_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_RUN_SUMMARY_H
 
-#include "readable.h"
+#include "messages.h"
 #include "run/curve_engine.h"
 
 #include <algorithm>

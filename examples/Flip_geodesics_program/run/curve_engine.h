@@ -3,10 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_ENGINE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_ENGINE_H
 
-#include "input/curve_requests.h"
+#include "input/requests.h"
 #include "program_mesh.h"
-#include "run/mesh_result_options.h"
-#include "run/program_metric.h"
+#include "program_options.h"
 #include "run/progress.h"
 #include "scene.h"
 

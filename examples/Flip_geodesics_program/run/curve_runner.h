@@ -3,16 +3,14 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_RUNNER_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_RUNNER_H
 
-#include "advice.h"
-#include "bad_input.h"
+#include "messages.h"
+#include "run/computations.h"
 #include "run/curve_engine.h"
-#include "run/inserted_curves.h"
-#include "run/mesh_results.h"
+#include "run/engine_results.h"
 #include "run/progress.h"
 #include "run/shortening_recorder.h"
 #include "run/shortest_pair.h"
 #include "run/surface_request.h"
-#include "run/tree_results.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "run/field_curves.h"
-
-#include "bad_input.h"
+#include "messages.h"
+#include "run/computations.h"
 #include "run/path_conditions.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "run/flattened_mesh.h"
-
-#include "advice.h"
-#include "bad_input.h"
-#include "readable.h"
+#include "messages.h"
+#include "run/computations.h"
 
 #ifdef CGAL_EIGEN3_ENABLED
 #include <CGAL/Flip_geodesics/Conformal_flattening.h>

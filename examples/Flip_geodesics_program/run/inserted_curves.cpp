@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "run/inserted_curves.h"
-
-#include "advice.h"
-#include "bad_input.h"
+#include "messages.h"
+#include "run/computations.h"
 #include "run/slit_surface.h"
 
 #include <CGAL/Flip_geodesics/Curve_point.h>

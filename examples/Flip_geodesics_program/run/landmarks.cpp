@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "run/landmarks.h"
-
-#include "advice.h"
-#include "bad_input.h"
-#include "readable.h"
-#include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
+#include "messages.h"
+#include "run/computations.h"
+#include "run/machine.h" // uses threads under CGAL_LINKED_WITH_TBB
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>

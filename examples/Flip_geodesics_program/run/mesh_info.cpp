@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "run/mesh_info.h"
-
-#include "readable.h"
+#include "messages.h"
+#include "run/computations.h"
 
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 

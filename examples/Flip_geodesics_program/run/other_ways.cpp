@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "run/other_ways.h"
-
-#include "advice.h"
-#include "readable.h"
+#include "messages.h"
+#include "run/computations.h"
 #include "run/slit_surface.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>

@@ -3,11 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_PATH_CONDITIONS_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_PATH_CONDITIONS_H
 
-#include "bad_input.h"
-#include "input/curve_requests.h"
-#include "input/obstacles.h"
+#include "input/requests.h"
+#include "messages.h"
 #include "program_mesh.h"
-#include "run/program_metric.h"
 #include "run/slit_surface.h"
 
 #include <boost/property_map/function_property_map.hpp>

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRESS_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_PROGRESS_H
 
-#include "readable.h"
+#include "messages.h"
 
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_SLIT_SURFACE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_SLIT_SURFACE_H
 
-#include "input/obstacles.h"
+#include "input/requests.h"
 #include "program_mesh.h"
 #include "run/curve_engine.h"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "run/surface_loops.h"
-
-#include "advice.h"
-#include "bad_input.h"
+#include "messages.h"
+#include "run/computations.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>

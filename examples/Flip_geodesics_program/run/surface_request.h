@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_SURFACE_REQUEST_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_SURFACE_REQUEST_H
 
-#include "input/curve_requests.h"
+#include "input/requests.h"
 #include "run/curve_engine.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "run/traced_curves.h"
-
-#include "advice.h"
+#include "messages.h"
+#include "run/computations.h"
 #include "run/path_conditions.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_PROGRAM_PARALLEL_RUNS_H
-#define CGAL_FLIP_GEODESICS_PROGRAM_PARALLEL_RUNS_H
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_MACHINE_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_MACHINE_H
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
@@ -14,7 +18,19 @@
 #include <tbb/task_arena.h>
 #endif
 
+// The memory and the threads of the machine.
 namespace program {
+
+/// The memory of the machine, in bytes; that of a large one if it cannot be queried.
+inline double memory_of_machine()
+{
+#ifdef _SC_PHYS_PAGES
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  if(pages > 0 && size > 0)
+    return static_cast<double>(pages) * static_cast<double>(size);
+#endif
+  return 0x1p36;
+}
 
 /// Can several threads be used at all?
 #ifdef CGAL_LINKED_WITH_TBB
@@ -67,4 +83,4 @@ void run_in_parallel(const std::vector<Request>& requests, int threads, const Ma
 
 } // namespace program
 
-#endif // CGAL_FLIP_GEODESICS_PROGRAM_PARALLEL_RUNS_H
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_MACHINE_H

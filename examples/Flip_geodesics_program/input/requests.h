@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H
-#define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_REQUESTS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_REQUESTS_H
 
 #include "program_mesh.h"
 
@@ -10,10 +10,36 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+// What users request.
 namespace program {
+
+/// What no path may cross.
+struct Obstacles
+{
+  std::set<Mesh::Face_index> faces;
+  std::set<Mesh::Edge_index> walls; ///< edges along which paths may run
+
+  bool are_none() const { return faces.empty() && walls.empty(); }
+};
+
+/// The factors of lengths, given for all faces or for all edges.
+struct Weights
+{
+  std::string name; ///< of the file, for messages
+  std::vector<double> of_faces, of_edges;
+};
+
+/// What changes the lengths of paths.
+struct Path_conditions
+{
+  Obstacles obstacles;
+  std::optional<Weights> weights;
+  std::optional<double> mollify; ///< the margin of the triangle inequality, relative to the mean length of edges
+};
 
 using CGAL::Flip_geodesics::Vertex_index;
 
@@ -98,4 +124,4 @@ inline Network_request cut_graph_request()
 
 } // namespace program
 
-#endif // CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_REQUESTS_H
