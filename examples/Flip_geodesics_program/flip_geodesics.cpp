@@ -117,11 +117,11 @@ struct Run
   const Input_mesh& input;
   std::string title; // a line for people
   Progress& progress;
-  std::unique_ptr<Outputs> outputs = {};
+  std::optional<Outputs> outputs = {};
 
   void open()
   {
-    outputs = make_outputs(options);
+    outputs.emplace(options);
     if(!options.is_quiet && options.command != "info") // which has them among the defects
       for(const std::string& remark : input.remarks())
         std::cerr << "flip_geodesics: " << remark << '\n';

@@ -16,11 +16,6 @@
 #include "run/progress.h"
 #include "scene.h"
 
-#include <CGAL/Flip_geodesics/IO/GLB.h>
-#include <CGAL/Flip_geodesics/IO/OBJ.h>
-#include <CGAL/Flip_geodesics/IO/PLY.h>
-#include <CGAL/Flip_geodesics/curve_samples.h>
-
 #include <CGAL/assertions_behaviour.h>
 
 #include <cstddef>
@@ -87,29 +82,17 @@ public:
       add_curves(scene, kind, line, 0);
     std::ostringstream out;
     out.precision(std::numeric_limits<double>::max_digits10);
+    if(format != "obj" && format != "ply" && format != "glb" && format != "polylines")
+      throw Bad_input(printable(format) + ": the format is not known");
     if(format == "polylines")
       write_polylines(out, scene);
     else
       with_curves(m_mesh, scene, std::nullopt, CGAL::Flip_geodesics::IO::Colors(),
-                  [&](const auto&... parts) { write(out, format, parts...); });
+                  [&](const auto&... parts) { write_view(out, format, parts...); });
     return out.str();
   }
 
 private:
-  template <class... Parts>
-  static void write(std::ostream& out, const std::string& format, const Parts&... parts)
-  {
-    namespace IO = CGAL::Flip_geodesics::IO;
-    if(format == "obj")
-      IO::write_OBJ(out, parts...);
-    else if(format == "ply")
-      IO::write_PLY(out, parts..., CGAL::parameters::use_binary_mode(false));
-    else if(format == "glb")
-      IO::write_GLB(out, parts...);
-    else
-      throw Bad_input(printable(format) + ": the format is not known; use obj, ply, glb or polylines");
-  }
-
   static void write_strings(std::ostream& out, const char* name, const std::vector<std::string>& strings)
   {
     out << '"' << name << "\":[";
@@ -251,19 +234,7 @@ private:
         m_remarks.push_back(r.error);
         continue;
       }
-      scene.curves.push_back({scene.curves.size(),
-                              r.name,
-                              r.status,
-                              r.certificate,
-                              r.initial_length,
-                              r.length,
-                              r.flips,
-                              r.is_closed,
-                              r.is_of_tree,
-                              scene.records.size(),
-                              {}});
-      for(const program::Curve_point& p : r.points)
-        scene.curves.back().points.push_back(p.in_space);
+      scene.curves.push_back(scene_curve(r, scene.curves.size(), scene.records.size()));
     }
     scene.records.push_back(record.value_or(Shortening_record()));
   }

@@ -65,6 +65,8 @@ public:
   template <class Write>
   void write(const Write& write)
   {
+    if(!is_wanted())
+      return;
     try {
       write(m_out);
     } catch(const CGAL::Flip_geodesics::Error& error) {

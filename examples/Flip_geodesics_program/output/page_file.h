@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,36 +61,22 @@ inline std::string json_packed(const std::vector<std::uint32_t>& numbers)
 /*!
  * Writes one page for a browser, with everything in it: no other file and no network is needed. The page is a fixed one
  * (folder page/), in which a JSON object takes the place of a mark.
+ *
+ * \param page the pieces of the page \param write_object writes the object to a stream
  */
-class Page_file
+template <class Page, class Write>
+void write_page(Output_file& file, const Page& page, const Write& write_object)
 {
-public:
-  /// With an empty name, nothing is written.
-  explicit Page_file(const std::string& name)
-    : m_file(name)
-  {
-  }
-
-  bool is_wanted() const { return m_file.is_wanted(); }
-
-  /// \param page the pieces of the page \param write_object writes the object to a stream
-  template <class Page, class Write>
-  void write(const Page& page, const Write& write_object)
-  {
-    if(!is_wanted())
-      return;
+  file.write([&](std::ostream& out) {
     for(std::string_view piece : page) {
       if(piece == "@SCENE@")
-        write_object(m_file.stream());
+        write_object(out);
       else
-        m_file.stream() << piece;
+        out << piece;
     }
-    m_file.close();
-  }
-
-private:
-  Output_file m_file;
-};
+  });
+  file.close();
+}
 
 } // namespace program
 

@@ -6,6 +6,10 @@
 #include "program_mesh.h"
 #include "scene.h"
 
+#include <CGAL/Flip_geodesics/IO/GLB.h>
+#include <CGAL/Flip_geodesics/IO/OBJ.h>
+#include <CGAL/Flip_geodesics/IO/PLY.h>
+#include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/IO/appearance.h>
 
 #include <boost/range/adaptor/transformed.hpp>
@@ -13,6 +17,7 @@
 #include <cstddef>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace program {
@@ -43,6 +48,22 @@ void with_curves(const Mesh& mesh, const Scene& scene, std::optional<double> tub
     write(mesh, curves, colors, CGAL::Flip_geodesics::IO::Tubes(radius, number_of_sides));
   else
     write(mesh, curves, colors);
+}
+
+/// Writes what `with_curves()` passes on, in the format obj, ply, vtp or glb; as text where there is a choice.
+template <class... Parts>
+void write_view(std::ostream& out, const std::string& format, const Parts&... parts)
+{
+  namespace IO = CGAL::Flip_geodesics::IO;
+  const auto as_text = CGAL::parameters::use_binary_mode(false);
+  if(format == "obj")
+    IO::write_OBJ(out, parts...);
+  else if(format == "ply")
+    IO::write_PLY(out, parts..., as_text);
+  else if(format == "vtp")
+    IO::write_VTP(out, parts..., as_text);
+  else
+    IO::write_GLB(out, parts...);
 }
 
 /// The curves alone, as CGAL's demo reads them: a line each, the number of points and the points.

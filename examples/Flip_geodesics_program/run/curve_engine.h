@@ -55,6 +55,17 @@ struct Curve_result
   bool is_error() const { return status == "ERROR"; }
 };
 
+/// What files for viewers show of a curve. \param number in the order of the results \param run of the curves that were
+/// shortened together
+inline Scene_curve scene_curve(const Curve_result& r, std::size_t number, std::size_t run)
+{
+  Scene_curve curve = {number,       r.name, r.status, r.certificate, r.initial_length, r.length, r.flips, r.is_closed,
+                       r.is_of_tree, run,    {}};
+  for(const Curve_point& p : r.points)
+    curve.points.push_back(p.in_space);
+  return curve;
+}
+
 struct Run_options
 {
   CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
