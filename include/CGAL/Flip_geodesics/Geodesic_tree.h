@@ -655,6 +655,55 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
                                     : directions(leg.start.halfedge));
 }
 
+/* Implements `logarithmic_map()`, with a visitor to whose `on_progress()`, if it has one, the finished fraction is passed.
+ */
+template <class Triangulation, class Visitor>
+Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero,
+                                               Visitor& visitor)
+{
+  const Triangulation& triangulation = tree.triangulation();
+  check_is_grown(tree);
+  const bool is_zero_told = zero != null_index && !triangulation.is_inserted(tree.source());
+  if(is_zero_told && (!zero.is_valid() || zero.idx() >= triangulation.input().number_of_halfedges()))
+    throw Invalid_location_error("the halfedge of angle zero does not belong to the mesh");
+  if(is_zero_told && triangulation.input().tail(zero) != tree.source())
+    throw Invalid_location_error("the halfedge of angle zero, " + std::to_string(zero.idx()) +
+                                     ", does not start at vertex " + std::to_string(tree.source().idx()) +
+                                     ", the source of the tree",
+                                 {static_cast<std::size_t>(zero.idx())});
+  const Vertex_directions<Triangulation> directions(triangulation, tree.source());
+  Vertex_logarithmic_map map(triangulation.number_of_vertices(), directions.total(), directions.has_border());
+  map[tree.source()].radius = 0;
+  const double start = is_zero_told && !map.is_on_border() ? directions.of_input(zero) : 0;
+
+  const auto set_angle = [&](Vertex_index v, double direction) {
+    const double angle = direction - start;
+    map[v].angle = angle + (!map.is_on_border() && angle < 0 ? map.total_angle() : 0);
+  };
+  measure_first_edges(tree, directions, set_angle);
+
+  std::vector<Vertex_index> way; // from a vertex back to one whose angle is known
+  for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices())) {
+    if(v.idx() % 1024 == 0)
+      report_progress(visitor, static_cast<std::size_t>(v.idx()),
+                      static_cast<std::size_t>(triangulation.number_of_vertices()));
+    if(!tree.is_reached(v) || v == tree.source())
+      continue;
+    map[v].radius = tree.distance(v);
+    way.clear();
+    for(Vertex_index w = v; w != tree.source() && std::isnan(map[w].angle); w = triangulation.tail(tree.incoming(w)))
+      way.push_back(w);
+    for(std::size_t i = way.size(); i-- > 0;) {
+      const Halfedge_index h = tree.incoming(way[i]);
+      if(triangulation.tail(h) == tree.source())
+        set_angle(way[i], directions(h));
+      else
+        map[way[i]].angle = map[triangulation.tail(h)].angle;
+    }
+  }
+  return map;
+}
+
 } // namespace internal
 
 /*!
@@ -683,44 +732,8 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
 template <class Triangulation>
 Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)
 {
-  const Triangulation& triangulation = tree.triangulation();
-  internal::check_is_grown(tree);
-  const bool is_zero_told = zero != null_index && !triangulation.is_inserted(tree.source());
-  if(is_zero_told && (!zero.is_valid() || zero.idx() >= triangulation.input().number_of_halfedges()))
-    throw Invalid_location_error("the halfedge of angle zero does not belong to the mesh");
-  if(is_zero_told && triangulation.input().tail(zero) != tree.source())
-    throw Invalid_location_error("the halfedge of angle zero, " + std::to_string(zero.idx()) +
-                                     ", does not start at vertex " + std::to_string(tree.source().idx()) +
-                                     ", the source of the tree",
-                                 {static_cast<std::size_t>(zero.idx())});
-  const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
-  Vertex_logarithmic_map map(triangulation.number_of_vertices(), directions.total(), directions.has_border());
-  map[tree.source()].radius = 0;
-  const double start = is_zero_told && !map.is_on_border() ? directions.of_input(zero) : 0;
-
-  const auto set_angle = [&](Vertex_index v, double direction) {
-    const double angle = direction - start;
-    map[v].angle = angle + (!map.is_on_border() && angle < 0 ? map.total_angle() : 0);
-  };
-  internal::measure_first_edges(tree, directions, set_angle);
-
-  std::vector<Vertex_index> way; // from a vertex back to one whose angle is known
-  for(Vertex_index v : internal::descriptors<Vertex_index>(triangulation.number_of_vertices())) {
-    if(!tree.is_reached(v) || v == tree.source())
-      continue;
-    map[v].radius = tree.distance(v);
-    way.clear();
-    for(Vertex_index w = v; w != tree.source() && std::isnan(map[w].angle); w = triangulation.tail(tree.incoming(w)))
-      way.push_back(w);
-    for(std::size_t i = way.size(); i-- > 0;) {
-      const Halfedge_index h = tree.incoming(way[i]);
-      if(triangulation.tail(h) == tree.source())
-        set_angle(way[i], directions(h));
-      else
-        map[way[i]].angle = map[triangulation.tail(h)].angle;
-    }
-  }
-  return map;
+  Default_shortening_visitor visitor;
+  return internal::logarithmic_map_of_tree(tree, zero, visitor);
 }
 
 } // namespace Flip_geodesics

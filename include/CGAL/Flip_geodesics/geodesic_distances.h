@@ -923,16 +923,6 @@ CGAL_FLIP_GEODESICS_FOR_COMPILED_MESHES(CGAL_FLIP_GEODESICS_INSTANCES)
 
 namespace internal {
 
-template <class Visitor, class = void>
-struct Has_progress : std::false_type
-{
-};
-
-template <class Visitor>
-struct Has_progress<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_progress(0.5))>> : std::true_type
-{
-};
-
 /* A visitor of fields that are computed concurrently; the calling thread reports how many are finished. */
 template <class Visitor>
 class Progress_visitor
@@ -948,8 +938,7 @@ public:
 
   bool go_further()
   {
-    if constexpr(Has_progress<Visitor>::value)
-      m_visitor.on_progress(static_cast<double>(m_finished) / static_cast<double>(m_number));
+    report_progress(m_visitor, m_finished, m_number);
     return m_visitor.go_further();
   }
 

@@ -13,6 +13,7 @@
 #include <functional>
 #include <thread>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Flip_geodesics::internal {
 
@@ -144,6 +145,24 @@ auto make_visitor(const NamedParameters& np)
   } else {
     return Visitor_holder<Default_shortening_visitor>{};
   }
+}
+
+template <class Visitor, class = void>
+struct Has_progress : std::false_type
+{
+};
+
+template <class Visitor>
+struct Has_progress<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_progress(0.5))>> : std::true_type
+{
+};
+
+/* Passes the finished fraction of a computation on to a visitor, if it has a member for it. */
+template <class Visitor>
+void report_progress(Visitor& visitor, std::size_t finished, std::size_t number)
+{
+  if constexpr(Has_progress<Visitor>::value)
+    visitor.on_progress(static_cast<double>(finished) / static_cast<double>(number));
 }
 
 /* Returns the result of `compute(interruption)`, where the interruption is null unless a visitor is given, or a
