@@ -322,9 +322,8 @@ private:
         "evaluate predicates exactly (certified) or in floating point (double) [certified]")
         ->check(one_of({"certified", "double"}));
     add_mollify();
-    add("--refuse-zero-edges", m_options.are_zero_edges_refused,
-        "report degenerate edges as errors instead of contracting them");
-    add_most_memory();
+    add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");
+    add_memory_limit();
   }
 
   void add_mollify()
@@ -351,9 +350,9 @@ private:
         "read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`" + on_barrier);
   }
 
-  void add_most_memory()
+  void add_memory_limit()
   {
-    add("--most-memory", "MEGABYTES", m_options.most_memory, {0, 1e9, true},
+    add("--memory-limit", "MEGABYTES", m_options.memory_limit, {0, 1e9, true},
         "stop when a curve requires more than this much memory [3/4 of the memory of the machine]");
   }
 
@@ -492,7 +491,7 @@ private:
     add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
         "insert vertices until no edge is longer than this; requires --refine")
         ->needs(refine);
-    add("--most-vertices", "NUMBER", m_options.meshes.most_vertices, not_negative,
+    add("--vertex-limit", "NUMBER", m_options.meshes.vertex_limit, not_negative,
         "insert at most this many vertices [1000000]")
         ->needs(refine);
     add("--subdivision", "FILE", m_options.meshes.subdivision,

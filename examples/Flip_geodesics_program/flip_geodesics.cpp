@@ -103,10 +103,10 @@ std::ostream& summary_stream(const Options& options)
 }
 
 // What the records of flips may take in each thread, in bytes.
-std::size_t most_memory(const Options& options)
+std::size_t memory_limit(const Options& options)
 {
   constexpr double megabyte = 1e6;
-  const double most = options.most_memory ? *options.most_memory * megabyte : 0.75 * memory_of_machine();
+  const double most = options.memory_limit ? *options.memory_limit * megabyte : 0.75 * memory_of_machine();
   return static_cast<std::size_t>(most / usable_threads(options.threads));
 }
 
@@ -195,7 +195,7 @@ int run_engine(Run& run, const Metric& metric)
                                    options.is_snapped,
                                    options.are_zero_edges_refused,
                                    options.meshes,
-                                   most_memory(options),
+                                   memory_limit(options),
                                    !options.results.map.empty()};
   const auto make_engine = [&] {
     if constexpr(std::is_same<std::decay_t<decltype(metric)>, Weighted_program_metric>::value)
@@ -283,8 +283,8 @@ int run_other_ways(Run run)
                           std::nullopt};
   for(const Network_request& network : requests_of(run))
     request.pairs.push_back(network.curves.front());
-  if(options.most_memory)
-    request.most_memory = *options.most_memory * megabyte;
+  if(options.memory_limit)
+    request.memory_limit = *options.memory_limit * megabyte;
   return run_at_once(run, [&](std::string& lines) {
     Ways ways = other_ways(run.input, request, run.progress);
     lines = ways.others;

@@ -16,7 +16,7 @@ struct Mesh_result_options
   bool is_delaunay = false;
   std::optional<double> refine; ///< the smallest angle, in degrees
   std::optional<double> longest_edge;
-  std::optional<long long> most_vertices; ///< that are inserted
+  std::optional<long long> vertex_limit; ///< that are inserted
   std::string subdivision, insertion, cut;
 
   bool is_any_wanted() const { return is_delaunay || refine || has_files(); }
@@ -53,7 +53,7 @@ struct Options
   double spacing = 0, tolerance = 0; ///< zero for none and for the default
   long long seed = 1;
   std::string kernel = "certified", search = "lookback";
-  std::optional<double> stop_length, stop_curve_length, mollify, most_memory;
+  std::optional<double> stop_length, stop_curve_length, mollify, memory_limit;
   bool are_zero_edges_refused = false;
   int threads = 1;
   Result_names results;

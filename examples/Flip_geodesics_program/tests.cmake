@@ -135,7 +135,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(shortest_double 0 "2 WITHIN_TOLERANCE" shortest torus.off --pairs pairs.txt --kernel
                                   double)
   flip_geodesics_add_program_test(shortest_given_up 0 " 2.80946 .*1 UNDECIDED" shortest torus.off --from 0 --to 150
-                                  --most-memory 0.0001)
+                                  --memory-limit 0.0001)
   flip_geodesics_add_program_test(shortest_inserted 0 "1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150 --insert
                                   shortest.off)
   flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 curve encountered degenerate edges.*for it\n"
@@ -485,7 +485,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(ways_inside_obstacle 1 "vertex 13 lies inside an obstacle" shortest
                                   ${pair_beside_wall} --ways 2 --avoid all_faces.txt)
   flip_geodesics_add_program_test(ways_given_up 1 "the search reached the memory limit after .* vertices of the universal cover" shortest
-                                  torus.off --from 13 --to 150 --ways 30 --most-memory 0.1)
+                                  torus.off --from 13 --to 150 --ways 30 --memory-limit 0.1)
   flip_geodesics_add_program_test(no_ways 2 "--ways: '0' is out of range. use at least 1" shortest torus.off --from 0
                                   --to 1 --ways 0)
   flip_geodesics_add_program_test(ways_double 2 "--ways and --kernel cannot be combined" shortest torus.off --random 2
@@ -666,9 +666,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "OFF\n6 8 0\n0 0 0\n1e-6 0 0\n0 1e-6 0\n0 0 1\n1e-6 0 1\n0 1e-6 1\n3 0 2 1\n3 3 4 5\n"
        "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n")
   flip_geodesics_add_program_test(refine_thread 0 "bounds cannot be reached: [1-9][0-9]* faces" refine thread.off --from
-                                  0 --to 1 --refine 25 --most-vertices 5000)
+                                  0 --to 1 --refine 25 --vertex-limit 5000)
   flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* faces outside the bounds. ended" refine torus.off --from
-                                  0 --to 150 --refine 0 --longest-edge 0.02 --most-vertices 30)
+                                  0 --to 150 --refine 0 --longest-edge 0.02 --vertex-limit 30)
   flip_geodesics_add_program_test(edges_of_nothing 2 "--longest-edge requires --refine; use --refine 0" refine torus.off --from 0 --to
                                   150 --longest-edge 0.1)
   flip_geodesics_add_program_test(bad_longest_edge 2 "--longest-edge" refine torus.off --from 0 --to 150 --refine 9
@@ -829,9 +829,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(unknown_kernel 2 "--kernel: 'fast' is not known. use certified or double" path torus.off --random 2 --kernel fast)
   flip_geodesics_add_program_test(unknown_search 2 "--search: 'best' is not known. use lookback, astar or dijkstra" path torus.off --random 2 --search best)
   flip_geodesics_add_program_test(bad_stop_length 2 "--stop-length" path torus.off --random 2 --stop-length 2)
-  flip_geodesics_add_program_test(bad_most_memory 2 "--most-memory" path torus.off --random 2 --most-memory 0)
-  flip_geodesics_add_program_test(most_memory 1 "curve 0 .*--most-memory" path torus.off --edges path.txt --kernel
-                                  certified --most-memory 0.0001)
+  flip_geodesics_add_program_test(bad_memory_limit 2 "--memory-limit" path torus.off --random 2 --memory-limit 0)
+  flip_geodesics_add_program_test(memory_limit 1 "curve 0 .*--memory-limit" path torus.off --edges path.txt --kernel
+                                  certified --memory-limit 0.0001)
   flip_geodesics_add_program_test(unwritable 2 "no_such_folder/x" path torus.off --random 2 --stats no_such_folder/x)
   flip_geodesics_add_program_test(unwritable_page 2
                                   "no_such_folder/x.html: the folder [^\n]*no_such_folder does not exist" path torus.off

@@ -203,8 +203,8 @@ private:
 
   void add_ways(Scene& scene, const std::vector<Curve_request>& pairs, std::size_t count)
   {
-    constexpr double most_memory = 1e9; // half of the memory that the engine may have
-    const Ways ways = other_ways(m_mesh, {pairs, count, {}, most_memory}, m_progress);
+    constexpr double memory_limit = 1e9; // half of the memory that the engine may have
+    const Ways ways = other_ways(m_mesh, {pairs, count, {}, memory_limit}, m_progress);
     m_remarks = {ways.others};
     add(scene, ways.curves, std::nullopt);
   }

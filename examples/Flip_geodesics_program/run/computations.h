@@ -67,7 +67,7 @@ struct Ways_request
   std::vector<Curve_request> pairs;
   std::size_t number;
   Obstacles obstacles;
-  std::optional<double> most_memory; ///< for the part of the universal cover that is searched, in bytes
+  std::optional<double> memory_limit; ///< for the part of the universal cover that is searched, in bytes
 };
 
 /// The paths, those of a pair by length, and what is known of others, for people.

@@ -77,8 +77,8 @@ struct Run_options
   bool is_snapped = false;             ///< move polylines to edges, and do not insert their points
   bool are_zero_edges_refused = false; ///< and not contracted where they are met
   Mesh_result_options meshes;
-  std::size_t most_memory = (std::numeric_limits<std::size_t>::max)(); ///< for the records of flips, in bytes
-  bool has_map = false;                                                ///< compute the logarithmic map of a tree
+  std::size_t memory_limit = (std::numeric_limits<std::size_t>::max)(); ///< for the records of flips, in bytes
+  bool has_map = false;                                                 ///< compute the logarithmic map of a tree
 };
 
 /// The requested meshes: they have the edges of a triangulation, or its curves.

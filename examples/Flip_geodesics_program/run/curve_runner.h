@@ -271,7 +271,7 @@ private:
       results[c].initial_segments = halfedges.size();
       if(is_straightened(request) && !by_flips_alone) {
         m_progress.enter("straightening");
-        results[c].flips = add_straightened_path(network, halfedges, m_options.most_memory);
+        results[c].flips = add_straightened_path(network, halfedges, m_options.memory_limit);
         m_progress.add_flips(results[c].flips);
         results[c].shorten_s = stopwatch.seconds() - results[c].search_s;
       } else {
@@ -342,7 +342,7 @@ private:
     Progress_visitor visitor(m_progress);
     Noted_search search(m_search);
     const auto report =
-        add_shortest_pair(network, search, landmarks(), request.vertices, m_options.most_memory, visitor);
+        add_shortest_pair(network, search, landmarks(), request.vertices, m_options.memory_limit, visitor);
     check_folds(report.shortening);
     note(report.shortening, report.shortening.curves.front(), result);
     result.status = to_string(report.verdict);
@@ -363,7 +363,7 @@ private:
         FG::shortest_path(
             m_mesh, request.points[0], request.points[1], std::back_inserter(path), CGAL::parameters::metric(m_metric),
             CGAL::parameters::geom_traits(Traits()),
-            CGAL::parameters::search_limit(window_limit(m_mesh.number_of_vertices(), m_options.most_memory)),
+            CGAL::parameters::search_limit(window_limit(m_mesh.number_of_vertices(), m_options.memory_limit)),
             CGAL::parameters::visitor(std::ref(visitor)))
             .report;
     note(report.shortening, report.shortening.curves.front(), result);
@@ -414,10 +414,10 @@ private:
     network.clear();
     if(is_shortest_pair(request)) {
       Progress_visitor visitor(m_progress);
-      add_shortest_pair(network, m_search, landmarks(), request.curves.front().vertices, m_options.most_memory,
+      add_shortest_pair(network, m_search, landmarks(), request.curves.front().vertices, m_options.memory_limit,
                         visitor);
     } else {
-      add_straightened_path(network, halfedges, m_options.most_memory);
+      add_straightened_path(network, halfedges, m_options.memory_limit);
       CGAL::Flip_geodesics::shorten(network, CGAL::parameters::stop_predicate(memory_limit()));
     }
     record(network, recorder);
@@ -489,7 +489,7 @@ private:
     if(curve.verdict != CGAL::Flip_geodesics::Verdict::UNDECIDED)
       result.certificate = to_string(curve.verdict);
     if(curve.status == CGAL::Flip_geodesics::Shortening_status::MEMORY_LIMIT)
-      result.error = "shortening ended early because the flips take too much memory; increase --most-memory";
+      result.error = "shortening ended early because the flips take too much memory; increase --memory-limit";
   }
 
   // Draws a polyline, whose length is the initial one, and frees it. \pre the network has no curve
@@ -607,7 +607,7 @@ private:
 
   CGAL::Flip_geodesics::Memory_stop_predicate memory_limit() const
   {
-    return CGAL::Flip_geodesics::Memory_stop_predicate(m_options.most_memory);
+    return CGAL::Flip_geodesics::Memory_stop_predicate(m_options.memory_limit);
   }
 
   // A ratio of zero does not limit anything.

@@ -114,8 +114,8 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     FG::Refinement_options bounds;
     bounds.smallest_angle = *options.refine;
     bounds.longest_edge = options.longest_edge.value_or(bounds.longest_edge);
-    if(options.most_vertices)
-      bounds.maximum_insertions = static_cast<std::size_t>(*options.most_vertices);
+    if(options.vertex_limit)
+      bounds.maximum_insertions = static_cast<std::size_t>(*options.vertex_limit);
     progress.enter("refining", "vertices inserted");
     Refinement_progress visitor(progress);
     const FG::Refinement_report report = FG::refine(network, bounds, CGAL::parameters::visitor(std::ref(visitor)));

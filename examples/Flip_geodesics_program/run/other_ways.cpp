@@ -96,7 +96,7 @@ private:
         m_ways.curves.push_back(way(pair, i, report, paths[i]));
       if(paths.size() < m_request.number && report.status == FG::Class_search_status::COVERING_LIMIT)
         add_failure(pair, "the search reached the memory limit after " + readable(report.visited) +
-                              " vertices of the universal cover; request fewer paths or increase --most-memory");
+                              " vertices of the universal cover; request fewer paths or increase --memory-limit");
       note_others(pair, report);
     } catch(const FG::Disconnected_endpoints_error& error) {
       add_failure(pair,
@@ -109,8 +109,8 @@ private:
 
   FG::Covering_limit covering_limit() const
   {
-    return m_request.most_memory
-               ? FG::Covering_limit(static_cast<std::size_t>(*m_request.most_memory / bytes_per_vertex))
+    return m_request.memory_limit
+               ? FG::Covering_limit(static_cast<std::size_t>(*m_request.memory_limit / bytes_per_vertex))
                : FG::Covering_limit();
   }
 

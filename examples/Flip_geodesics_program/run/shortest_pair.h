@@ -45,11 +45,11 @@ private:
 };
 
 /// How many windows fit in so many bytes, and no more than a search makes on meshes without needles.
-inline CGAL::Flip_geodesics::Window_limit window_limit(std::size_t number_of_vertices, std::size_t most_memory)
+inline CGAL::Flip_geodesics::Window_limit window_limit(std::size_t number_of_vertices, std::size_t memory_limit)
 {
   constexpr std::size_t bytes_per_window = 64;
   const std::size_t usual = CGAL::Flip_geodesics::Window_limit()(number_of_vertices);
-  return CGAL::Flip_geodesics::Window_limit((std::min)(usual, most_memory / bytes_per_window));
+  return CGAL::Flip_geodesics::Window_limit((std::min)(usual, memory_limit / bytes_per_window));
 }
 
 /// Adds the shortest of all paths between two vertices to an empty network. \param landmarks null if there are none
@@ -57,11 +57,11 @@ template <class Network, class Search, class Visitor>
 CGAL::Flip_geodesics::Shortest_path_report add_shortest_pair(Network& network, Search& search,
                                                              const CGAL::Flip_geodesics::Geodesic_landmarks* landmarks,
                                                              const std::vector<Vertex_index>& ends,
-                                                             std::size_t most_memory, Visitor& visitor)
+                                                             std::size_t memory_limit, Visitor& visitor)
 {
   namespace FG = CGAL::Flip_geodesics;
   const FG::Window_limit limit =
-      window_limit(static_cast<std::size_t>(network.triangulation().number_of_vertices()), most_memory);
+      window_limit(static_cast<std::size_t>(network.triangulation().number_of_vertices()), memory_limit);
   return landmarks == nullptr
              ? FG::add_shortest_path(network, search, ends[0], ends[1], CGAL::parameters::search_limit(limit),
                                      CGAL::parameters::visitor(std::ref(visitor)))
