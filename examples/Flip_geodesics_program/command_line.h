@@ -575,7 +575,8 @@ private:
           "  flip_geodesics log bunny.off --source 0 --kernel double --stats tree.csv");
     m_group = m_points;
     add("--source", "POINT", m_options.sources, "grow the tree from this point")->required()->expected(1);
-    add("--shortest", m_options.is_shortest, "replace paths that are not globally shortest");
+    add("--shortest", m_options.is_shortest,
+        "replace paths that are not globally shortest; the source must be a vertex");
     add_arithmetic();
     add_weights();
     add_files_of_curves();
@@ -666,6 +667,8 @@ private:
     const std::string too_often = ": At Most 1 required but received ";
     if(const std::size_t at = text.find(too_often); at != std::string::npos)
       return text.substr(0, at) + " is given " + text.substr(at + too_often.size()) + " times; give it once";
+    if(const std::size_t at = text.find(": 1 required "); at != std::string::npos)
+      return text.substr(0, at) + " requires a value; specify one";
     const std::string excludes = " excludes ";
     if(const std::size_t at = text.find(excludes); at != std::string::npos)
       return text.substr(0, at) + " and " + text.substr(at + excludes.size()) + " cannot be combined; use one of them";

@@ -27,6 +27,13 @@ inline std::string extension(const std::string& file)
   return dot == std::string::npos || file[dot] != '.' ? "" : lower_case(file.substr(dot + 1));
 }
 
+/// Is it the name of a file of polylines in space?
+inline bool is_name_of_polylines(const std::string& file)
+{
+  const std::string ending = ".polylines.txt";
+  return file.size() > ending.size() && file.compare(file.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 /// The name of a format as users write it: an extension, with or without the dot.
 inline std::string format_name(const std::string& text)
 {

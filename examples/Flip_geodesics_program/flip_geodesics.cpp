@@ -16,8 +16,8 @@
 #include "run/computations.h" // flattens by Eigen under CGAL_EIGEN3_ENABLED
 #include "run/curve_engine.h"
 #include "run/machine.h" // uses threads under CGAL_LINKED_WITH_TBB
-#include "run/path_conditions.h"
 #include "run/progress.h"
+#include "run/slit_surface.h"
 #include "run/watcher.h"
 
 #include <CGAL/assertions_behaviour.h>

@@ -175,8 +175,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   no_pair.csv)
   flip_geodesics_add_program_test(no_edge_but_space 2 "--to: '0,100,0.5' names .*write x.0,y.0,z for a point in space"
                                   path torus.off --from 0 --to 0,100,0.5)
-  flip_geodesics_add_program_test(far_end 2 "--to: a point has a coordinate beyond 1e60" path torus.off --from 0 --to
-                                  1e70,0,0)
+  flip_geodesics_add_program_test(far_end 0 "1 point is not on the mesh, at a distance of 1e.70 .--to" path torus.off
+                                  --from 0 --to 1e70,0,0)
+  flip_geodesics_add_program_test(shortest_tree_from_point 2 "--shortest requires a vertex as the source, and 0,12,0.3 is not one. omit"
+                                  log torus.off --source 0,12,0.3 --shortest)
+  flip_geodesics_add_program_test(shortest_tree_from_location_of_vertex 0 "shortest 287 of them, confirmed" log torus.off
+                                  --source 0,12,0 --shortest)
   flip_geodesics_add_program_test(shortest_between_points 0 "1 WITHIN_ROUNDING\ncertificates: 1 PROVEN" shortest
                                   torus.off --from 0 --to 0.1,0.2,0.3 --cut shortest_cut.off)
   flip_geodesics_add_program_test(shortest_pairs_of_points 0 "4 WITHIN_ROUNDING" shortest torus.off --pairs pairs.csv
@@ -595,6 +599,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0 --spacing 0)
   flip_geodesics_add_program_test(voronoi_of_one_source 0 "0 curves.*no boundary: there is only one source" distance
                                   torus.off --source 0 --voronoi)
+  flip_geodesics_add_program_test(voronoi_of_one_place 0 "no boundary: no two sources are nearest to parts" distance
+                                  torus.off --source 0,0 --voronoi)
+  flip_geodesics_add_program_test(json_named_as_mesh 2 "--json writes lines of text. use a name that ends in .json" path
+                                  torus.off --from 0 --to 1 --json x.obj)
+  flip_geodesics_add_program_test(value_missing 2 "--to requires a value" path torus.off --from 0 --to)
   flip_geodesics_add_program_test(spacing_and_isolines 2 "--isolines and --spacing cannot be combined" distance
                                   torus.off --source 0 --spacing 1 --isolines 1)
   flip_geodesics_add_program_test(isoline_no_number 2 "--isolines: 'nan' is not a finite number" distance torus.off
@@ -726,7 +735,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "OFF\n4 4 0\n0 0 0\n1e60 0 0\n0 1e60 0\n0 0 1e60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
   flip_geodesics_add_program_test(beyond_floats 1 "distant.glb: vertex 0 is too far from the center" path distant.off
                                   --from 0 --to 2 --mesh distant.glb)
-  flip_geodesics_add_program_test(far_point 2 "far.polylines.txt line 1: point 1 has a coordinate beyond" path torus.off
+  flip_geodesics_add_program_test(far_point 0 "2 points are not on the mesh, at a distance of up to 1e.308 .far.polylines.txt line 1" path torus.off
                                   --draw far.polylines.txt)
 
   # The curve passes a vertex at a distance that rounding does not see: it crosses the edges of that vertex inside.

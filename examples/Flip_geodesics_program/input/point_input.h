@@ -4,11 +4,18 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_POINT_INPUT_H
 
 #include "input/curve_input.h"
-#include "input/surface_projector.h"
+#include "input/input_mesh.h"
+#include "messages.h"
+#include "program_mesh.h"
 
 #include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/internal/surface/Nearest_face.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
+
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -19,7 +26,73 @@
 // Points anywhere on the mesh, in files and options: `v` is a vertex, `a,b,t` the point (1-t) a + t b of an edge, and
 // `a,b,c,t,u` the point (1-t-u) a + t b + u c of a face, as in the polylines that the program writes. Three numbers of
 // which the first two are not both written as whole numbers are a point in space, for the nearest point of the mesh.
+// Polylines are lines of points, after `o` closed; or, in a file `.polylines.txt`, lines of points in space.
 namespace program {
+
+/// Finds the nearest points of a mesh among its non-degenerate faces, which have all edges except those between two
+/// degenerate faces. Barycentric coordinates below 1e-12 count as zero.
+class Surface_projector
+{
+public:
+  /// \throws Bad_input if all faces are degenerate
+  explicit Surface_projector(const Input_mesh& mesh)
+    : m_mesh(mesh)
+    , m_sides{&mesh.mesh(), first_face(mesh)}
+    , m_nearest_face(mesh, m_sides)
+  {
+  }
+
+  /// \param name where the point is, for a remark if it is not on the mesh
+  CGAL::Flip_geodesics::Surface_location operator()(const Point_3& p, const std::string& name)
+  {
+    const auto found = m_nearest_face(CGAL::Flip_geodesics::internal::half_of(p));
+    m_mesh.note_projection(2 * found.distance(), name);
+    CGAL::Flip_geodesics::Surface_location result = {index_of(m_sides.side(found.face)), found.nearest.weights};
+    for(double& weight : result.weights)
+      weight = weight < 1e-12 ? 0 : weight;
+    return result;
+  }
+
+private:
+  static bool is_degenerate(const Mesh& mesh, Mesh::Face_index f)
+  {
+    return CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh);
+  }
+
+  static Mesh::Face_index first_face(const Mesh& mesh)
+  {
+    const auto found =
+        std::find_if(mesh.faces_begin(), mesh.faces_end(), [&](Mesh::Face_index f) { return !is_degenerate(mesh, f); });
+    if(found == mesh.faces_end())
+      throw Bad_input("all faces of the mesh are degenerate, so points cannot be projected onto it; correct the mesh");
+    return *found;
+  }
+
+  // The corners of faces, with halved coordinates, whose differences are finite. Another face stands in for degenerate
+  // ones.
+  struct Sides
+  {
+    const Mesh* mesh;
+    Mesh::Face_index stand_in;
+
+    Mesh::Halfedge_index side(Mesh::Face_index f) const
+    {
+      return mesh->halfedge(is_degenerate(*mesh, f) ? stand_in : f);
+    }
+    CGAL::Flip_geodesics::internal::Triangle_places operator()(Mesh::Face_index f) const
+    {
+      const auto corner = [&](Mesh::Halfedge_index h) {
+        return CGAL::Flip_geodesics::internal::half_of(mesh->point(mesh->source(h)));
+      };
+      const Mesh::Halfedge_index h = side(f);
+      return {{corner(h), corner(mesh->next(h)), corner(mesh->prev(h))}};
+    }
+  };
+
+  const Input_mesh& m_mesh;
+  Sides m_sides;
+  CGAL::Flip_geodesics::internal::Nearest_face<Mesh, Sides> m_nearest_face;
+};
 
 [[noreturn]] inline void throw_no_point(std::string_view word, const std::string& name)
 {
@@ -72,6 +145,13 @@ public:
     return n.size() == 1 ? at_vertex(a, name) : in_face(a, n, word, name);
   }
 
+  Surface_location nearest_point(const Point_3& p, const std::string& name)
+  {
+    if(!m_project)
+      m_project.emplace(m_input_mesh);
+    return (*m_project)(p, name);
+  }
+
 private:
   Surface_location at_vertex(Vertex_index v, const std::string& name) const
   {
@@ -95,19 +175,6 @@ private:
     throw Bad_input(name + ": '" + printable(word) +
                     "' names vertices that do not form an edge or face of the mesh; correct " +
                     (c.is_valid() ? "them" : "them, or write x.0,y.0,z for a point in space"));
-  }
-
-  Surface_location nearest_point(const Point_3& p, const std::string& name)
-  {
-    if(!m_project) {
-      check_coordinates_to_project(m_mesh, name);
-      m_project.emplace(m_input_mesh);
-    }
-    for(int i = 0; i < 3; ++i)
-      if(std::abs(p[i]) > largest_coordinate_to_project)
-        throw Bad_input(name + ": a point has a coordinate beyond 1e60, so it cannot be projected onto the mesh; scale "
-                               "the mesh and the points");
-    return (*m_project)(p, name);
   }
 
   const Input_mesh& m_input_mesh;
@@ -186,27 +253,22 @@ inline std::vector<Curve_request> read_pairs(const Input_mesh& mesh, const Input
   return pairs;
 }
 
-/// Lines of points. Those of splines are control points; `s` before them makes them those of a cubic B-spline, `o` of a
-/// closed one, and nothing those of a Bezier curve.
-inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, const Input_text& input, bool are_splines)
+// Adds the points of what is left of a line.
+inline void read_points(Point_reader& read_point, Text_scanner& words, Curve_request& curve)
 {
-  using CGAL::Flip_geodesics::Spline_kind;
-  Point_reader read_point(mesh);
+  for(std::string_view word; !(word = next_point(words)).empty();)
+    curve.points.push_back(read_point(word, words.place()));
+}
+
+// The curves of the lines of a file. \param read reads the line of a curve that has a name
+template <class Read>
+std::vector<Curve_request> read_lines(const Input_text& input, const Read& read)
+{
   std::vector<Curve_request> curves;
   for_each_line(input, [&](Text_scanner& words) {
-    const std::string name = words.place();
     Curve_request curve;
-    curve.name = name;
-    if(are_splines) {
-      curve.spline = Spline_kind::BEZIER;
-      curve.is_closed = words.take('o');
-      if(curve.is_closed)
-        curve.spline = Spline_kind::CLOSED_CUBIC_B_SPLINE;
-      else if(words.take('s'))
-        curve.spline = Spline_kind::CUBIC_B_SPLINE;
-    }
-    for(std::string_view word; !(word = next_point(words)).empty();)
-      curve.points.push_back(read_point(word, name));
+    curve.name = words.place();
+    read(words, curve);
     if(curve.points.size() < (curve.is_closed ? 3u : 2u))
       words.fail(
           "a curve requires at least two points, and a closed curve at least three; add points or remove the line");
@@ -214,6 +276,75 @@ inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, cons
   });
   check_not_empty(curves, input);
   return curves;
+}
+
+/// Lines of points. Those of splines are control points; `s` before them makes them those of a cubic B-spline, `o` of a
+/// closed one, and nothing those of a Bezier curve.
+inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, const Input_text& input, bool are_splines)
+{
+  using CGAL::Flip_geodesics::Spline_kind;
+  Point_reader read_point(mesh);
+  return read_lines(input, [&](Text_scanner& words, Curve_request& curve) {
+    if(are_splines) {
+      curve.is_closed = words.take('o');
+      curve.spline = curve.is_closed   ? Spline_kind::CLOSED_CUBIC_B_SPLINE
+                     : words.take('s') ? Spline_kind::CUBIC_B_SPLINE
+                                       : Spline_kind::BEZIER;
+    }
+    read_points(read_point, words, curve);
+  });
+}
+
+// A line of a file `.polylines.txt`: the number of points, and their coordinates. It is closed if the first point is
+// repeated at the end.
+inline void read_polyline_in_space(Point_reader& read_point, Text_scanner& words, Curve_request& curve)
+{
+  long long count = 0;
+  if(parse_number(words.next_word(), count) != nullptr || count < 0)
+    words.fail("a polyline starts with its number of points; correct the line");
+  std::vector<Point_3> points;
+  while(static_cast<long long>(points.size()) < count) {
+    const Element element = {"point", points.size()};
+    std::array<double, 3> x;
+    for(double& coordinate : x)
+      coordinate = words.number<double>(words.next_word(), element);
+    points.emplace_back(x[0], x[1], x[2]);
+  }
+  if(words.has_word())
+    words.fail(
+        "there is text after the last point; a line consists of the number of points and three coordinates for each");
+  curve.is_closed = count > 3 && points.front() == points.back();
+  if(curve.is_closed)
+    points.pop_back();
+  for(const Point_3& p : points)
+    curve.points.push_back(read_point.nearest_point(p, words.place()));
+}
+
+// Merges consecutive coincident points, such as those of curves through coincident vertices.
+inline void merge_coincident_points(const Mesh& mesh, Curve_request& curve)
+{
+  std::vector<CGAL::Flip_geodesics::Surface_location>& points = curve.points;
+  const CGAL::Flip_geodesics::Numbered_mesh<Mesh> numbered(mesh);
+  const auto are_same = [&](const auto& a, const auto& b) { return are_in_one_place(numbered, a, b); };
+  points.erase(std::unique(points.begin(), points.end(), are_same), points.end());
+  while(curve.is_closed && points.size() > 1 && are_same(points.front(), points.back()))
+    points.pop_back();
+}
+
+inline std::vector<Curve_request> read_drawn_curves(const Input_mesh& mesh, const Input_text& input)
+{
+  const bool is_in_space = is_name_of_polylines(input.file());
+  Point_reader read_point(mesh);
+  return read_lines(input, [&](Text_scanner& words, Curve_request& curve) {
+    curve.is_drawn = true;
+    if(is_in_space) {
+      read_polyline_in_space(read_point, words, curve);
+    } else {
+      curve.is_closed = words.take('o');
+      read_points(read_point, words, curve);
+    }
+    merge_coincident_points(mesh, curve);
+  });
 }
 
 } // namespace program

@@ -5,9 +5,9 @@
 
 #include "file_name.h"
 #include "input/data_input.h"
-#include "input/drawn_input.h"
 #include "input/mesh_input.h"
 #include "input/obstacle_input.h"
+#include "input/point_input.h"
 #include "program_options.h"
 #include "run/progress.h"
 
@@ -52,8 +52,15 @@ inline std::vector<Network_request> read_requests(const Options& options, const 
     return {read_segmentation(mesh, read_text(options.segmentation), options.has_free_junctions)};
   if(options.has_seams)
     return {read_seams(mesh, mesh.text())};
-  if(options.command == "log")
-    return {{{}, {}, Point_reader(mesh)(options.sources.front(), "--source")}};
+  if(options.command == "log") {
+    const std::string& word = options.sources.front();
+    const CGAL::Flip_geodesics::Surface_location source = Point_reader(mesh)(word, "--source");
+    if(options.is_shortest && kind(source) != CGAL::Flip_geodesics::Location_kind::VERTEX)
+      throw Bad_input("--shortest requires a vertex as the source, and " + printable(word) +
+                      " is not one; omit --shortest, or use distance --map for the shortest distances from any point "
+                      "and shortest --pairs for the paths");
+    return {{{}, {}, source}};
+  }
   const std::vector<Curve_request> curves =
       options.random
           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), static_cast<std::uint64_t>(options.seed))

@@ -66,6 +66,20 @@ inline std::optional<CGAL::Flip_geodesics::Surface_location> location_between(co
   return std::nullopt;
 }
 
+/// Are two locations one point: the same vertex, or the same weights of the same vertices, whichever faces they refer to?
+/// \param input the numbered mesh, or the input of a triangulation
+template <class Input>
+bool are_in_one_place(const Input& input, CGAL::Flip_geodesics::Surface_location a,
+                      CGAL::Flip_geodesics::Surface_location b)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  a = FG::internal::canonical_location(input, a);
+  b = FG::internal::canonical_location(input, b);
+  const bool is_vertex = kind(a) == FG::Location_kind::VERTEX && kind(b) == FG::Location_kind::VERTEX;
+  return is_vertex ? input.tail(a.halfedge) == input.tail(b.halfedge)
+                   : a.halfedge == b.halfedge && a.weights == b.weights;
+}
+
 /// The location of a point of a curve.
 inline CGAL::Flip_geodesics::Surface_location location_of(const Mesh& mesh,
                                                           const CGAL::Flip_geodesics::Surface_point& p)

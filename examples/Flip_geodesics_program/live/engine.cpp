@@ -5,7 +5,6 @@
 // program's files, so that the program computes the same curve from the same line. The engine keeps the mesh and
 // nothing else: a page that has interrupted it opens the mesh again and continues.
 
-#include "input/drawn_input.h"
 #include "input/mesh_input.h"
 #include "input/point_input.h"
 #include "messages.h"
@@ -240,9 +239,9 @@ private:
   }
 
   std::string m_title;
+  Progress m_progress;
   Input_mesh m_mesh;
   Program_metric m_metric;
-  Progress m_progress;
   std::unique_ptr<Curve_engine> m_geodesics, m_shortest_paths;
   std::string m_members;              // of the result computed last, beside its curves, each with a comma
   std::vector<std::string> m_remarks; // about the curves that were computed last, for the user

@@ -9,9 +9,8 @@
 #include "output/json_file.h"
 #include "output/mesh_file.h"
 #include "output/page_file.h"
-#include "output/result_files.h"
 #include "output/result_formats.h"
-#include "output/run_summary.h"
+#include "output/result_lines.h"
 #include "output/scene_json.h"
 #include "page_template.h"
 #include "program_mesh.h"
@@ -41,7 +40,7 @@ inline void write_mesh_object(std::ostream& out, const Mesh& mesh, const std::st
   out << "{\"name\":" << json_string(title) << ",\"format\":\"ply\",\"mesh\":" << json_base64(bytes.str()) << '}';
 }
 
-/// Where the results go.
+/// Writes the results to files.
 class Outputs
 {
 public:

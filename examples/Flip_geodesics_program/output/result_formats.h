@@ -9,6 +9,7 @@
 #include "program_options.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,7 @@ inline std::string result_format(const Options& options, const std::string& name
 {
   if(is_standard_output(name))
     return options.output_format;
-  const std::string polylines = ".polylines.txt";
-  const bool are_polylines =
-      name.size() > polylines.size() && name.compare(name.size() - polylines.size(), polylines.size(), polylines) == 0;
-  return are_polylines ? "polylines" : extension(name);
+  return is_name_of_polylines(name) ? "polylines" : extension(name);
 }
 
 /// Gives those of `--output` that are not meshes to the options for them, by their formats. \throws Bad_input
@@ -65,20 +63,17 @@ inline void check_result_format(const Options& options, const std::string& optio
 }
 
 /// Refuses names with which a page or a file of lines would replace a mesh by a slip in the command line.
-/// \throws Bad_input
-inline void check_extension(const std::string& option, const std::string& name, bool is_page)
+/// \param use the extension to use instead \throws Bad_input
+inline void check_extension(const std::string& option, const std::string& name, const std::string& use)
 {
-  static const std::vector<std::string> pages = {"html", "htm"},
-                                        meshes = {"off", "obj", "ply", "stl", "ts", "vtp", "glb"};
-  const auto has_one_of = [&](const std::vector<std::string>& extensions) {
-    return std::find(extensions.begin(), extensions.end(), extension(name)) != extensions.end();
-  };
+  static const std::vector<std::string> others = {"html", "htm", "off", "obj", "ply", "stl", "ts", "vtp", "glb"};
   if(name.empty() || open_file(name) || is_special_file(name))
     return;
-  if(is_page && !has_one_of(pages))
+  const auto place = std::find(others.begin(), others.end(), extension(name)) - others.begin();
+  if(use == ".html" && place > 1)
     throw Bad_input(printable(name) + ": " + option + " writes a page; use a name that ends in .html");
-  if(!is_page && (has_one_of(pages) || has_one_of(meshes)))
-    throw Bad_input(printable(name) + ": " + option + " writes lines of text; use a name that ends in .txt or .csv");
+  if(use != ".html" && place < static_cast<std::ptrdiff_t>(others.size()))
+    throw Bad_input(printable(name) + ": " + option + " writes lines of text; use a name that ends in " + use);
 }
 
 /// \throws Bad_input
@@ -103,13 +98,13 @@ inline void check_formats_of_results(const Options& options)
   check_result_format(options, "--subdivision", options.meshes.subdivision, meshes);
   check_result_format(options, "--insert", options.meshes.insertion, meshes);
   check_result_format(options, "--cut", options.meshes.cut, meshes);
-  check_extension("--page", names.page, true);
-  check_extension("--output", names.live, true);
-  check_extension("--polylines", names.polylines, false);
-  check_extension("--stats", names.stats, false);
-  check_extension("--map", names.map, false);
-  check_extension("--matrix", names.matrix, false);
-  check_extension("--json", names.json, false);
+  check_extension("--page", names.page, ".html");
+  check_extension("--output", names.live, ".html");
+  check_extension("--polylines", names.polylines, ".txt");
+  check_extension("--stats", names.stats, ".csv");
+  check_extension("--map", names.map, ".csv");
+  check_extension("--matrix", names.matrix, ".csv");
+  check_extension("--json", names.json, ".json");
 }
 
 } // namespace program

@@ -6,10 +6,9 @@
 #include "messages.h"
 #include "run/computations.h"
 #include "run/curve_engine.h"
-#include "run/engine_results.h"
+#include "run/engine_parts.h"
 #include "run/progress.h"
 #include "run/shortening_recorder.h"
-#include "run/shortest_pair.h"
 #include "run/surface_request.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>

@@ -2,7 +2,7 @@
 
 #include "messages.h"
 #include "run/computations.h"
-#include "run/path_conditions.h"
+#include "run/slit_surface.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -304,8 +304,10 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
     if(has_boundaries)
       add_boundaries(surface, on_mesh, request, tolerance, progress, result);
   }
-  if(request.is_diagram && !has_boundaries)
-    result.remarks += "no boundary: there is only one source\n";
+  const auto is_boundary = [](const Curve_result& curve) { return curve.status == "BOUNDARY"; };
+  if(request.is_diagram && std::none_of(result.curves.begin(), result.curves.end(), is_boundary))
+    result.remarks += has_boundaries ? "no boundary: no two sources are nearest to parts of one component\n"
+                                     : "no boundary: there is only one source\n";
   return result;
 }
 

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,23 +52,6 @@ inline Curve_result whole_result(const Network_request& request)
   return result;
 }
 
-/// Are several points of the surface one?
-template <class Triangulation>
-bool are_in_one_place(const Triangulation& triangulation,
-                      const std::vector<CGAL::Flip_geodesics::Surface_location>& points)
-{
-  namespace FG = CGAL::Flip_geodesics;
-  const auto place = [&](const FG::Surface_location& location) {
-    const FG::Surface_location at = FG::internal::canonical_location(triangulation.input(), location);
-    const bool is_vertex = kind(at) == FG::Location_kind::VERTEX;
-    return std::make_tuple(is_vertex, is_vertex ? triangulation.input().tail(at.halfedge).idx() : at.halfedge.idx(),
-                           at.weights);
-  };
-  return points.size() > 1 && std::all_of(points.begin(), points.end(), [&](const FG::Surface_location& location) {
-           return place(location) == place(points.front());
-         });
-}
-
 /// Where a curve lies. Curves along edges keep the mesh's vertices, since these determine which edges are meant.
 /// \return the point, if that is all that is left of it
 template <class Triangulation>
@@ -79,7 +61,10 @@ std::optional<CGAL::Flip_geodesics::Surface_point> put_on_surface(const Triangul
   namespace FG = CGAL::Flip_geodesics;
   if(!curve.points.empty()) {
     curve.points = FG::internal::points_on_surface(triangulation, curve.points);
-    return are_in_one_place(triangulation, curve.points)
+    const bool is_one = std::all_of(curve.points.begin(), curve.points.end(), [&](const FG::Surface_location& at) {
+      return are_in_one_place(triangulation.input(), at, curve.points.front());
+    });
+    return is_one && curve.points.size() > 1
                ? std::make_optional(FG::surface_point(triangulation, curve.points.front()))
                : std::nullopt;
   }

@@ -2,7 +2,7 @@
 
 #include "messages.h"
 #include "run/computations.h"
-#include "run/path_conditions.h"
+#include "run/slit_surface.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>

@@ -5,7 +5,6 @@
 
 #include "input/curve_input.h"
 #include "input/data_input.h"
-#include "input/drawn_input.h"
 #include "input/mesh_input.h"
 #include "input/point_input.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_PROGRAM_ENGINE_RESULTS_H
-#define CGAL_FLIP_GEODESICS_PROGRAM_ENGINE_RESULTS_H
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_ENGINE_PARTS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_ENGINE_PARTS_H
 
 #include "messages.h"
 #include "program_mesh.h"
@@ -11,19 +11,22 @@
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
-// What becomes of a tree and of a triangulation once its curves are finished: lines for people, flips, refinement, and
-// meshes with the curves.
+// Parts of the engine: searches for shortest pairs, and what becomes of a tree and of a triangulation once its curves
+// are finished: lines for people, flips, refinement, and meshes with the curves.
 namespace program {
 
-/// Where the paths of a tree lead, in lines for people.
+/// Describes the paths of a tree, in lines for people.
 template <class Tree>
 std::string describe_tree(const Tree& tree, std::size_t flips)
 {
@@ -144,6 +147,61 @@ Result_meshes result_meshes(const Mesh_result_options& options, const Mesh& mesh
   return meshes;
 }
 
+/// A search of edge paths that notes how long it took, and what it found.
+template <class Search>
+class Noted_search
+{
+public:
+  explicit Noted_search(Search& search)
+    : m_search(search)
+  {
+  }
+
+  template <class... Visitor>
+  auto operator()(Vertex_index source, Vertex_index target, Visitor&&... visitor)
+  {
+    const Stopwatch stopwatch;
+    const auto path = m_search(source, target, visitor...);
+    m_seconds += stopwatch.seconds();
+    m_segments = path.size();
+    return path;
+  }
+
+  double seconds() const { return m_seconds; }
+  std::size_t segments() const { return m_segments; }
+
+private:
+  Search& m_search;
+  double m_seconds = 0;
+  std::size_t m_segments = 0;
+};
+
+/// How many windows fit in so many bytes, and no more than a search makes on meshes without needles.
+inline CGAL::Flip_geodesics::Window_limit window_limit(std::size_t number_of_vertices, std::size_t memory_limit)
+{
+  constexpr std::size_t bytes_per_window = 64;
+  const std::size_t usual = CGAL::Flip_geodesics::Window_limit()(number_of_vertices);
+  return CGAL::Flip_geodesics::Window_limit((std::min)(usual, memory_limit / bytes_per_window));
+}
+
+/// Adds the shortest of all paths between two vertices to an empty network. \param landmarks null if there are none
+template <class Network, class Search, class Visitor>
+CGAL::Flip_geodesics::Shortest_path_report add_shortest_pair(Network& network, Search& search,
+                                                             const CGAL::Flip_geodesics::Geodesic_landmarks* landmarks,
+                                                             const std::vector<Vertex_index>& ends,
+                                                             std::size_t memory_limit, Visitor& visitor)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  const FG::Window_limit limit =
+      window_limit(static_cast<std::size_t>(network.triangulation().number_of_vertices()), memory_limit);
+  return landmarks == nullptr
+             ? FG::add_shortest_path(network, search, ends[0], ends[1], CGAL::parameters::search_limit(limit),
+                                     CGAL::parameters::visitor(std::ref(visitor)))
+             : FG::add_shortest_path(network, search, ends[0], ends[1], CGAL::parameters::search_limit(limit),
+                                     CGAL::parameters::landmarks(*landmarks),
+                                     CGAL::parameters::visitor(std::ref(visitor)));
+}
+
 } // namespace program
 
-#endif // CGAL_FLIP_GEODESICS_PROGRAM_ENGINE_RESULTS_H
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_ENGINE_PARTS_H
