@@ -433,6 +433,7 @@ def case_conditions(folder):
 def case_progress(folder):
     """Told before the first curve is done, with figures that grow; nothing if it is to be quiet."""
     folder.make_torus('fine.off', 700, 400)
+    folder.make_torus('finer.off', 1400, 800)
     quiet = folder.start('path', 'torus.off', *ENDLESS, '--quiet')
     tree = folder.start('log', 'fine.off', '--source', '0', '--shortest')
     random = folder.start('path', 'torus.off', *ENDLESS)
@@ -454,7 +455,8 @@ def case_progress(folder):
              '0.001', '--tolerance', '1e-5'),
             (r'searching for homotopy classes, [1-9][\d ]* steps, 0 of 1 curves, \d+ s', 'shortest', 'torus.off', '--from', '0', '--to',
              '150', '--ways', '900'),
-            (r'repairing the mesh, \d+ s', 'repair', 'fine.off', '--output', 'repaired.off'))
+            (r'repairing the mesh, [1-9][\d ]* of 2 240 000 polygons, \d+ s, \d+ %, about \d+ s left', 'repair',
+             'finer.off', '--output', 'repaired.off'))
     for pattern, *arguments in slow:
         run = folder.start(*arguments)
         lines = [run.stderr.readline()]

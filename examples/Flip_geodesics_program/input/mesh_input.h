@@ -11,6 +11,7 @@
 #include "input/read_stl.h"
 #include "input/read_ts.h"
 #include "program_mesh.h"
+#include "run/progress.h"
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/polygon_soup_to_triangle_mesh.h>
@@ -22,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
@@ -153,17 +155,20 @@ inline Input_mesh read_mesh(const Input_text& input)
 
 /// Reads whatever a file holds and repairs it, with a tolerance within which points are welded. \throws Bad_input if
 /// nothing is left
-inline Input_mesh repair_mesh(Input_text input, double weld_tolerance = 0)
+inline Input_mesh repair_mesh(Input_text input, double weld_tolerance, Progress& progress)
 {
   namespace FG = CGAL::Flip_geodesics;
   input.allow_points_not_finite();
   Soup soup = read_soup(input);
   if(soup.faces.empty())
     throw Bad_input(input.name() + ": the file has no faces; use a mesh with faces");
+  progress.enter("repairing the mesh", "polygons", soup.faces.size());
+  Share_visitor share(progress);
   Mesh mesh;
   try {
     FG::Repair_report report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.faces, mesh,
-                                                                 CGAL::parameters::snapping_tolerance(weld_tolerance));
+                                                                 CGAL::parameters::snapping_tolerance(weld_tolerance),
+                                                                 CGAL::parameters::visitor(std::ref(share)));
     return Input_mesh(std::move(mesh), std::move(report), std::move(soup.remarks));
   } catch(const FG::Error& error) {
     throw Bad_input(input.name() + ": " + error.what() + "; use another mesh");
@@ -171,9 +176,9 @@ inline Input_mesh repair_mesh(Input_text input, double weld_tolerance = 0)
 }
 
 /// The mesh in a text as it is, or repaired if it has to be, with the remarks of a repair. \throws Bad_input
-inline Input_mesh inspect_mesh(const Input_text& input, double weld_tolerance)
+inline Input_mesh inspect_mesh(const Input_text& input, double weld_tolerance, Progress& progress)
 {
-  Input_mesh repaired = repair_mesh(input, weld_tolerance);
+  Input_mesh repaired = repair_mesh(input, weld_tolerance, progress);
   try {
     return Input_mesh(read_mesh(input).mesh(), repaired.remarks());
   } catch(const Bad_input&) {

@@ -27,11 +27,9 @@ inline Input_mesh read_input_mesh(const Options& options, Progress& progress)
                     names_of_mesh_formats() + ", or --output-format for a result");
   const Input_text input = read_text(options.mesh, options.format);
   const bool is_info = options.command == "info", is_repair = options.is_repaired || options.command == "repair";
-  if(is_info || is_repair)
-    progress.enter("repairing the mesh");
   if(is_info)
-    return inspect_mesh(input, options.weld);
-  Input_mesh mesh = is_repair ? repair_mesh(input, options.weld) : read_mesh(input);
+    return inspect_mesh(input, options.weld, progress);
+  Input_mesh mesh = is_repair ? repair_mesh(input, options.weld, progress) : read_mesh(input);
   if(options.has_seams)
     mesh.keep_text(input);
   return mesh;

@@ -38,7 +38,7 @@ class Session
 public:
   Session(const std::string& file, std::string bytes)
     : m_title(printable(file))
-    , m_mesh(open(Input_text(file, std::move(bytes))))
+    , m_mesh(open(Input_text(file, std::move(bytes)), m_progress))
     , m_metric(mollified_metric(m_mesh, Mesh_metric(m_mesh.mesh().points()), std::nullopt))
     , m_geodesics(make_certified_engine(m_mesh, m_metric, options(false), m_progress))
   {
@@ -109,13 +109,13 @@ private:
   }
 
   // A mesh that is not an oriented manifold of triangles is repaired.
-  static Input_mesh open(const Input_text& input)
+  static Input_mesh open(const Input_text& input, Progress& progress)
   {
     try {
       return read_mesh(input);
     } catch(const Bad_input&) {
       read_soup(input); // throws if the file cannot be read at all, which a repair does not change
-      return repair_mesh(input);
+      return repair_mesh(input, 0, progress);
     }
   }
 

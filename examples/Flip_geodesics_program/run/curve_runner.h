@@ -534,8 +534,9 @@ private:
       m_progress.add_flips(shortest.flips);
     }
     if(m_options.has_map) {
-      m_progress.enter("mapping vertices");
-      m_map = map_of_mesh(FG::logarithmic_map(tree));
+      m_progress.enter("mapping vertices", "vertices", static_cast<std::size_t>(m_triangulation.number_of_vertices()));
+      Share_visitor share(m_progress);
+      m_map = map_of_mesh(FG::internal::logarithmic_map_of_tree(tree, Input_halfedge_index(), share));
     }
     m_tree_results = describe_tree(tree, report.flips + shortest.flips);
     if(m_options.is_shortest)

@@ -194,7 +194,7 @@ template <class Metric>
 std::vector<std::vector<double>> distances_between(const Mesh& mesh, const Metric& metric,
                                                    const std::vector<FG::Surface_location>& points, Progress& progress)
 {
-  progress.enter("computing distances between sources");
+  progress.enter("computing distances between sources", "sources", points.size());
   Share_visitor visitor(progress);
   std::vector<std::vector<double>> rows;
   FG::geodesic_distance_matrix(mesh, points, std::back_inserter(rows), CGAL::parameters::metric(metric),

@@ -41,7 +41,6 @@ public:
   {
     const std::lock_guard<std::mutex> lock(m_phase_mutex); // a line is about one phase
     m_steps.store(0, std::memory_order_relaxed);
-    m_share.store(0, std::memory_order_relaxed);
     m_phase_start.store(m_stopwatch.seconds(), std::memory_order_relaxed);
     m_expected_steps.store(expected, std::memory_order_relaxed);
     m_name_of_steps.store(steps, std::memory_order_relaxed);
@@ -55,8 +54,11 @@ public:
   }
   void add_curves(std::size_t count) { m_curves.fetch_add(count, std::memory_order_relaxed); }
   void add_flips(std::size_t count) { m_flips.fetch_add(count, std::memory_order_relaxed); }
-  /// \param share of what began last that is done, from 0 to 1
-  void set_share(double share) { m_share.store(share, std::memory_order_relaxed); }
+  /// Sets how many of the expected steps are done, by their share.
+  void set_share(double share)
+  {
+    m_steps.store(static_cast<std::size_t>(share * static_cast<double>(m_expected_steps)), std::memory_order_relaxed);
+  }
   void add_steps(std::size_t count) { m_steps.fetch_add(count, std::memory_order_relaxed); }
 
   /// A line for people, as `reading the mesh, 2 s` or `extracting curves, 131 of 500 curves, 94 413 flips, 4 s, 26 %,
@@ -85,9 +87,7 @@ private:
       return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
     };
     const bool are_curves = m_expected_curves > 1;
-    const double share = are_curves             ? quotient(m_curves, m_expected_curves)
-                         : m_expected_steps > 0 ? quotient(m_steps, m_expected_steps)
-                                                : m_share.load();
+    const double share = are_curves ? quotient(m_curves, m_expected_curves) : quotient(m_steps, m_expected_steps);
     if(!(share > 0 && share < 1))
       return "";
     const double passed = m_stopwatch.seconds() - (are_curves ? m_curves_start : m_phase_start);
@@ -99,7 +99,7 @@ private:
   mutable std::mutex m_phase_mutex;
   std::atomic<const char*> m_phase = "starting", m_name_of_steps = nullptr;
   std::atomic<std::size_t> m_steps = 0, m_expected_steps = 0, m_expected_curves = 0, m_curves = 0, m_flips = 0;
-  std::atomic<double> m_share = 0, m_phase_start = 0, m_curves_start = 0;
+  std::atomic<double> m_phase_start = 0, m_curves_start = 0;
 };
 
 /// Passes flips and steps on to the progress, some at a time.
@@ -142,7 +142,7 @@ private:
   std::size_t m_flips = 0, m_steps = 0;
 };
 
-/// Passes on the share that is done.
+/// Passes on the share of the expected steps that is done.
 class Share_visitor : public CGAL::Flip_geodesics::Default_shortening_visitor
 {
 public:

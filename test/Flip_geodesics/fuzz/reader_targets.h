@@ -83,7 +83,8 @@ inline void read_mesh(const std::string& extension, const std::string& bytes)
     if(extension == "obj")
       program::read_seams(mesh, input);
   });
-  call_reader([&] { check_repaired(program::repair_mesh(input)); });
+  program::Progress progress;
+  call_reader([&] { check_repaired(program::repair_mesh(input, 0, progress)); });
 }
 
 inline void read_off(const std::string& bytes) { read_mesh("off", bytes); }
