@@ -49,9 +49,7 @@ public:
   std::string mesh_text() const
   {
     std::ostringstream out;
-    out << "{\"title\":" << json_string(m_title) << ',';
-    write_strings(out, "remarks", m_mesh.remarks());
-    out << ',';
+    out << '{' << json_members("title", m_title, "remarks", m_mesh.remarks()) << ',';
     Scene_json(m_mesh).write_mesh(out);
     out << '}';
     return out.str();
@@ -63,9 +61,7 @@ public:
     Scene scene;
     add_curves(scene, kind, line, most_points);
     std::ostringstream out;
-    out << '{';
-    write_strings(out, "remarks", m_remarks);
-    out << ',' << m_members;
+    out << '{' << json_members("remarks", m_remarks) << ',';
     Scene_json(m_mesh).write_curves(out, scene);
     out << '}';
     return out.str();
@@ -92,14 +88,6 @@ public:
   }
 
 private:
-  static void write_strings(std::ostream& out, const char* name, const std::vector<std::string>& strings)
-  {
-    out << '"' << name << "\":[";
-    for(std::size_t i = 0; i < strings.size(); ++i)
-      out << (i == 0 ? "" : ",") << json_string(strings[i]);
-    out << ']';
-  }
-
   static Run_options options(bool is_shortest)
   {
     Run_options result;

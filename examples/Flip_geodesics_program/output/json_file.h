@@ -10,6 +10,7 @@
 #include "run/curve_engine.h"
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,28 +28,26 @@ public:
     : m_file(name)
   {
     if(m_file.is_wanted())
-      m_file.stream() << "{\"command\":" << json_string(command) << ",\"curves\":[";
+      m_file.stream() << '{' << json_members("command", command) << ",\"curves\":[";
   }
 
   void write(std::size_t curve, const Curve_result& r)
   {
     if(!m_file.is_wanted())
       return;
-    const auto vertex = [](Vertex_index v) { return v.is_valid() ? std::to_string(v.idx()) : "null"; };
-    m_file.stream() << (curve == 0 ? "\n" : ",\n") << "{\"curve\":" << curve << ",\"name\":" << json_string(r.name)
-                    << ",\"source\":" << vertex(r.source) << ",\"target\":" << vertex(r.target)
-                    << ",\"closed\":" << truth(r.is_closed) << ",\"initial_segments\":" << r.initial_segments
-                    << ",\"initial_length\":" << json_number(r.initial_length)
-                    << ",\"length\":" << json_number(r.length) << ",\"flips\":" << r.flips
-                    << ",\"flip_outs\":" << r.flip_outs << ",\"min_angle\":" << json_number(r.smallest_angle)
-                    << ",\"status\":" << json_string(r.status) << ",\"certificate\":" << json_string(r.certificate)
-                    << ",\"search_s\":" << json_number(r.search_s) << ",\"shorten_s\":" << json_number(r.shorten_s)
-                    << ",\"extract_s\":" << json_number(r.extract_s)
-                    << ",\"contracted\":" << truth(r.are_zero_edges_contracted)
-                    << ",\"error\":" << (r.error.empty() ? "null" : json_string(r.error)) << ",\"points\":[";
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const auto vertex = [](Vertex_index v) { return v.is_valid() ? static_cast<double>(v.idx()) : none; };
+    m_file.stream() << (curve == 0 ? "\n{" : ",\n{")
+                    << json_members("curve", curve, "name", r.name, "source", vertex(r.source), "target",
+                                    vertex(r.target), "closed", r.is_closed, "initial_segments", r.initial_segments,
+                                    "initial_length", r.initial_length, "length", r.length, "flips", r.flips,
+                                    "flip_outs", r.flip_outs, "min_angle", r.smallest_angle, "status", r.status,
+                                    "certificate", r.certificate, "search_s", r.search_s, "shorten_s", r.shorten_s,
+                                    "extract_s", r.extract_s, "contracted", r.are_zero_edges_contracted)
+                    << ",\"error\":" << (r.error.empty() ? "null" : json(r.error)) << ",\"points\":[";
     for(const Curve_point& p : r.points)
-      m_file.stream() << (&p == &r.points.front() ? "[" : ",[") << json_number(p.in_space.x()) << ','
-                      << json_number(p.in_space.y()) << ',' << json_number(p.in_space.z()) << ']';
+      m_file.stream() << (&p == &r.points.front() ? "" : ",")
+                      << json(std::vector<double>{p.in_space.x(), p.in_space.y(), p.in_space.z()});
     m_file.stream() << "]}";
     m_file.check();
   }
@@ -57,53 +56,37 @@ public:
   {
     m_info = ",\"info\":{\"components\":[";
     for(const Component_info& c : info.components)
-      m_info += (&c == &info.components.front() ? "{\"vertices\":" : ",{\"vertices\":") + std::to_string(c.vertices) +
-                ",\"edges\":" + std::to_string(c.edges) + ",\"faces\":" + std::to_string(c.faces) +
-                ",\"borders\":" + std::to_string(c.borders) + ",\"genus\":" + std::to_string(c.genus()) + '}';
-    m_info += "],\"isolated_vertices\":" + std::to_string(info.isolated_vertices) +
-              ",\"degenerate_edges\":" + std::to_string(info.degenerate_edges) +
-              ",\"degenerate_faces\":" + std::to_string(info.degenerate_faces) + ",\"area\":" + json_number(info.area) +
-              ",\"shortest_edge\":" + json_number(info.shortest_edge) +
-              ",\"longest_edge\":" + json_number(info.longest_edge) + ",\"defects\":" + list(info.defects) + '}';
+      m_info += (&c == &info.components.front() ? "{" : ",{") +
+                json_members("vertices", c.vertices, "edges", c.edges, "faces", c.faces, "borders", c.borders, "genus",
+                             c.genus()) +
+                '}';
+    m_info += "]," +
+              json_members("isolated_vertices", info.isolated_vertices, "degenerate_edges", info.degenerate_edges,
+                           "degenerate_faces", info.degenerate_faces, "area", info.area, "shortest_edge",
+                           info.shortest_edge, "longest_edge", info.longest_edge, "defects", info.defects) +
+              '}';
   }
 
   void write(const Field_curves& field)
   {
     if(field.map)
-      m_info += ",\"distances\":" + list(field.map->distances);
-    if(field.matrix.empty())
-      return;
-    m_info += ",\"matrix\":[";
-    for(const std::vector<double>& row : field.matrix)
-      m_info += (&row == &field.matrix.front() ? "\n" : ",\n") + list(row);
-    m_info += ']';
+      m_info += ',' + json_members("distances", field.map->distances);
+    if(!field.matrix.empty())
+      m_info += ",\"matrix\":" + json(field.matrix, "\n");
   }
 
   /// \param remarks lines about the file and the results
   void close(const Mesh& mesh, const std::string& title, const std::vector<std::string>& remarks)
   {
     if(m_file.is_wanted())
-      m_file.stream() << "\n]" << m_info << ",\"mesh\":{\"name\":" << json_string(title)
-                      << ",\"vertices\":" << mesh.number_of_vertices() << ",\"faces\":" << mesh.number_of_faces()
-                      << ",\"size\":" << json_number(size_of(mesh)) << "},\"remarks\":" << list(remarks) << "}\n";
+      m_file.stream() << "\n]" << m_info << ",\"mesh\":{"
+                      << json_members("name", title, "vertices", std::size_t(mesh.number_of_vertices()), "faces",
+                                      std::size_t(mesh.number_of_faces()), "size", size_of(mesh))
+                      << "}," << json_members("remarks", remarks) << "}\n";
     m_file.close();
   }
 
 private:
-  static const char* truth(bool value) { return value ? "true" : "false"; }
-
-  static std::string json(const std::string& text) { return json_string(text); }
-  static std::string json(double x) { return json_number(x); }
-
-  template <class Item>
-  static std::string list(const std::vector<Item>& items)
-  {
-    std::string text;
-    for(const Item& item : items)
-      text += (text.empty() ? "" : ",") + json(item);
-    return '[' + text + ']';
-  }
-
   Output_file m_file;
   std::string m_info;
 };

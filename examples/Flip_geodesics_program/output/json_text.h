@@ -10,6 +10,7 @@
 #include <boost/endian/conversion.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -40,6 +41,33 @@ inline std::string json_string(const std::string& text)
 
 /// A JSON number with all digits, whatever the locale; `null` if it is none.
 inline std::string json_number(double x) { return std::isfinite(x) ? decimal_text(x) : "null"; }
+
+inline std::string json(const std::string& text) { return json_string(text); }
+inline std::string json(const char* text) { return json_string(text); }
+inline std::string json(double x) { return json_number(x); }
+inline std::string json(bool value) { return value ? "true" : "false"; }
+inline std::string json(std::size_t number) { return std::to_string(number); }
+
+/// A JSON array. \param separator what stands between its items beside a comma, and in front of the first one
+template <class Item>
+std::string json(const std::vector<Item>& items, const char* separator = "")
+{
+  std::string text;
+  for(const Item& item : items)
+    text += (text.empty() ? "" : ",") + (separator + json(item));
+  return '[' + text + ']';
+}
+
+/// Members of a JSON object, given by names and values.
+template <class Value, class... Others>
+std::string json_members(const char* name, const Value& value, const Others&... others)
+{
+  const std::string text = json_string(name) + ':' + json(value);
+  if constexpr(sizeof...(Others) == 0)
+    return text;
+  else
+    return text + ',' + json_members(others...);
+}
 
 /// Appends a number of four bytes, the lowest first.
 template <class Number>

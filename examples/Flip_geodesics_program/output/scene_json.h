@@ -68,8 +68,8 @@ public:
   /// Members of an object: the mesh, and where it is.
   void write_mesh(std::ostream& out) const
   {
-    out << "\"radius\":" << json_number(m_radius) << ",\"center\":[" << json_number(m_center.x()) << ','
-        << json_number(m_center.y()) << ',' << json_number(m_center.z()) << "],\n";
+    out << json_members("radius", m_radius, "center", std::vector<double>{m_center.x(), m_center.y(), m_center.z()})
+        << ",\n";
     Numbers positions;
     for(const auto v : m_mesh.vertices())
       append(positions, m_mesh.point(v));
@@ -84,11 +84,11 @@ public:
 private:
   static void write_curve(std::ostream& out, const Scene_curve& curve)
   {
-    out << "{\"number\":" << curve.number << ",\"name\":" << json_string(curve.name)
-        << ",\"status\":" << json_string(curve.status) << ",\"certificate\":" << json_string(curve.certificate)
-        << ",\"initialLength\":" << json_number(curve.initial_length) << ",\"length\":" << json_number(curve.length)
-        << ",\"flips\":" << curve.flips << ",\"closed\":" << (curve.is_closed ? "true" : "false")
-        << ",\"tree\":" << (curve.is_of_tree ? "true" : "false") << ",\"run\":" << curve.run << '}';
+    out << '{'
+        << json_members("number", curve.number, "name", curve.name, "status", curve.status, "certificate",
+                        curve.certificate, "initialLength", curve.initial_length, "length", curve.length, "flips",
+                        curve.flips, "closed", curve.is_closed, "tree", curve.is_of_tree, "run", curve.run)
+        << '}';
   }
 
   // All points in a row, and where each polyline starts.
@@ -123,8 +123,8 @@ private:
     out << '{';
     write_polylines(out, "edge", record.polylines);
     out << ",\n\"inputEdges\":" << m_text_of_array(inputs) << ",\"edges\":" << m_text_of_array(record.edges)
-        << ",\n\"curves\":" << m_text_of_array(curves) << ",\n\"steps\":" << m_text_of_array(steps)
-        << ",\"hasAllSteps\":" << (record.has_all_steps ? "true" : "false") << '}';
+        << ",\n\"curves\":" << m_text_of_array(curves) << ",\n\"steps\":" << m_text_of_array(steps) << ","
+        << json_members("hasAllSteps", record.has_all_steps) << '}';
   }
 
   static void append_list(Numbers& numbers, const Numbers& list)
