@@ -106,6 +106,8 @@ inline std::string message_of_face(const Mesh& mesh, const std::array<Mesh::Vert
     const Mesh::Halfedge_index h = mesh.halfedge(v, w);
     if(h == Mesh::null_halfedge() || mesh.is_border(h))
       continue;
+    if(mesh.target(mesh.next(h)) == face[(i + 2) % 3])
+      return "face " + std::to_string(number) + " has the same vertices as face " + name(h) + "; remove it";
     const std::string edge = "the edge between vertices " + std::to_string((std::min)(v, w)) + " and " +
                              std::to_string((std::max)(v, w)) + " has ";
     if(mesh.is_border(mesh.opposite(h)))
