@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -822,4 +823,22 @@ BOOST_AUTO_TEST_CASE(a_second_repair_of_a_crowded_soup_changes_nothing)
     }
   }
   BOOST_CHECK_GT(repaired, runs / 4 * 3);
+}
+
+BOOST_AUTO_TEST_CASE(the_finished_fraction_grows)
+{
+  struct Fractions
+  {
+    std::vector<double> all;
+
+    void on_progress(double fraction) { all.push_back(fraction); }
+  };
+
+  const Soup soup = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  Fractions fractions;
+  Mesh mesh;
+  FG::polygon_soup_to_triangle_mesh(soup.points, soup.polygons, mesh, CGAL::parameters::visitor(std::ref(fractions)));
+  BOOST_CHECK_GT(fractions.all.size(), 2);
+  BOOST_CHECK(std::is_sorted(fractions.all.begin(), fractions.all.end()));
+  BOOST_CHECK(fractions.all.front() >= 0 && fractions.all.back() <= 1);
 }
