@@ -235,7 +235,7 @@ private:
     add("MESH", "FILE", m_options.mesh, "read an OFF, OBJ, PLY, STL or TS file; - for standard input")
         ->group("Positionals")
         ->required();
-    add("--format", "NAME", m_options.format, "read this format: off, obj, ply, stl or ts [by the extension]");
+    add("--format", "NAME", m_options.format, "read the format off, obj, ply, stl or ts [by the extension]");
     const std::string command = name;
     CLI::Option* const repair = command == "repair" || command == "info"
                                     ? nullptr
@@ -322,7 +322,8 @@ private:
         "evaluate predicates exactly (certified) or in floating point (double) [certified]")
         ->check(one_of({"certified", "double"}));
     add_mollify();
-    add("--refuse-zero-edges", m_options.are_zero_edges_refused, "do not contract degenerate edges");
+    add("--refuse-zero-edges", m_options.are_zero_edges_refused,
+        "report degenerate edges as errors instead of contracting them");
     add_memory_limit();
   }
 
@@ -385,7 +386,8 @@ private:
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
         "write equally spaced points, at most this far apart, instead of the crossings with edges");
-    add("--page", "FILE", m_options.results.page, "write a page for a browser: surface, curves and flips");
+    add("--page", "FILE", m_options.results.page,
+        "write an HTML page that shows the surface, the curves and the flips");
     add("--polylines", "FILE", m_options.results.polylines,
         "write one line `curve a b t x y z` per point: (1-t) a + t b on edge ab, and its coordinates");
     add("--stats", "FILE", m_options.results.stats, "write one line per curve as CSV");
@@ -576,7 +578,7 @@ private:
     m_group = m_points;
     add("--source", "POINT", m_options.sources, "grow the tree from this point")->required()->expected(1);
     add("--shortest", m_options.is_shortest,
-        "replace paths that are not globally shortest; the source must be a vertex");
+        "replace paths that are not globally shortest by shortest paths; the source must be a vertex");
     add_arithmetic();
     add_weights();
     add_files_of_curves();

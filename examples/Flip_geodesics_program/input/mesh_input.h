@@ -92,7 +92,7 @@ inline void check_soup(const Soup& soup)
 // Why a mesh is not a manifold at one of its vertices.
 inline std::string message_of_vertex(Mesh::Vertex_index v, std::size_t face)
 {
-  return "vertex " + std::to_string(v) + " connects parts that do not share an edge there, one with face " +
+  return "vertex " + std::to_string(v) + " joins parts that share no edge of this vertex, one with face " +
          std::to_string(face) + ", so the mesh is not a manifold; duplicate the vertex";
 }
 

@@ -23,7 +23,7 @@ namespace program {
 inline Input_mesh read_input_mesh(const Options& options, Progress& progress)
 {
   if(!options.format.empty() && mesh_formats().count(options.format) == 0)
-    throw Bad_input("--format " + printable(options.format) + ": not known as a format of input; use one of" +
+    throw Bad_input("--format " + printable(options.format) + ": not known as an input format; use one of" +
                     names_of_mesh_formats() + ", or --output-format for a result");
   const Input_text input = read_text(options.mesh, options.format);
   const bool is_info = options.command == "info", is_repair = options.is_repaired || options.command == "repair";

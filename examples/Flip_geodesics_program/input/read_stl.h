@@ -135,7 +135,7 @@ private:
       m_words.fail(element, "is cut off; complete it");
     if(m_soup.faces.back().size() != 3)
       m_words.fail(element, "has " + std::to_string(m_soup.faces.back().size()) +
-                                " vertices, and an STL file has only triangles; correct it");
+                                " vertices, but all faces of an STL file are triangles; correct it");
   }
 
   const Input_text& m_input;

@@ -15,6 +15,8 @@
 #include "run/progress.h"
 #include "scene.h"
 
+#include <CGAL/Flip_geodesics/curve_samples.h>
+
 #include <CGAL/assertions_behaviour.h>
 
 #include <cstddef>
@@ -61,7 +63,7 @@ public:
     Scene scene;
     add_curves(scene, kind, line, most_points);
     std::ostringstream out;
-    out << '{' << json_members("remarks", m_remarks) << ',';
+    out << '{' << json_members("remarks", m_remarks) << ',' << m_members;
     Scene_json(m_mesh).write_curves(out, scene);
     out << '}';
     return out.str();
@@ -78,7 +80,7 @@ public:
     std::ostringstream out;
     out.precision(std::numeric_limits<double>::max_digits10);
     if(format != "obj" && format != "ply" && format != "glb" && format != "polylines")
-      throw Bad_input(printable(format) + ": the format is not known");
+      throw Bad_input(printable(format) + ": the format is not known; use obj, ply, glb or polylines");
     if(format == "polylines")
       write_polylines(out, scene);
     else
