@@ -287,6 +287,10 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flattened_is_told)
   Network two_uncut(two_triangulation);
   BOOST_CHECK_EXCEPTION(Flattening{two_uncut}, FG::Flattening_error, names("not connected"));
 
+  // Nothing is inserted before this is found.
+  BOOST_CHECK_EXCEPTION(FG::refine_and_flatten(two_uncut), FG::Flattening_error, names("not connected"));
+  BOOST_TEST(two_triangulation.number_of_vertices() == static_cast<FG::Index>(two.number_of_vertices()));
+
   const Mesh spike = to_mesh<Mesh>(cone(3, 2, 1, 4));
   Triangulation spike_triangulation(spike);
   Network spike_uncut(spike_triangulation);

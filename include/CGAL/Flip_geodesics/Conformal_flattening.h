@@ -153,6 +153,7 @@ public:
   Conformal_flattening(const Network& network, double tolerance)
     : Conformal_flattening(network, Unscaled())
   {
+    check_faces();
     minimize(tolerance);
     if(const std::vector<Halfedge_index> sides = overlong_sides(m_log_scales); !sides.empty())
       throw Flattening_error("the conformal factors violate the triangle inequality in " +
@@ -250,6 +251,10 @@ private:
       throw Flattening_error("the cut surface is not a disk, since its Euler characteristic is " +
                              std::to_string(m_surface.euler_characteristic()) +
                              " instead of 1; cut it along a cut graph");
+  }
+
+  void check_faces() const
+  {
     for(const Intrinsic_face& face : m_faces)
       if(!internal::Plane_triangle(face.lengths).has_finite_cotangents())
         internal::throw_naming<Degenerate_face_error>(
@@ -546,6 +551,7 @@ struct Internals<Conformal_flattening<Triangulation>>
   static std::vector<Halfedge_index> flatten(const Network& network, std::optional<Flattening>& result)
   {
     Flattening flattening(network, typename Flattening::Unscaled());
+    flattening.check_faces();
     const auto estimate = flattening.first_estimate();
     check_scales(flattening, estimate);
     std::vector<Halfedge_index> sides = flattening.overlong_sides(estimate);
@@ -563,6 +569,13 @@ struct Internals<Conformal_flattening<Triangulation>>
     flattening.lay_out(network);
     result.emplace(std::move(flattening));
     return {};
+  }
+
+  /* Throws unless the cut surface is a disk. \throws Flattening_error */
+  template <class Network>
+  static void check_disk(const Network& network)
+  {
+    Flattening(network, typename Flattening::Unscaled());
   }
 
   /* Returns a vertex of the input among the corners of the faces of some sides, if there is one. */
@@ -704,6 +717,7 @@ Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network
   do
     flip_to_delaunay(network.triangulation(), np...);
   while(internal::move_to_near_vertices(network));
+  Internals::check_disk(network); // rather than after the refinement, which can take long
   Refinement_options bounds;
   bounds.maximum_insertions = 10000 + 10 * static_cast<std::size_t>(triangulation.number_of_vertices());
   do
