@@ -402,8 +402,7 @@ private:
     std::array<Slot, 3> slots;
     for(int i = 0; i < 3; ++i) {
       const Halfedge_index side = as_intrinsic(sides[i]);
-      if(!m_slots.has_slot(side.idx()))
-        take(side);
+      take(side);
       slots[i] = slot(side);
       (*this)[slots[i]].geometry = geometry[i];
     }
