@@ -23,60 +23,68 @@
 
 namespace CGAL::Flip_geodesics::internal {
 
+/* Returns the unfolded strip of a halfedge. */
+template <class Triangulation>
+Strip<Triangulation> strip_of(const Triangulation& triangulation, Halfedge_index h)
+{
+  return {triangulation, triangulation.edge_sequence(h)};
+}
+
 /*
- * Computes the angle clockwise from halfedge a to halfedge b around an inserted point inside an input face. Directions
- * are relative to one halfedge of the face; the number of times that they pass it follows from edge to edge, in corners
- * below pi.
+ * Computes the angle clockwise from halfedge a to halfedge b, whose strips are given, around an inserted point inside
+ * an input face. Directions are relative to one halfedge of the face; the number of times that they pass it follows
+ * from edge to edge, in corners below pi.
  */
 template <class Triangulation>
-Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
+Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b,
+                                          const Strip<Triangulation>& from, const Strip<Triangulation>& to)
 {
   constexpr double pi = boost::math::constants::pi<double>();
-  const auto strip = [&](Halfedge_index h) {
-    return Strip<Triangulation>(triangulation, triangulation.edge_sequence(h));
-  };
-  const Strip<Triangulation> from = strip(a);
   double sum = 0, error = from.relative_error(), direction = std::arg(from.end());
-  std::complex<double> end;
   Halfedge_index h = a;
   do {
     h = triangulation.clockwise(h);
-    const Strip<Triangulation> to = strip(h);
-    const double next_direction = std::arg(to.end()), corner = direction - next_direction;
+    const double next_direction = std::arg(h == b ? to.end() : strip_of(triangulation, h).end()),
+                 corner = direction - next_direction;
     sum += corner < -pi / 2 ? corner + 2 * pi : (corner > 3 * pi / 2 ? corner - 2 * pi : corner);
     error += measured_angle_error;
     direction = next_direction;
-    if(h == b) {
-      error += to.relative_error();
-      end = to.end();
-    }
   } while(h != b);
-  return {{sum, 1.6 * error}, product(from.end(), std::conj(end))};
+  return {{sum, 1.6 * (error + to.relative_error())}, product(from.end(), std::conj(to.end()))};
+}
+
+/* Returns the number of input corners clockwise between the references of two halfedges of a vertex. */
+template <class Triangulation>
+Index input_corners_in_wedge(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
+{
+  return triangulation.input_edges_in_wedge(from, to) +
+         (triangulation.crossings(Triangulation::edge(from)) < 0 ? 1 : 0); // along an input edge
 }
 
 /* Returns the edge sequences of the wedge clockwise from one halfedge of a vertex to another. */
 template <class Triangulation>
 Wedge_edge_sequences wedge_sequences(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
 {
-  Wedge_edge_sequences result = {triangulation.edge_sequence(from), triangulation.edge_sequence(to), 0};
-  result.steps = triangulation.input_edges_in_wedge(from, to) + (result.from.along != null_index ? 1 : 0);
-  return result;
+  return {triangulation.edge_sequence(from), triangulation.edge_sequence(to),
+          input_corners_in_wedge(triangulation, from, to)};
 }
 
-/* Recomputes the wedge clockwise from halfedge a to halfedge b of one vertex from the input. a == b means the full
- * turn. */
+/* Recomputes the wedge clockwise from halfedge a to halfedge b of one vertex from the input, given their strips. a == b
+ * means the full turn. */
 template <class Triangulation>
-Wedge_rotation wedge_rotation(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
+Wedge_rotation wedge_rotation(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b,
+                              const Strip<Triangulation>& from, const Strip<Triangulation>& to)
 {
-  if(vertex_kind(triangulation, triangulation.tail(a)) == Location_kind::FACE)
-    return wedge_rotation_inside_face(triangulation, a, b);
-  return wedge_rotation(triangulation, wedge_sequences(triangulation, a, b));
+  const Vertex_index v = triangulation.tail(a);
+  if(vertex_kind(triangulation, v) == Location_kind::FACE)
+    return wedge_rotation_inside_face(triangulation, a, b, from, to);
+  return wedge_rotation(triangulation, v, from, to, input_corners_in_wedge(triangulation, a, b));
 }
 
 template <class Triangulation>
 Wedge_angle wedge_angle(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {
-  return wedge_rotation(triangulation, a, b).angle;
+  return wedge_rotation(triangulation, a, b, strip_of(triangulation, a), strip_of(triangulation, b)).angle;
 }
 
 inline std::complex<double> in_double(const Double_double_vector& v) { return {v.x.high, v.y.high}; }
@@ -249,14 +257,16 @@ std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Tr
                                                                         Halfedge_index h, double tolerance)
 {
   const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
-  const auto edge = [&](Halfedge_index side) {
-    const Strip<Triangulation> strip(triangulation, triangulation.edge_sequence(side));
+  const Halfedge_index t = Triangulation::twin(h), tp = Triangulation::twin(hp);
+  const auto first = strip_of(triangulation, h), second = strip_of(triangulation, hn),
+             third = strip_of(triangulation, hp);
+  const auto edge = [](const Strip<Triangulation>& strip) {
     return Face_measures::Length{well_rounded_length(strip.end()), strip.relative_error()};
   };
   return laid_out_face(triangulation.traits(),
-                       {{{edge(h), edge(hn), edge(hp)}},
-                        wedge_rotation(triangulation, Triangulation::twin(hp), h),
-                        wedge_rotation(triangulation, Triangulation::twin(h), hn)},
+                       {{{edge(first), edge(second), edge(third)}},
+                        wedge_rotation(triangulation, tp, h, strip_of(triangulation, tp), first),
+                        wedge_rotation(triangulation, t, hn, strip_of(triangulation, t), second)},
                        tolerance);
 }
 

@@ -431,22 +431,30 @@ Wedge_angle wedge_angle(const Triangulation& triangulation, const Edge_sequence_
           error_of_wedge_angle(from.error, to.error, steps)};
 }
 
-/* Computes the wedge between two edge sequences from the input: the input corners between their reference halfedges,
+/* Computes the wedge between two edges from the input: `steps` input corners between their reference halfedges,
  * corrected by their strips at both ends. \pre not around a point inside a face */
+template <class Triangulation>
+Wedge_rotation wedge_rotation(const Triangulation& triangulation, Vertex_index tail, const Strip<Triangulation>& from,
+                              const Strip<Triangulation>& to, Index steps)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  const bool is_on_edge = triangulation.is_inserted(tail);
+  Angle_sum corners;
+  if(!is_on_edge)
+    corners = sum_of_input_corners(triangulation, from.reference(), steps);
+  const double between = is_on_edge ? steps * pi : corners.value();
+  const std::complex<double> half_turns = is_on_edge && steps % 2 != 0 ? -1 : 1;
+  const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
+  return {{sum, error_of_wedge_angle(from.relative_error(), to.relative_error(), steps)},
+          product(product(from.end(), std::conj(to.end())), half_turns * corners.rotation())};
+}
+
+/* Computes the wedge between two edge sequences, as above. */
 template <class Triangulation>
 Wedge_rotation wedge_rotation(const Triangulation& triangulation, const Wedge_edge_sequences& sequences)
 {
-  constexpr double pi = boost::math::constants::pi<double>();
   const Strip<Triangulation> from(triangulation, sequences.from), to(triangulation, sequences.to);
-  const bool is_on_edge = triangulation.is_inserted(sequences.from.tail);
-  Angle_sum corners;
-  if(!is_on_edge)
-    corners = sum_of_input_corners(triangulation, from.reference(), sequences.steps);
-  const double between = is_on_edge ? sequences.steps * pi : corners.value();
-  const std::complex<double> half_turns = is_on_edge && sequences.steps % 2 != 0 ? -1 : 1;
-  const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
-  return {{sum, error_of_wedge_angle(from.relative_error(), to.relative_error(), sequences.steps)},
-          product(product(from.end(), std::conj(to.end())), half_turns * corners.rotation())};
+  return wedge_rotation(triangulation, sequences.from.tail, from, to, sequences.steps);
 }
 
 /*
