@@ -652,17 +652,11 @@ public:
       edge.component = 0;
     take_pairs(pairs);
     std::sort(pairs.begin(), pairs.end()); // an order independent of the numbers of points
-    while(!pairs.empty() && Polygon_mesh_processing::stitch_borders(m_mesh, pairs) > 0) {
-      find_stitched();
-      const std::vector<char> is_doubled = ends_of_doubled_edges();
-      if(is_doubled.empty()) {
-        read_back();
-        return true;
-      }
-      m_mesh = make_soup_mesh(m_soup);
-      remove_pairs_at(is_doubled, pairs);
-    }
-    return false;
+    if(pairs.empty() || Polygon_mesh_processing::stitch_borders(m_mesh, pairs) == 0)
+      return false;
+    find_stitched();
+    read_back();
+    return true;
   }
 
 private:
@@ -708,36 +702,6 @@ private:
         m_now[before[i]] = now[i];
       m_stitched.push_back(now);
     }
-  }
-
-  // Marks vertices of the stitched mesh that are the ends of a side of two triangles in the same direction; empty if
-  // there are none. Two borders from one vertex to another in opposite directions are one edge of the soup.
-  std::vector<char> ends_of_doubled_edges() const
-  {
-    std::vector<std::pair<std::size_t, std::size_t>> edges;
-    edges.reserve(3 * m_stitched.size());
-    for(const Triangle& t : m_stitched)
-      for(int i = 0; i < 3; ++i)
-        edges.emplace_back(t[i], t[(i + 1) % 3]);
-    std::sort(edges.begin(), edges.end());
-    std::vector<char> result;
-    for(auto it = edges.begin(); (it = std::adjacent_find(it, edges.end())) != edges.end(); ++it) {
-      result.resize(m_soup.origins.size(), 0);
-      result[it->first] = result[it->second] = 1;
-    }
-    return result;
-  }
-
-  // An edge is doubled because a pair at one of its ends was stitched.
-  void remove_pairs_at(const std::vector<char>& is_doubled, std::vector<Pair>& pairs) const
-  {
-    const auto is_removed = [&](const Pair& pair) {
-      const Halfedge h = pair.first, o = pair.second;
-      const auto is_marked = [&](typename Mesh::Vertex_index v) { return is_doubled[m_now[v]] != 0; };
-      return is_marked(m_mesh.source(h)) || is_marked(m_mesh.target(h)) || is_marked(m_mesh.source(o)) ||
-             is_marked(m_mesh.target(o));
-    };
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_removed), pairs.end());
   }
 
   // The vertices of a stitched triangle become the least of those from which they were merged.
