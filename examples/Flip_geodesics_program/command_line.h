@@ -617,6 +617,9 @@ private:
     add_network();
     add_seams();
     exclude("--network", {"--seams"});
+    m_group = "The flattened mesh";
+    add("--vertex-limit", "NUMBER", m_options.meshes.vertex_limit, not_negative,
+        "fail if the result would have more vertices than this [5000000]");
     add_outputs("-o,--output", "write .obj or .glb with texture coordinates; may be repeated")->required();
 
     begin("info", "Print components, borders, genus, size and defects of a mesh",

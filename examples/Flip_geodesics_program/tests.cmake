@@ -379,6 +379,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(trace_limit 0 "at most 1000000 edges" trace --help)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
+    flip_geodesics_add_program_test(flatten_limit 2 "torus.off: the mesh cannot be flattened because the result would have .*more than the 100 allowed"
+                                    flatten torus.off --vertex-limit 100 --output x.obj)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)
     # Finer faces are needed at corners.
     flip_geodesics_add_program_test(flatten_cube 0 "1 cut. .*flattened in" flatten cube.off --output flat_cube.obj)

@@ -134,9 +134,10 @@ struct Flattened_mesh
   std::string defect; ///< why the texture is not injective; empty if it is, up to rounding errors
 };
 
-/// Cuts a surface along shortened curves and flattens it conformally. \throws Bad_input
+/// Cuts a surface along shortened curves and flattens it conformally. \throws Bad_input also if the result would have
+/// more than `most_vertices` vertices
 Flattened_mesh flattened_mesh(const Mesh& mesh, const std::string& name, const Network_request& cut,
-                              Progress& progress);
+                              std::size_t most_vertices, Progress& progress);
 
 } // namespace program
 
