@@ -22,6 +22,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -253,6 +254,15 @@ BOOST_AUTO_TEST_CASE(links_of_a_slit_mesh)
   }
   BOOST_TEST(borders > 20u);
   BOOST_TEST(FG::internal::Indexed_mesh<Slit>(mesh).number_of_faces() == static_cast<FG::Index>(num_faces(mesh)));
+  boost::graph_traits<Slit>::vertex_iterator first, last; // algorithms on graphs take ranges apart
+  std::tie(first, last) = vertices(mesh);
+  BOOST_TEST(static_cast<std::size_t>(std::distance(first, last)) == num_vertices(mesh));
+  boost::graph_traits<Slit>::edge_iterator first_edge, last_edge;
+  std::tie(first_edge, last_edge) = edges(mesh);
+  BOOST_TEST(static_cast<std::size_t>(std::distance(first_edge, last_edge)) == num_edges(mesh));
+  boost::graph_traits<Slit>::halfedge_iterator first_halfedge, last_halfedge;
+  std::tie(first_halfedge, last_halfedge) = halfedges(mesh);
+  BOOST_TEST(static_cast<std::size_t>(std::distance(first_halfedge, last_halfedge)) == num_halfedges(mesh));
   BOOST_TEST(CGAL::is_valid_halfedge_graph(mesh));
   BOOST_TEST(CGAL::is_valid_face_graph(mesh));
   BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -350,21 +351,21 @@ private:
 namespace CGAL::Flip_geodesics {
 
 template <class M>
-const std::vector<typename Slit_mesh<M>::Vertex>& vertices(const Slit_mesh<M>& mesh)
+Iterator_range<typename boost::graph_traits<Slit_mesh<M>>::vertex_iterator> vertices(const Slit_mesh<M>& mesh)
 {
-  return mesh.all_vertices();
+  return make_range(mesh.all_vertices().begin(), mesh.all_vertices().end());
 }
 
 template <class M>
-const std::vector<typename Slit_mesh<M>::Edge>& edges(const Slit_mesh<M>& mesh)
+Iterator_range<typename boost::graph_traits<Slit_mesh<M>>::edge_iterator> edges(const Slit_mesh<M>& mesh)
 {
-  return mesh.all_edges();
+  return make_range(mesh.all_edges().begin(), mesh.all_edges().end());
 }
 
 template <class M>
-const std::vector<typename Slit_mesh<M>::Halfedge>& halfedges(const Slit_mesh<M>& mesh)
+Iterator_range<typename boost::graph_traits<Slit_mesh<M>>::halfedge_iterator> halfedges(const Slit_mesh<M>& mesh)
 {
-  return mesh.all_halfedges();
+  return make_range(mesh.all_halfedges().begin(), mesh.all_halfedges().end());
 }
 
 template <class M>
