@@ -94,6 +94,7 @@ public:
   }
 
   static Halfedge_index twin(Halfedge_index h) { return Triangulation::twin(h); }
+  static CGAL::Flip_geodesics::Edge_index edge(Halfedge_index h) { return Triangulation::edge(h); }
   const Input_mesh& input() const { return m_triangulation.input(); }
   const Metric& metric() const { return m_triangulation.metric(); }
   const Traits& traits() const { return m_triangulation.traits(); }

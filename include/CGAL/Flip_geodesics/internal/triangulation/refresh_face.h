@@ -53,20 +53,13 @@ Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Ha
   return {{sum, 1.6 * (error + to.relative_error())}, product(from.end(), std::conj(to.end()))};
 }
 
-/* Returns the number of input corners clockwise between the references of two halfedges of a vertex. */
-template <class Triangulation>
-Index input_corners_in_wedge(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
-{
-  return triangulation.input_edges_in_wedge(from, to) +
-         (triangulation.crossings(Triangulation::edge(from)) < 0 ? 1 : 0); // along an input edge
-}
-
 /* Returns the edge sequences of the wedge clockwise from one halfedge of a vertex to another. */
 template <class Triangulation>
 Wedge_edge_sequences wedge_sequences(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
 {
-  return {triangulation.edge_sequence(from), triangulation.edge_sequence(to),
-          input_corners_in_wedge(triangulation, from, to)};
+  Wedge_edge_sequences result = {triangulation.edge_sequence(from), triangulation.edge_sequence(to), 0};
+  result.steps = triangulation.input_edges_in_wedge(from, to) + (result.from.along != null_index ? 1 : 0);
+  return result;
 }
 
 /* Recomputes the wedge clockwise from halfedge a to halfedge b of one vertex from the input, given their strips. a == b
@@ -78,7 +71,9 @@ Wedge_rotation wedge_rotation(const Triangulation& triangulation, Halfedge_index
   const Vertex_index v = triangulation.tail(a);
   if(vertex_kind(triangulation, v) == Location_kind::FACE)
     return wedge_rotation_inside_face(triangulation, a, b, from, to);
-  return wedge_rotation(triangulation, v, from, to, input_corners_in_wedge(triangulation, a, b));
+  const Index steps = triangulation.input_edges_in_wedge(a, b) +
+                      (triangulation.crossings(Triangulation::edge(a)) < 0 ? 1 : 0); // along an input edge
+  return wedge_rotation(triangulation, v, from, to, steps);
 }
 
 template <class Triangulation>
