@@ -567,7 +567,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(weight_of_edge_repeated 2
                                   "repeated_edge.csv line 2: the edge of vertices 1 and 0 is given two weights" path
                                   torus.off --from 0 --to 150 --edge-weights repeated_edge.csv)
-  flip_geodesics_add_program_test(weights_mixed 2 "mixed_weights.csv line 2: a line has 1 item. write one weight" path torus.off --from 0
+  flip_geodesics_add_program_test(weights_mixed 2 "mixed_weights.csv line 2: a line has 1 item. write either one weight" path torus.off --from 0
                                   --to 150 --face-weights mixed_weights.csv)
   flip_geodesics_add_program_test(weight_of_no_edge 2 "no_edge.csv line 2: no edge joins vertices 1 and 5. correct the line" path torus.off
                                   --from 0 --to 150 --edge-weights no_edge.csv)
@@ -618,7 +618,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0 --isolines 0.1,)
   flip_geodesics_add_program_test(left_out_source 2 "--source: '' is not a point" distance torus.off --source 0,,1
                                   --isolines 1)
-  flip_geodesics_add_program_test(source_too_large 2 "--source: a point has a vertex that is not a whole number" distance torus.off
+  flip_geodesics_add_program_test(source_too_large 2 "--source: a vertex of a point is not a whole number" distance torus.off
                                   --source 0,99999999999999999999 --isolines 1)
   flip_geodesics_add_program_test(vertex_too_large 2 "--from: a vertex of a point is not a whole number below 1e15" path
                                   torus.off --from 99999999999999999999 --to 3)
@@ -708,7 +708,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(help_of_${command} 0 "Usage: flip_geodesics ${command} .*Examples:\n${example}${example}${example}$"
                                     ${command} --help)
   endforeach()
-  flip_geodesics_add_program_test(no_command 2 "'torus.off' is not a command. specify one before the mesh: path, " torus.off
+  flip_geodesics_add_program_test(no_command 2 "'torus.off' is not a command. specify one of these before the mesh: path, " torus.off
                                   --from 0 --to 5)
   flip_geodesics_add_program_test(nothing 2 "specify a command: path, ")
   flip_geodesics_add_program_test(version 0 "^flip_geodesics ${PROJECT_VERSION}" --version)
@@ -899,7 +899,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(escape_in_option 2 "--kernel: '[?]c' is not known" path torus.off --random 2 --kernel
                                   "${escape}c")
   flip_geodesics_add_program_test(marked 0 "2 LOCALLY_SHORTEST" path torus.off --pairs marked.txt)
-  flip_geodesics_add_program_test(beyond 2 "beyond.txt line 1: a point has a vertex that is not a whole number" path
+  flip_geodesics_add_program_test(beyond 2 "beyond.txt line 1: a vertex of a point is not a whole number" path
                                   torus.off --pairs beyond.txt)
   flip_geodesics_add_program_test(none_at_random 2 "--random: '0' is out of range" path torus.off --random 0)
   flip_geodesics_add_program_test(too_many_at_random 2 "--random: '99999999999' is out of range" path torus.off --random

@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(problems_without_a_solution_and_bad_input_are_refused)
   BOOST_CHECK_THROW(Problem(operators, {0_v}), FG::Singular_problem_error);
   BOOST_CHECK_EXCEPTION(
       Problem(operators, {FG::Vertex_index(triangulation.number_of_vertices() - 2)}), FG::Singular_problem_error,
-      [](const std::exception& e) { return std::string(e.what()).find("of vertex 0;") != std::string::npos; });
+      [](const std::exception& e) { return std::string(e.what()).find("of vertex 0,") != std::string::npos; });
   BOOST_CHECK_THROW(Problem(operators, {0_v, FG::null_index}), FG::Vertex_out_of_range_error);
   BOOST_CHECK_THROW(Problem(operators, {0_v, 1000_v}), FG::Vertex_out_of_range_error);
 

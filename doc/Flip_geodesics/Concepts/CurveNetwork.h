@@ -34,7 +34,7 @@ public:
   /// \name Curves
   /// @{
 
-  /// Returns the triangulation whose edges carry the curves. The reference may be non-`const`.
+  /// Returns the triangulation whose edges carry the curves. A model may return a non-`const` reference.
   const Triangulation& triangulation() const;
 
   /// Returns the number of curves. They are numbered from 0, and a curve keeps its number when it contracts.

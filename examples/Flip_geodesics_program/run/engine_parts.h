@@ -71,7 +71,7 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
            " faces would require far more vertices than allowed, " + std::to_string(report.missed - report.given_up) +
            " are too small for double precision or adjacent to such faces";
   case Refinement_status::VERTEX_LIMIT:
-    return "; ended because the maximal number of vertices was reached";
+    return "; ended because the maximum number of vertices was reached";
   case Refinement_status::STOPPED_BY_VISITOR:
     return "; interrupted";
   }

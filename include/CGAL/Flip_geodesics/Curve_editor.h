@@ -53,8 +53,8 @@ struct Move_report
  * \f$2\pi\f$ or more, the moves affect the result only through the class. On other surfaces a class can contain several
  * geodesics, and a leg remains at the geodesic to which it was shortened.
  *
- * The invariant is that each leg starts at the end of the previous one and is a geodesic if `verdict()` confirms it,
- * and that the triangulation is unchanged.
+ * The class maintains the invariant that each leg starts at the end of the previous one and is a geodesic if
+ * `verdict()` confirms it, and that the triangulation is unchanged.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulationOfMesh`
  */

@@ -70,7 +70,7 @@ public:
   using Triangulation = Triangulation_;      ///< the type of the triangulation
   using Turn = typename Triangulation::Turn; ///< a rotation around a vertex, of the traits of the triangulation
 
-  /// Describes the inspected part of a wedge.
+  /// Describes the part of a wedge up to the next segment end.
   struct Wedge
   {
     Wedge_state state; ///< what the wedge contains
@@ -655,7 +655,7 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the network that is formed by the marked edges of the input mesh.
+ * Adds the marked edges of the input mesh as curves.
  *
  * Vertices that are incident to exactly one marked edge or to more than two become fixed ends, and each chain between
  * such vertices becomes a curve. A loop without such a vertex becomes a closed curve. Open curves come first. Of the

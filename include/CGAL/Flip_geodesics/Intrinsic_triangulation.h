@@ -600,7 +600,8 @@ public:
    */
   void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
 
-  /// Returns the end of the flip log: the number of flips, insertions and recomputed faces since construction.
+  /// Returns the end of the flip log: the number of flips, insertions and recomputed faces that have
+  /// not been rolled back.
   Log_position log_position() const { return m_log.size(); }
 
   /*!

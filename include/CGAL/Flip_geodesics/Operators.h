@@ -74,7 +74,7 @@ public:
   /// Returns the number of vertices, \f$n\f$.
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
-  /// Returns the faces by number.
+  /// Returns the faces in the order of their numbers.
   const std::vector<Intrinsic_face>& faces() const { return m_faces; }
 
   /// Returns the areas of the \f$m\f$ faces.

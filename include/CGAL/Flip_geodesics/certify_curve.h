@@ -193,7 +193,8 @@ private:
     const Vertex_index v = m_triangulation.index(std::get<Vertex>(given));
     check_vertex(v, input.number_of_vertices(), number);
     if(input.outgoing(v) == null_index)
-      throw_naming<Vertex_out_of_range_error>("a curve passes vertex ", v, ", which does not belong to any face");
+      throw_naming<Vertex_out_of_range_error>("a curve passes through vertex ", v,
+                                              ", which does not belong to any face");
     return {input.outgoing(v), {{1, 0, 0}}};
   }
 

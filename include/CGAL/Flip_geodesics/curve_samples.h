@@ -223,9 +223,9 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Returns the counterclockwise angle at a location from one direction to another. It is at least 0, and less than
- * \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border vertex, where a full turn does not
- * exist, it is the difference of the angles of the directions.
+ * Returns the counterclockwise angle at a location from one direction to another. Except at a border vertex, the angle
+ * is at least 0, and less than \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border vertex,
+ * where a full turn does not exist, it is the difference of the angles of the directions, which can be negative.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
  * \throws Degenerate_face_error if a face of the location is degenerate

@@ -64,7 +64,8 @@ class Geodesic_spline
 {
 public:
   /*!
-   * Constructs a spline from control points, which are connected by shortest edge paths that are then shortened.
+   * Constructs a spline from control points, which are connected by shortest edge paths that are then shortened to
+   * geodesics.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
    *        spline is refined
@@ -227,7 +228,7 @@ private:
   {
     if(m_report.curves.empty())
       throw Invalid_parameter_error(
-          "a result of a spline is requested before the spline is finished; call finish() first");
+          "a spline is queried before it has been finished; call finish() first");
     return m_report.curves.front();
   }
 

@@ -307,8 +307,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex, about fifty times per length \f$t\f$ of a boundary, and a few
- * times \f$s / t\f$ in the faces that no boundary crosses.
+ * Complexity: the field is evaluated once per vertex and about fifty times per length \f$t\f$ of a boundary. In each
+ * face that no boundary crosses, the number of evaluations is a small multiple of \f$s / t\f$.
  *
  * \sa `isolines()`
  */

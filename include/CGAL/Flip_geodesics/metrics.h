@@ -794,14 +794,14 @@ public:
   /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(h); }
 
-  /// The data of a vertex that a lower bound requires, which are those of the other metric. They do not represent a
-  /// point from which faces can be laid out.
+  /// The data of a vertex that a lower bound requires, which are those of the underlying metric. They do not represent
+  /// a point from which faces can be laid out.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
   /// Returns the length of halfedge `h`, given the positions of its two ends.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place&, const Place&) const { return weight(mesh, h); }
 
-  /// Returns the data of the other metric for vertex `v`.
+  /// Returns the data of the underlying metric for vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
   /// Returns the lower bound of the other metric, times the least factor by which faces stretch segments. This factor

@@ -234,9 +234,9 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * No point is moved unless a tolerance is given, and no new points are created. The vertex at position `i` of
  * `vertices(mesh)` comes from point `i`, regardless of the repairs. Vertices of points that were merged or lost their
  * faces are isolated and have no copies; `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes them.
- * Copies of split vertices come after these vertices. Faces are in the order of the polygons from which they come. A
- * soup without defects therefore yields a mesh with the same elements in the same order, and an empty report. The
- * result depends only on the input.
+ * Copies of split vertices come after the vertices of all points. Faces are in the order of the polygons from which
+ * they come. A soup without defects therefore yields a mesh with the same elements in the same order, and an empty
+ * report. The result depends only on the input.
  *
  * \tparam PointRange a range of points of a \cgal kernel. If its number type is `double`, the predicates of
  *         `CGAL::Exact_predicates_inexact_constructions_kernel` are used; otherwise those of the kernel itself, which

@@ -331,8 +331,8 @@ private:
     if(!is_occupied(h))
       return;
     const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
-    throw_naming<Crossing_curves_error>("a geodesic of a curve through points crosses a curve between vertex ", v,
-                                        " and vertex ", w);
+    throw_naming<Crossing_curves_error>("a leg of the curve crosses another curve at the edge between vertices ", v,
+                                        " and ", w);
   }
 
   Network& m_network;

@@ -30,8 +30,9 @@ struct Crossed_edge
  * the segment as well.
  *
  * First all edges that leave the strip immediately are flipped, from both ends of the strip and on both of its sides.
- * When none is left, the highest vertex on the left of the segment is removed from the strip, then the next highest,
- * and so on. Its angle in the strip is below pi, and everything to the right of it lies beyond the line through its two
+ * When none is left, the highest vertex on the left of the segment is removed from the strip, of equally high ones the
+ * last, then the next highest, and so on. One of its neighbors is then lower. Its angle in the strip is below pi, and
+ * everything to the right of it lies beyond the line through its two
  * neighbors on the strip's boundary, which are not higher. The right ends of its edges therefore form a chain that
  * bends towards it, and the outermost edges can be flipped until the last one leaves.
  *

@@ -317,7 +317,7 @@ private:
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input().number_of_halfedges()))
       if(input().is_border(h)) {
         const Vertex_index v = input().tail(h), w = input().tail(twin_index(h));
-        throw_naming<Invalid_mesh_error>("the surface has a border between vertices ", v, " and ", w,
+        throw_naming<Invalid_mesh_error>("the surface has a border edge between vertices ", v, " and ", w,
                                          ", and does not bound a solid");
       }
     return input();
