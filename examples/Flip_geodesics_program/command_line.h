@@ -280,8 +280,9 @@ private:
 
   CLI::Option* add_draw()
   {
-    return add("--draw", "FILE", m_options.draw,
-               "read one polyline per line, given by its points, or NAME.polylines.txt; `o ...` is a closed polyline");
+    return add(
+        "--draw", "FILE", m_options.draw,
+        "read one polyline per line, given by its points (after `o`, a closed one), or a file NAME.polylines.txt");
   }
 
   CLI::Option* add_loop()
@@ -359,7 +360,8 @@ private:
 
   void add_search()
   {
-    add("--search", "NAME", m_options.search, "search for edge paths by lookback, astar or dijkstra [lookback]")
+    add("--search", "NAME", m_options.search,
+        "search for edge paths by lookback (an any-angle A*), astar or dijkstra [lookback]")
         ->check(one_of({"lookback", "astar", "dijkstra"}));
   }
 

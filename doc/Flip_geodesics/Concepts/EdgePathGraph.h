@@ -69,9 +69,9 @@ public:
   /// Replaces the two segments of a joint by segments along `arc`.
   ///
   /// `arc` is a chain of halfedges from the far node of the first end to the far node of the second. The wedge lies on
-  /// its right, and the direction is the same for both sides of a joint. Each new segment becomes the outermost one on
-  /// its edge, on the side of the wedge. The arc is empty if and only if the joint turns back. A closed curve that
-  /// consists of these two segments contracts if the arc is empty.
+  /// its right; for the right side of a joint, the arc therefore leads against the direction of the curve. Each new
+  /// segment becomes the outermost one on its edge, on the side of the wedge. The arc is empty if and only if the joint
+  /// turns back. A closed curve that consists of these two segments contracts if the arc is empty.
   ///
   /// The function appends to `affected` both sides of each new joint: a joint that contains a new segment, or whose two
   /// segments have become consecutive because the arc is empty. It also appends each joint whose two ends have become

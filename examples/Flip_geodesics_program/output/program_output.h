@@ -64,7 +64,7 @@ public:
     for(const std::string& name : options.results.outputs) {
       const std::string format = result_format(options, name);
       if(m_tubes && format == "polylines")
-        throw Bad_input("--tubes requires --output with a file .obj, .ply, .vtp or .glb");
+        throw Bad_input("--tubes does not apply to polylines; write .obj, .ply, .vtp or .glb files");
       m_outputs.emplace_back(name, format, has_curves());
     }
     m_scene.title = name_of_input(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));

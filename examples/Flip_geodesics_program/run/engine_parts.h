@@ -68,7 +68,8 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
     return "";
   case Refinement_status::BOUNDS_NOT_REACHABLE:
     return "; the bounds cannot be reached: " + std::to_string(report.given_up) +
-           " faces would require far more vertices than allowed, " + std::to_string(report.missed - report.given_up) +
+           " faces would require far more vertices than allowed, and " +
+           std::to_string(report.missed - report.given_up) +
            " are too small for double precision or adjacent to such faces";
   case Refinement_status::VERTEX_LIMIT:
     return "; ended because the maximum number of vertices was reached";

@@ -227,8 +227,7 @@ private:
   const Curve_report& finished() const
   {
     if(m_report.curves.empty())
-      throw Invalid_parameter_error(
-          "a spline is queried before it has been finished; call finish() first");
+      throw Invalid_parameter_error("a spline is queried before it has been finished; call finish() first");
     return m_report.curves.front();
   }
 

@@ -730,10 +730,10 @@ private:
  * Represents a given metric with each edge scaled by a weight, so that paths avoid regions in which the weight is
  * large.
  *
- * Weights given at vertices are linear along edges. The length of an edge is that of the other metric, times the mean
- * of the weights of its two ends. Faces with the new lengths are flat, too. If the weight changes little over a face,
- * this is the conformal change of the metric by the weight, up to terms of second order. Weights given for edges are
- * factors by which their lengths are multiplied.
+ * Weights given at vertices are interpolated linearly along edges. The length of an edge is that of the other metric,
+ * times the mean of the weights of its two ends. Faces with the new lengths are flat, too. If the weight changes little
+ * over a face, this is the conformal change of the metric by the weight, up to terms of second order. Weights given for
+ * edges are factors by which their lengths are multiplied.
  *
  * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
  * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each

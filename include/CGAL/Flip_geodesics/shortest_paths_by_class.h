@@ -135,7 +135,7 @@ public:
   /// Sets the default limit, \f$10^6 + 20 n\f$ for \f$n\f$ vertices.
   Covering_limit() = default;
 
-  /// Sets an approximate maximal number of vertices.
+  /// Sets an approximate maximum number of vertices.
   explicit Covering_limit(std::size_t vertices)
     : m_vertices(vertices)
   {
@@ -347,7 +347,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes the shortest homotopically distinct paths on the surface between two points: a shortest path in each of
- * `number` homotopy classes, the shortest classes first. Two such paths enclose handles or borders of the surface.
+ * `number` homotopy classes, the shortest classes first. Together, two such paths lead around handles or borders of the
+ * surface.
  *
  * On a sphere or a disk, only one class exists. Obstacles create further classes: the mesh can be a
  * `CGAL::Face_filtered_graph` without the faces that paths must not enter. Degenerate edges are contracted if they

@@ -169,9 +169,9 @@ Value picture_place(double x, double y)
  * In texture coordinates, the image is the unit square. Along each ray from its center, lengths are preserved;
  * curvature stretches or compresses the image in the perpendicular direction. The logarithmic map is discontinuous
  * where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these paths bend. Each
- * such face is unfolded separately, along the shortest path from the center of the image to the center of the face, and
- * its corners can have coordinates different from those in adjacent faces. A face is thus never stretched across the
- * image or reversed.
+ * face that contains such points is unfolded separately, along the shortest path from the center of the image to the
+ * center of the face, and its corners can have coordinates different from those in adjacent faces. A face is thus never
+ * stretched across the image or reversed.
  *
  * \param mesh a triangle mesh
  * \param source the center: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
@@ -192,8 +192,9 @@ Value picture_place(double x, double y)
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of a `Geodesic_distance_field` up to the distance of the corners of the image plus the longest edge
- * of the mesh, and at most the same number of additional windows. For points whose shortest path the windows do not
+ * Complexity: that of a `Geodesic_distance_field` whose radius is the distance from the center of the image to its
+ * corners plus the length of the longest edge of the mesh. In addition, at most as many windows as in this field are
+ * created. For points whose shortest path the windows do not
  * determine because of rounding errors, the logarithmic map is evaluated separately.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
