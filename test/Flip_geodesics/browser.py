@@ -106,7 +106,12 @@ class Browser:
         self.mouse('mouseReleased', x, y, modifiers, button)
 
     def touch(self, x, y):
-        self.call('Input.dispatchTouchEvent', type='touchStart', touchPoints=[{'x': x, 'y': y}])
+        self.swipe([(x, y)])
+
+    def swipe(self, places):
+        """Touches at the first place, and moves to the others."""
+        for i, (x, y) in enumerate(places):
+            self.call('Input.dispatchTouchEvent', type='touchMove' if i else 'touchStart', touchPoints=[{'x': x, 'y': y}])
         self.call('Input.dispatchTouchEvent', type='touchEnd', touchPoints=[])
 
     def press(self, key, modifiers=0):

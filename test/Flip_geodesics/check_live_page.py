@@ -46,6 +46,11 @@ QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n'
 TRIANGLE = 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
 
 
+# Ends when what was changed has been drawn.
+FRAMES = 'new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 100))))'
+IMAGE = "document.getElementById('view').toDataURL()"
+
+
 def check(condition, message):
     if not condition:
         raise SystemExit(f'check_live_page: {message}')
@@ -115,6 +120,30 @@ class Live_page:
         self.settle()
         self.compare_with_program()
         check(len(lines) == 4, f'the drag has not moved the point: {lines}')
+
+    def under(self, x, y):
+        """The coordinates of the surface under a point of the window, or None."""
+        self.browser.evaluate("document.getElementById('under').textContent = ''")
+        self.browser.mouse('mouseMoved', x, y, button='none')
+        self.browser.evaluate(FRAMES)
+        words = self.browser.text('#under').replace(',', ' ').replace('(', ' ').replace(')', ' ').split()
+        return tuple(map(float, words[3:6])) if words else None
+
+    def place_of(self, vertex, x, y):
+        """Where in the view a vertex is that is drawn near a point of it."""
+        def distance(place):
+            found = self.under(*self.on_view(*place))
+            return math.dist(found, self.points[vertex]) if found else math.inf
+        best, least, step = (x, y), distance((x, y)), 0.03
+        while step > 0.001:
+            x, y = best
+            places = [(x + step, y), (x - step, y), (x, y + step), (x, y - step)]
+            nearest = min(places, key=distance)
+            if distance(nearest) < least:
+                best, least = nearest, distance(nearest)
+            else:
+                step /= 2
+        return best
 
     def touch(self, at, expected):
         self.browser.touch(*at)
@@ -283,6 +312,166 @@ def check_kinds(page):
     check(page.data('line').split() == words, 'the points have moved')
 
 
+def check_units(page):
+    """Lengths and coordinates are shown and typed in the unit of the user. The commands are in that of the mesh."""
+    def length(selector):
+        value, name = page.browser.text(selector).split()
+        check(name == 'cm', f'{selector} is in {name}')
+        return float(value)
+
+    def is_multiple(shown, lengths):
+        return len(shown) == len(lengths) > 0 and all(abs(a - 2.5 * b) < 1e-6 * a for a, b in zip(shown, lengths))
+
+    page.type('#unit', 'cm')
+    page.type('#factor', '2.5')
+    page.compare_with_program()
+    check(is_multiple([length('#length')], page.lengths()), f'{page.browser.text("#length")} instead of 2.5 times {page.lengths()}')
+    page.tool('classes')
+    page.compare_with_program()
+    shown = [float(text.split()[0]) for text in page.browser.texts('#members li')]
+    check(is_multiple(shown, page.lengths()), f'{shown} instead of 2.5 times {page.lengths()}')
+    bound = page.browser.text('#note').split('at least ')[1].split()
+    check(float(bound[0]) >= shown[-1] * (1 - 1e-5) and bound[1] == 'cm', f'the paths are of lengths {shown}, others at least {bound}')
+    page.tool('trace')
+    page.type('[data-option=length]', '3')
+    check(page.browser.text('#command').endswith(',1.2'), f'not of length 3 / 2.5: {page.browser.text("#command")}')
+    page.compare_with_program()
+    check(length('#length') == 3, f'a trace of length {page.browser.text("#length")}')
+    page.tool('distances')
+    page.type('[data-option=spacing]', '0.7')
+    check(page.browser.text('#command').endswith('--spacing 0.28'), f'not 0.7 / 2.5: {page.browser.text("#command")}')
+    page.compare_with_program(1e-9)
+    check(page.browser.text('#members li') == '0.7 cm', f'the first isoline is at {page.browser.text("#members li")}')
+    page.browser.evaluate(FRAMES)
+    check(page.browser.text('#scale').count(' cm') == 2, f'the scale is {page.browser.text("#scale")}')
+    page.tool('path')
+    page.type('#place input', ' '.join(str(2.5 * x) for x in page.points[40]))
+    check(page.data('line').split()[-1] == '40', f'no point at the coordinates of vertex 40: {page.data("line")}')
+    page.button('#undo')
+    for wrong in ('0', '-1', ''):
+        page.type('#factor', wrong)
+        check('positive' in page.browser.text('#error'), f'a factor {wrong}: {page.browser.text("#error")}')
+        check(page.browser.evaluate("document.getElementById('factor').value") == '2.5', f'the factor {wrong} is kept')
+    page.type('#factor', '1')
+    page.type('#unit', '')
+
+
+def check_direction(page):
+    """A trace turns towards the pointer that is dragged from its start, and by keys; each drag is undone at once."""
+    def parts():
+        source, angle, length = page.data('line').split(',')
+        return source, math.degrees(float(angle)), length
+
+    page.button('#clear')
+    page.tool('trace')
+    page.type('[data-option=length]', '0.9')
+    page.browser.evaluate('document.activeElement.blur()')
+    page.click(*SPOTS[0])
+    first = parts()
+    start = page.place_of(int(first[0]), *SPOTS[0])
+    end = (start[0] - 0.06, start[1] + 0.2)
+    target = page.under(*page.on_view(*end))
+    page.drag(start, end)
+    dragged = parts()
+    check((dragged[0], dragged[2]) == (first[0], first[2]), f'a drag changes {first} to {dragged}')
+    shown = page.browser.evaluate("document.querySelector('[data-option=angle]').valueAsNumber")
+    check(abs(shown - dragged[1]) < 1e-5, f'a direction of {dragged[1]} degrees is shown as {shown}')
+    trace = page.browser.text('#command').split()[-1]
+    subprocess.run([page.options.program, 'trace', page.options.mesh, '--quiet', '--trace', trace, '--mesh', page.folder / 'trace.polylines.txt'],
+                   check=True)
+    (line,) = read_polylines_txt(page.folder / 'trace.polylines.txt')
+    check(distance_to(target, line) < 1e-4, f'the trace does not pass {target}')
+    page.key('z', CTRL)
+    check(parts() == first, f'a drag is not undone at once: {parts()}')
+    page.key('z', CTRL | SHIFT)
+    check(parts() == dragged, 'the drag is not redone')
+    for keys, turned in (((('ArrowLeft', 0),), 1), ((('ArrowRight', 0),) * 3, -2), ((('ArrowLeft', SHIFT),), 8), ((('ArrowRight', SHIFT),), -2)):
+        for key in keys:
+            page.key(*key)
+        check(abs(parts()[1] - dragged[1] - turned) < 1e-9 and parts()[0] == first[0], f'turned from {dragged} to {parts()} by {keys}')
+    page.compare_with_program()
+    page.key('ArrowUp')
+    check(abs(parts()[1] - dragged[1] + 2) < 1e-9 and parts()[0] == first[0], 'an arrow key moves the trace')
+    page.key('z', CTRL)
+    check(parts() == dragged, f'the keys are not undone together: {parts()}')
+    page.browser.call('Emulation.setTouchEmulationEnabled', enabled=True)
+    (x, y), (u, v) = page.on_view(*start), page.on_view(start[0] + 0.02, start[1] - 0.1)
+    page.browser.swipe([(x + t * (u - x), y + t * (v - y)) for t in (0, 0.5, 1)])
+    page.browser.wait_for(f'document.documentElement.dataset.line !== {json.dumps(page.data("line"))}')
+    page.settle()
+    page.browser.call('Emulation.setTouchEmulationEnabled', enabled=False)
+    check(parts()[0] == first[0] and parts()[1] != dragged[1], f'a touch turns {dragged} to {parts()}')
+    page.compare_with_program()
+    page.click(*SPOTS[2])
+    check(parts()[0] != first[0], 'a click does not move the start')
+    page.compare_with_program()
+
+
+def distance_to(p, line):
+    """The distance of a point from a polyline."""
+    def to_segment(a, b):
+        ab, ap = [y - x for x, y in zip(a, b)], [y - x for x, y in zip(a, p)]
+        square = sum(x * x for x in ab)
+        t = min(1, max(0, sum(x * y for x, y in zip(ab, ap)) / square)) if square > 0 else 0
+        return math.dist(p, [x + t * y for x, y in zip(a, ab)])
+    return min(map(to_segment, line, line[1:]))
+
+
+def check_colors(page):
+    """The surface is darkest where the distance is least, by the map that is chosen, and the legend has the greatest."""
+    page.tool('distances')
+    page.type('[data-option=spacing]', '100')  # so that no line is drawn
+    source = page.data('line').split('|')[0]
+    subprocess.run([page.options.program, 'distance', page.options.mesh, '--quiet', '--source', source, '--map', page.folder / 'map.csv'],
+                   check=True)
+    with open(page.folder / 'map.csv', encoding='ascii') as file:
+        distances = [float(row['distance']) for row in csv.DictReader(file)]
+    farthest = max(distances)
+    check(abs(float(page.data('farthest')) - farthest) < 1e-6 * farthest, f'{page.data("farthest")} instead of {farthest}')
+    page.browser.evaluate(FRAMES)
+    check(abs(float(page.browser.text('#scale').split()[-1]) - farthest) < 1e-3 * farthest, page.browser.text('#scale'))
+    spots = []
+    for x, y in ((a / 8, b / 8) for a in range(1, 8) for b in range(1, 8)):
+        if page.under(*page.on_view(x, y)):
+            spots.append((distances[int(page.browser.text('#under').split()[1].rstrip(','))], x, y))
+    spots.sort()
+    check(len(spots) > 12, f'the surface is under {len(spots)} places only')
+
+    def colors():
+        page.browser.evaluate(FRAMES)
+        return page.browser.evaluate(f"""(async () => {{
+            const image = new Image();
+            image.src = {IMAGE};
+            await image.decode();
+            const canvas = new OffscreenCanvas(image.width, image.height);
+            const context = canvas.getContext('2d');
+            context.drawImage(image, 0, 0);
+            return {json.dumps([spot[1:] for spot in spots])}.map(([x, y]) =>
+                Array.from(context.getImageData(x * image.width, y * image.height, 1, 1).data));
+        }})()""")
+
+    seen = {}
+    page.browser.evaluate("document.getElementById('colors').focus()")
+    for name in ('violet', 'blue', 'grey', ''):
+        check(page.browser.evaluate("document.getElementById('colors').value") == name, f'the colors are not {name}')
+        seen[name] = colors()
+        lightness = [0.2 * r + 0.7 * g + 0.1 * b for r, g, b, _ in seen[name]]
+        third = len(spots) // 3
+        growth = sum(lightness[-third:]) / third - sum(lightness[:third]) / third
+        check(growth > 20 if name else abs(growth) < 20, f'{name}: lighter by {growth}')
+        page.browser.press('ArrowDown')
+    check(len({str(s) for s in seen.values()}) == 4, 'two maps have the same colors')
+    check(all(max(c[:3]) - min(c[:3]) <= 3 for c in seen['grey']), 'the greys are colored')
+    check('colors' not in page.browser.text('#scale'), 'the legend shows colors that are not there')
+    page.browser.press('ArrowUp')
+    check(colors() == seen['grey'], 'the colors are not shown again')
+    page.browser.evaluate("document.activeElement.blur()")
+    page.tool('path')
+    check(colors() != seen['grey'], 'the colors of distances are shown without distances')
+    page.click(*SPOTS[0])
+    page.compare_with_program()
+
+
 def check_several(page):
     """A second curve has a name, a color and a result of its own; both are saved; a curve is removed."""
     page.browser.evaluate('document.activeElement.blur()')
@@ -333,27 +522,23 @@ def check_saved(page):
 
 def check_view(page):
     """The pointer shows the vertex and the coordinates under it. After a resize the mesh is in the middle."""
-    page.browser.mouse('mouseMoved', *page.on_view(0.3, 0.55), button='none')
-    page.browser.wait_for("document.getElementById('under').textContent !== ''")
-    words = page.browser.text('#under').replace(',', ' ').replace('(', ' ').replace(')', ' ').split()
-    vertex, found = int(words[1]), tuple(map(float, words[3:6]))
+    found = page.under(*page.on_view(0.3, 0.55))
+    vertex = int(page.browser.text('#under').split()[1].rstrip(','))
     points, faces = read_off(page.options.mesh)
     longest = max(math.dist(points[f[i]], points[f[i - 1]]) for f in faces for i in range(3))
     check(math.dist(points[vertex], found) < longest, f'vertex {vertex} is not at {found}')
-    image = "document.getElementById('view').toDataURL()"
-    frames = 'new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 100))))'
     page.browser.resize(1900, 700)
-    page.browser.evaluate(frames)
-    resized = page.browser.evaluate(image)
+    page.browser.evaluate(FRAMES)
+    resized = page.browser.evaluate(IMAGE)
     page.key('r')
-    page.browser.evaluate(frames)
-    check(page.browser.evaluate(image) == resized, 'the mesh is not in the middle after a resize')
+    page.browser.evaluate(FRAMES)
+    check(page.browser.evaluate(IMAGE) == resized, 'the mesh is not in the middle after a resize')
     page.key('ArrowLeft')
-    page.browser.evaluate(frames)
-    check(page.browser.evaluate(image) != resized, 'an arrow key does not turn the view')
+    page.browser.evaluate(FRAMES)
+    check(page.browser.evaluate(IMAGE) != resized, 'an arrow key does not turn the view')
     page.browser.resize(*SIZE)
     page.key('r')
-    page.browser.evaluate(frames)
+    page.browser.evaluate(FRAMES)
 
 
 def check_cancel(page):
@@ -404,7 +589,7 @@ def main():
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         page = Live_page(options, Path(folder))
         try:
-            for part in (check_points, check_kinds, check_several, check_view, check_cancel, check_opening):
+            for part in (check_points, check_kinds, check_units, check_direction, check_colors, check_several, check_view, check_cancel, check_opening):
                 part(page)
         finally:
             page.browser.close()
