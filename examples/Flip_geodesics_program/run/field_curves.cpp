@@ -306,7 +306,7 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   }
   const auto is_boundary = [](const Curve_result& curve) { return curve.status == "BOUNDARY"; };
   if(request.is_diagram && std::none_of(result.curves.begin(), result.curves.end(), is_boundary))
-    result.remarks += has_boundaries ? "no boundary: no two sources are nearest to parts of one component\n"
+    result.remarks += has_boundaries ? "no boundary: in each component, all points have the same nearest source\n"
                                      : "no boundary: there is only one source\n";
   return result;
 }

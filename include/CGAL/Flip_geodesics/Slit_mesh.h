@@ -128,7 +128,8 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * \ingroup PkgFlipGeodesicsObstacles
  *
  * Represents a mesh that is slit along some of its edges: a view of the mesh in which these edges are borders on both
- * sides. Paths can run along slits but cannot cross them. Only a list of the vertices and edges of the mesh is copied.
+ * sides. Paths can run along slits but cannot cross them. The view stores lists of its vertices and edges, but no copy
+ * of the mesh.
  *
  * A vertex has several copies, one for each sector of faces, if it lies inside a slit, or if several slits or a slit
  * and the border meet there. The end of a slit inside the surface is a single vertex. An edge of a slit becomes two
