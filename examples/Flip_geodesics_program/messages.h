@@ -34,7 +34,7 @@ inline bool is_control(boost::locale::utf::code_point c)
          c == 0xfeff || is_in(0xfff0, 0xfffb) || is_in(0xe0000, 0xe0fff);
 }
 
-/// A text as UTF-8 on one line, with question marks for control characters and for bytes that are no UTF-8. It is not
+/// A text as UTF-8 on one line, with question marks for control characters and for bytes that are not UTF-8. It is not
 /// longer than the text.
 inline std::string without_controls(std::string_view text)
 {

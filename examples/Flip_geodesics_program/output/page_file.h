@@ -43,7 +43,7 @@ inline std::string deflated(const std::string& bytes)
   const int status = compress(reinterpret_cast<Bytef*>(&result[0]), &size, reinterpret_cast<const Bytef*>(bytes.data()),
                               static_cast<uLong>(bytes.size()));
   if(status != Z_OK)
-    throw std::bad_alloc(); // there is no other reason
+    throw std::bad_alloc(); // the only possible reason
   result.resize(size);
   return result;
 }
