@@ -491,7 +491,7 @@ private:
       result.error = "shortening ended early because the flips take too much memory; increase --memory-limit";
   }
 
-  // Draws a polyline, whose length is the initial one, and frees it. \pre the network has no curve
+  // Adds a polyline, or its snapped path, as a curve without fixed nodes. \pre the network has no curve
   void draw(Network& network, const Curve_request& request, Curve_result& result)
   {
     namespace FG = CGAL::Flip_geodesics;

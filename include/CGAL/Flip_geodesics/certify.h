@@ -20,7 +20,7 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsProving
-/// Contains a measure of how straight a curve is, computed from the input alone.
+/// Contains two measures of the straightness of a curve, computed from the input alone.
 struct Straightness
 {
   /// The largest angle, in radians, by which a segment leaves the strip of input faces that it should cross.
@@ -56,7 +56,7 @@ struct Curve_certificate
   {
   }
 
-  Segment_index segment; ///< the bent segment, or the one that arrives at the bent joint
+  Segment_index segment; ///< the bent segment, or the segment that arrives at the bent joint; null without a bend
   Side side;             ///< the side of the bent joint
 
   /// Returns the verdict on the curve.
@@ -74,10 +74,10 @@ private:
  *
  * Measures the straightness of curves of a network from the input alone.
  *
- * The sequence of input edges that a segment crosses is unfolded from the input coordinates, and the angles at the
- * joints are summed over input faces. Only integers are taken from the results of the flips, so rounding errors of the
- * flips have no influence. The unfolding uses doubles, with an error of a few units in the last place per face. The
- * idea of such a check is due to \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
+ * The input faces that a segment crosses are unfolded, and the angles at the joints are summed over input faces. Only
+ * integers are taken from the results of the flips, so rounding errors of the flips have no influence. The unfolding
+ * uses doubles, with an error of a few units in the last place per face. The idea of such a check is due to
+ * \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
  *
  * An object of this class becomes invalid when the triangulation changes.
  *
@@ -107,8 +107,9 @@ public:
     return result;
   }
 
-  /// Measures one curve and certifies it as `certify()` does, but regardless of whether the coordinates or lengths of
-  /// the mesh are doubles. The measurement ends at the first segment whose edge sequence is not that of a strip.
+  /// Measures one curve and certifies it as the free function `certify()` does, but even if coordinates or lengths of
+  /// the mesh are rounded. The results are added to `straightness` and `statistics`. The measurement ends at the first
+  /// segment whose edge sequence does not describe a strip of faces.
   Curve_certificate certify(Curve_index curve, Straightness& straightness, Decision_statistics& statistics)
   {
     Curve_certificate result(Verdict::PROVEN);
@@ -148,8 +149,8 @@ public:
   }
 
   /*!
-   * Recomputes the faces in the wedge at a side of a joint from the input, so that the angles of the triangulation
-   * agree with those of the input; in needles, drift may have made the former inaccurate.
+   * Recomputes the faces in the wedge at a side of a joint from the input, because drift may have made the angles of
+   * the triangulation inaccurate in needles.
    * \return whether the angle at every corner of these faces lies between 0 and \f$\pi\f$; if not, rounding errors have
    *         caused incorrect flips
    */
@@ -206,7 +207,7 @@ private:
 /// Contains the verdicts on all curves of a network, and the statistics of the predicates.
 struct Network_certificate
 {
-  std::vector<Curve_certificate> curves; ///< one per curve of the network, by its index
+  std::vector<Curve_certificate> curves; ///< one certificate per curve, indexed by `Curve_index`
   Decision_statistics statistics;        ///< the filter failures, and how they were resolved
 
   /// Returns the verdict on all curves, as `Shortening_report::verdict()` does.
@@ -219,19 +220,20 @@ struct Network_certificate
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Certifies from the input alone that the curves of a network are locally shortest, regardless of the traits that
- * computed them.
+ * Certifies from the input alone that the curves of a network are locally shortest, regardless of the traits with which
+ * they were computed.
  *
  * The input edges that a segment crosses must unfold to a strip that contains the straight line between the ends of the
  * segment, and each unblocked side of a joint must have an angle of at least \f$\pi\f$. The comparisons are those of
- * exact real numbers, filtered by error bounds. The verdict on a contracted curve is `PROVEN`. If a coordinate or
- * length of the mesh is not a double, no curve is certified, and the verdict is `Verdict::UNDECIDED`.
+ * exact real numbers, filtered by error bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or
+ * lengths of the mesh must be rounded, as `Embedded_metric::is_rounded()` reports, no curve is certified, and every
+ * verdict is `Verdict::UNDECIDED`.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  * \return one certificate per curve
  *
  * Complexity: linear in the number of crossed input edges if the floating-point filter suffices, and also in the size
- * of the mesh if the number type of the mesh can represent numbers that are not doubles.
+ * of the mesh if its number type allows numbers that must be rounded.
  *
  * \sa `certify_curve()`
  */

@@ -36,9 +36,8 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// The type of a surface point of a curve that was not computed by this package, in the forms used by other packages: a
-/// vertex; a halfedge and a position on it, from 0 at its source to 1 at its target; or a
-/// `CGAL::Polygon_mesh_processing::Face_location`.
+/// The type of the points of a curve that was not computed by this package: a vertex; a halfedge and a position on it,
+/// from 0 at its source to 1 at its target; or a `CGAL::Polygon_mesh_processing::Face_location`.
 template <class TriangleMesh>
 using Given_place =
     std::variant<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
@@ -73,8 +72,8 @@ struct Given_curve_certificate
   /// The positions at which straight segments cross edges, indexed by the numbers of the given points. A position is 0
   /// at the source of the halfedge and 1 at its target; if the edge is given by a location, the halfedge is the one in
   /// the given face. The rounding error is one unit in the last place times the length of the segment, divided by the
-  /// length of the edge and by the sine of the angle at which the edge is crossed. The entry is 0 for points that are
-  /// not crossed edges. The vector is empty if the curve is bent.
+  /// length of the edge and by the sine of the angle at which the edge is crossed. The entries of ends and passed
+  /// vertices are 0. The vector is empty if the curve is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 
@@ -321,14 +320,14 @@ private:
  *
  * Certifies that a given curve, however it was computed, is locally shortest.
  *
- * Each segment, from one end or passed vertex to the next, must be the straight line across its crossed edges. At each
- * passed vertex, the angle on each side that does not contain the border must be at least \f$\pi\f$. The segments are
- * determined by their end points and edge sequences. The given positions on crossed edges are therefore ignored, and
- * the exact positions are returned.
+ * The curve consists of segments, which lead from one end or passed vertex to the next. Each segment must be the
+ * straight line across its crossed edges, and at each passed vertex, the angle on each side that does not contain the
+ * border must be at least \f$\pi\f$. The segments are determined by their end points and edge sequences. The given
+ * positions on crossed edges are therefore ignored, and the correct positions are returned.
  *
  * An end inside a face or on an edge is exactly the point with the given weights divided by their sum; if an end is
- * given by a position t on a halfedge, these weights are 1 - t, rounded, and t. Ends are not snapped. The end points of
- * an open curve are not subject to any condition.
+ * given by a position t on a halfedge, these weights are 1 - t, rounded, and t. Ends are not snapped. The angles at the
+ * ends of an open curve are arbitrary.
  *
  * \param mesh a triangle mesh
  * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
@@ -342,10 +341,11 @@ private:
  * \return the certificate of the curve
  * \throws Invalid_curve_error if the points do not form such a curve: there are too few, two consecutive ones are
  *         equal, one between the ends lies inside a face, or an edge is on the border or not adjacent to the point
- *         before it. `elements()` contains the number of a point
- * \throws Invalid_location_error if weights of an end are negative, NaN, too small or too large
+ *         before it. `elements()` contains the number of the invalid point, if there is one
+ * \throws Invalid_location_error if the face of a location does not belong to the mesh, or weights of an end are
+ *         negative, NaN, too small or too large
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated
- * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *

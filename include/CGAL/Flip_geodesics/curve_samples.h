@@ -30,8 +30,8 @@ namespace CGAL::Flip_geodesics {
  *
  * A vector is constant within a face, and remains constant across an edge if both faces are unfolded into a plane. At a
  * vertex on the curve, the vector keeps its angle to the curve. For this purpose, the angles around an interior vertex
- * are scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}; at a border vertex they are not scaled. The tangent of a
- * straightest geodesic is therefore transported to its tangent. Along a loop that does not contain a vertex, a vector
+ * are scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}; at a border vertex they are not scaled. Along a straightest
+ * geodesic, the tangent is therefore transported to the tangent. Along a loop that does not contain a vertex, a vector
  * is rotated by the holonomy of the loop, the sum of the angle defects of the enclosed vertices.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
@@ -52,16 +52,16 @@ public:
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \param direction the direction at the first location; its halfedge must either be a side of a face that contains
-   *        the location, or start there
+   *        the location, or start at the location
    * \param halfedge the halfedge from which the resulting angle is measured; it must satisfy the same condition at the
    *        last location. By default, it is the halfedge described at `Surface_direction`
-   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$ or, at an interior vertex, between
-   *         0 and the sum of the angles there. At a border vertex, where a full turn does not exist, the angle is not
+   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$ or, at an interior vertex, between 0
+   *         and the sum of the angles there. At a border vertex, where a full turn does not exist, the angle is not
    *         reduced and can have any value
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, or a halfedge does not satisfy the condition
-   * \throws Degenerate_face_error if a face along the curve is degenerate
+   * \throws Degenerate_face_error if a face along the curve has a degenerate edge
    * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
    * \throws Invalid_mesh_error if a face along the curve is invalid
    *
@@ -105,7 +105,7 @@ public:
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
-   * \throws Degenerate_face_error if a face along the curve is degenerate
+   * \throws Degenerate_face_error if a face along the curve has a degenerate edge
    * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
    * \throws Invalid_mesh_error if a face along the curve is invalid
    *
@@ -228,7 +228,7 @@ private:
  * where a full turn does not exist, it is the difference of the angles of the directions, which can be negative.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
- * \throws Degenerate_face_error if a face of the location is degenerate
+ * \throws Degenerate_face_error if a face of the location has a degenerate edge
  * \throws Invalid_coordinate_error if a face of the location has an invalid coordinate
  * \throws Invalid_mesh_error if a face of the location is invalid
  * \throws Invalid_parameter_error if an angle is not finite, or a halfedge neither bounds a face that contains the
@@ -339,17 +339,18 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  *
  * \param mesh a triangle mesh
  * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s such that any two consecutive
- *        ones lie in one face. `geodesic_path()`, `trace_geodesic()` and `isolines()` write such ranges
+ *        ones lie in one face. `geodesic_path()` and `trace_geodesic()` write such ranges, and an `Isoline` contains
+ *        one as its member `locations`
  * \param number the number of samples, at least 2; the first and the last sample of a closed curve are the same
  * \param out an output iterator that receives `Curve_sample`s
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
- *        which only the work limit is used; the metric must have points
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
+ *        only the work limit is used; the metric must have points
  * \return the past-the-end output iterator
  * \throws Invalid_parameter_error if `number` is less than 2
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
- * \throws Degenerate_face_error if a face along the curve is degenerate
+ * \throws Degenerate_face_error if a face along the curve has a degenerate edge
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
@@ -389,8 +390,8 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * \param mesh a triangle mesh
  * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts that start at
  *        their common point
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
- *        which only the work limit is used
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
+ *        only the work limit is used
  * \return the angle in radians
  * \throws Invalid_curve_error if the curves do not start at the same point, up to 1e-9 in the weights, or one of them
  *         is a point; also in the cases listed for `sample_curve()`

@@ -48,14 +48,13 @@ enum class Spline_kind {
  * the B&eacute;zier curve up to rounding errors.
  *
  * Each *leg* of a control polygon, the geodesic between two consecutive control points, is shortened independently, in
- * a triangulation that is restored for the next one. Legs may therefore pass through control points, overlap, and cross
- * one another, so the control polygon may cross itself. A leg of the next level is obtained by shortening a path that
- * leads from the midpoint of one leg through the control point to the midpoint of the next, so that the curve stays in
- * the homotopy class of the polygon. `add_curve_along()` turns the pieces of the finished curve into a curve of a
- * network, and thus into edges of a triangulation.
+ * a triangulation that is restored afterwards. Legs may therefore pass through control points, overlap, and cross one
+ * another, so the control polygon may cross itself. A leg of the next polygon of the algorithm is obtained by
+ * shortening a path that leads from the midpoint of one leg through the control point to the midpoint of the next, so
+ * that the curve stays in the homotopy class of the polygon. `add_curve_along()` turns the pieces of the finished curve
+ * into a curve of a network, and thus into edges of a triangulation.
  *
- * The invariant is that each leg is a geodesic that starts at the end of the previous one, and that the triangulation
- * is unchanged.
+ * Invariant: each leg is a geodesic that starts at the end of the previous leg, and the triangulation is unchanged.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -67,8 +66,7 @@ public:
    * Constructs a spline from control points, which are connected by shortest edge paths that are then shortened to
    * geodesics.
    *
-   * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
-   *        spline is refined
+   * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline
    * \param control_points a range of at least two points of the surface, of any type that `surface_location()` accepts;
    *        a closed spline has at least three and does not repeat the first. Consecutive points may coincide; the leg
    *        between them then has length zero
@@ -89,12 +87,11 @@ public:
   }
 
   /*!
-   * Constructs a spline from a control polygon whose legs are already geodesics, such as those of a `Curve_editor`.
-   * If the legs are those of an editor, the curve stays in the homotopy class of the polygon while control points are
+   * Constructs a spline from a control polygon whose legs are already geodesics, such as those of a `Curve_editor`. If
+   * the legs are those of an editor, the curve stays in the homotopy class of the polygon while control points are
    * dragged.
    *
-   * \param triangulation a triangulation of the input without flips and curves; it must not be destroyed while the
-   *        spline is refined
+   * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline
    * \param legs the legs, each starting at the end of the previous one; any two consecutive locations must lie in one
    *        face, and the last leg of a closed spline ends where the first starts
    * \param kind the type of the spline
@@ -141,9 +138,9 @@ public:
   }
 
   /*!
-   * Subdivides the pieces until a round changes the length of the control polygon by less than `tolerance` times that
-   * length, at most `most_rounds` times. The change in each round is about a quarter of the change in the previous one,
-   * so the total remaining change is about a third of the last change.
+   * Subdivides the pieces until a round changes the length of the control polygon by at most `tolerance` times that
+   * length, but no more than `most_rounds` times. The change in each round is about a quarter of the change in the
+   * previous one, so the total remaining change is about a third of the last change.
    * \return the number of rounds
    * \throws Insertion_error as `refine()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -163,8 +160,8 @@ public:
   }
 
   /*!
-   * Connects consecutive points at which pieces meet, which lie on the curve, by geodesics in the homotopy classes of
-   * the control polygons of the pieces.
+   * Connects the ends of each piece, which lie on the curve, by a geodesic in the homotopy class of the control polygon
+   * of the piece.
    * \return one polyline per piece, from its start to its end, through the points at which it crosses edges
    * \throws Insertion_error as `refine()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -328,7 +325,7 @@ private:
  * consecutive points. Each leg is first shortened on its own, with the other points ignored, and therefore passes each
  * of these points on the same side as a geodesic without obstacles does. The edges that the legs cross are flipped. A
  * leg that crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects whether the
- * curves cross. The initial length is that of the edge paths.
+ * curves cross. The initial length of the curve is that of the edge paths.
  *
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
@@ -339,7 +336,7 @@ private:
  * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` contains the ends of the
  *         crossed edge. In this case no curve is added, but points may have become vertices, and edges may have been
  *         flipped
- *         \throws Disconnected_endpoints_error if no edge path connects two consecutive points
+ * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
@@ -472,8 +469,8 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
  *
  * Computes geodesics between consecutive points, by shortening a shortest edge path between each pair.
  *
- * The triangulation is restored for the next leg. Legs therefore do not block one another, and may cross, unlike those
- * of `add_curve_through()`; a triangulation that contains all legs need not exist. A leg between two coincident points
+ * The triangulation is restored after each leg. Legs therefore do not block one another and may cross, unlike those of
+ * `add_curve_through()`; a triangulation that contains all legs need not exist. A leg between two coincident points
  * consists of that point twice. If all points coincide, the curve is a point, and its status is
  * `Shortening_status::CONTRACTED`.
  *
@@ -575,10 +572,8 @@ struct Path_between_points
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Distant_point_error if a point in space is too far from the surface
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
- * \throws Invalid_curve_error as `add_curve_through()` does
+ * \throws Invalid_curve_error if fewer than two points are given
  * \throws Disconnected_endpoints_error as `add_curve_through()` does
- * \throws Crossing_curves_error as `add_curve_through()` does
- * \throws Ambiguous_order_error as `geodesic_loop()` does
  * \throws Insertion_error as `add_curve_through()` does
  * \throws Degenerate_face_error as `geodesic_path()` does
  * \throws Invalid_coordinate_error as `geodesic_path()` does
@@ -627,6 +622,10 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
  * \throws Disconnected_endpoints_error as `Geodesic_spline` does
  * \throws Crossing_curves_error as `Geodesic_spline` does
  * \throws Ambiguous_order_error as `Geodesic_spline` does
+ * \throws Vertex_out_of_range_error as `geodesic_path()` does
+ * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Invalid_coordinate_error as `geodesic_path()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
  */
 template <class TriangleMesh, class LocationRange, class Kind, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const LocationRange& control_points,

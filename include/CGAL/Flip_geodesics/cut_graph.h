@@ -36,16 +36,17 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * \ingroup PkgFlipGeodesicsLoops
  *
  * Fills an empty network with curves along which each component of a surface can be cut open to a topological disk. The
- * curves have fixed ends where they meet, so the network can be shortened by `shorten_cut_graph()` and then be passed
- * to `cut_along_curves()` or `Conformal_flattening`.
+ * ends of the curves are fixed, so the network can be shortened by `shorten_cut_graph()` and then be passed to
+ * `cut_along_curves()` or `Conformal_flattening`.
  *
  * In each component, the network consists of the shortest loops that generate the fundamental group \cgalCite{EW05}, as
- * in `Loop_basis`, without the paths that these loops traverse back and forth. The network is therefore short, but not
- * the shortest cut graph, whose computation is NP-hard \cgalCite{EH04}. Borders need not be cut open; curves therefore
- * lead from one border to another and end there, and paths along the border count as having length zero. A disk
- * receives no curve. A sphere receives one, from its base point to the vertex that is farthest from it along edges.
+ * in `Loop_basis`, without the paths that these loops traverse back and forth. The network is therefore short, but in
+ * general not the shortest cut graph, whose computation is NP-hard \cgalCite{EH04}. Borders need not be cut open;
+ * curves therefore lead from one border to another and end there, and paths along the border count as having length
+ * zero. A disk receives no curve. A sphere receives one, from its base point to the vertex that is farthest from it
+ * along edges.
  *
- * \param network an empty network in a triangulation whose edges are those of the input
+ * \param network an empty network
  * \param base_points vertices, at most one in each component. In a component without a base point, the first vertex of
  *        the border is chosen, or the first vertex if the component has no border
  * \param np an optional sequence of named parameters among those listed below
@@ -79,7 +80,8 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, const Name
 
 /// \ingroup PkgFlipGeodesicsLoops
 /// Fills an empty network with curves along which each component of a surface can be cut open to a topological disk;
-/// the function chooses a base point in each component.
+/// the function chooses a base point in each component. The parameters and exceptions are those of the overload with
+/// base points.
 template <class Network, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Index add_cut_graph(Network& network, const NamedParameters&... np)

@@ -21,11 +21,11 @@ namespace CGAL::Flip_geodesics {
 struct Delaunay_report
 {
   std::size_t flips = 0;       ///< the number of edge flips
-  std::size_t constrained = 0; ///< the number of edges that are not locally Delaunay but are held by a curve
+  std::size_t constrained = 0; ///< the number of edges that are not locally Delaunay but lie under a curve
   /// The number of other edges that are not locally Delaunay; 0 unless the process ended early.
   std::size_t remaining = 0;
   bool is_stopped = false; ///< whether the visitor ended the process
-  /// Returns whether each given edge is locally Delaunay or held by a curve.
+  /// Returns whether each given edge is locally Delaunay or lies under a curve.
   bool is_complete() const { return remaining == 0; }
 };
 
@@ -62,15 +62,14 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * algorithm \cgalCite{BS07}. Other edges are not flipped. If all edges are given and none lies under a curve, the
  * result is an intrinsic Delaunay triangulation.
  *
- * An edge whose four points are cocircular is Delaunay and not flipped. With exact traits, the process terminates on
- * every input: each flip decreases a function of the triangulation, and only finitely many triangulations have a
- * smaller value. With `Intrinsic_triangulation_traits`, points count as cocircular within the tolerance of these
- * traits. Faces whose edges are flipped repeatedly are recomputed from the input, so errors do not accumulate. The
- * number of flips depends on the shapes of faces: it is about one per edge on ordinary meshes, and proportional to the
- * aspect ratio for a long thin twisted cylinder.
+ * An edge is not flipped if the four vertices of its two faces are cocircular. With exact traits, the process
+ * terminates on every input: each flip decreases a function of the triangulation, and only finitely many triangulations
+ * have a smaller value. With `Intrinsic_triangulation_traits`, vertices count as cocircular within the tolerance of
+ * these traits, and faces whose edges are flipped repeatedly are recomputed from the input, so errors do not
+ * accumulate. The number of flips depends on the shapes of faces: about one per edge is typical, but for a long thin
+ * twisted cylinder it is proportional to the aspect ratio.
  *
- * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of networks are constrained and are not
- *        flipped
+ * \param triangulation a model of `IntrinsicTriangulation`
  * \param edges a range of edge indices
  * \param np an optional sequence of named parameters among those listed below
  *
@@ -82,8 +81,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  *     \cgalParamDefault{one million, plus a thousand for each edge}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor whose `go_further()` is called before each edge, and whose `on_flip()` is called
- *       after each flip. If it throws an exception, the triangulation remains valid}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called before each edge is examined, and whose
+ *       `on_flip()` is called after each flip. If it throws an exception, the triangulation remains valid}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
@@ -92,7 +91,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * \return a report on the given edges
  * \throws Invalid_parameter_error if `number_of_iterations` is negative
  * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
- * \throws Degenerate_face_error if such a face is degenerate
+ * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
  *
  * Complexity: linear in the number of flips and of given edges.
@@ -135,8 +134,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParame
  * \ingroup PkgFlipGeodesicsDelaunay
  *
  * Returns the edges near the curves of a network, in increasing order: the edges of the faces around the vertices that
- * a curve passes, extended to `rings` rings of vertices. With these edges, `flip_to_delaunay()` is local, at a cost
- * that does not depend on the size of the mesh: \cgalBigO{k \log k} for \f$k\f$ edges.
+ * a curve passes, extended to `rings` rings of vertices. With these edges, `flip_to_delaunay()` is local. The time does
+ * not depend on the size of the mesh: it is \cgalBigO{k \log k} for \f$k\f$ edges.
  */
 template <class Network>
 std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)

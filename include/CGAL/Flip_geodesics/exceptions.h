@@ -101,11 +101,11 @@ template <class Exception, class... Parts>
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the connectivity of the input is not that of an oriented triangulated surface: a face is not a
-/// triangle, an edge does not belong to a face, a `Surface_mesh` contains removed vertices or edges, or there are more
-/// elements than 32-bit indices can number. It is also thrown if umbrellas meet only at a vertex, and the homology
-/// class of a curve or an angle between directions at this vertex is requested, or if handle and tunnel loops are
-/// requested of a surface that does not bound a solid. `elements()` contains at most eight vertices of the face, the
-/// vertices of the edge, or the vertex at which umbrellas meet.
+/// triangle, an edge does not belong to any face, a `Surface_mesh` contains removed vertices or edges, or there are
+/// more elements than 32-bit indices can number. It is also thrown if several umbrellas meet at a vertex and a function
+/// requires that there is only one, or if handle and tunnel loops are requested of a surface that does not bound a
+/// solid. `elements()` contains at most eight vertices of the face, the vertices of the edge, or the vertex at which
+/// umbrellas meet.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -142,7 +142,7 @@ public:
   {
   }
 
-  /// Returns the message without the remedy, for callers that give advice of their own.
+  /// Returns the message without the remedy, for callers that give their own advice.
   std::string problem() const { return std::string(what()).substr(0, m_problem_size); }
 
   /// Returns the remedy of the problem.
@@ -227,9 +227,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a point cannot be inserted, because rounding errors have caused incorrect flips of the triangulation
-/// around it, or because the number type of the traits cannot represent it. `elements()` contains the input halfedge of
-/// the location of the point.
+/// Is thrown if a point cannot be inserted because rounding errors have caused incorrect flips around the point, or
+/// because the number type of the traits cannot represent the point. `elements()` contains the input halfedge of the
+/// location of the point.
 class Insertion_error : public Error
 {
 public:
@@ -285,9 +285,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a linear system cannot be solved, either because its solution is not unique, since no value is given in
-/// a component of the surface, or because its matrix cannot be factorized in double precision, since faces are too
-/// thin.
+/// Is thrown if a linear system cannot be solved: its solution is not unique because no value is given in a component
+/// of the surface, or its matrix cannot be factorized in double precision because faces are too thin.
 class Singular_problem_error : public Error
 {
 public:
@@ -295,9 +294,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a surface to be flattened is not a topological disk, a conformal factor makes a face violate the
-/// triangle inequality, or a conformal factor is beyond the precision of coordinates; `elements()` contains the vertex
-/// to which the surface should be cut, if this vertex is known.
+/// Is thrown if a surface to be flattened is not a topological disk, or if no conformal factors are found that satisfy
+/// the triangle inequality in each face, lie in the required range and make the surface flat within the tolerance;
+/// `elements()` contains the vertex to which the surface should be cut, if this vertex is known.
 class Flattening_error : public Error
 {
 public:
@@ -314,8 +313,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a file cannot be written, because it cannot be created or the disk is full, the data are empty, or the
-/// format cannot number that many elements.
+/// Is thrown if a file cannot be created, the disk is full, the data are empty, or the format cannot number that many
+/// elements.
 class File_write_error : public Error
 {
 public:

@@ -73,7 +73,7 @@ class Curve_extractor
 public:
   using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< the face type of the mesh
 
-  /// Constructs an extractor for the curves of a network, which must outlive it.
+  /// Constructs an extractor for the curves of a network; the network must outlive the extractor.
   explicit Curve_extractor(const Network& network)
     : m_network(network)
     , m_triangulation(network.triangulation())
@@ -104,8 +104,7 @@ public:
     return result;
   }
 
-  /// Returns the locations of the surface points of a curve, which can be used to make the curve a source of a distance
-  /// field.
+  /// Returns the locations of the surface points of a curve, for example for `Geodesic_distance_field::add_curve()`.
   std::vector<Surface_location> surface_locations(Curve_index curve)
   {
     std::vector<Surface_location> result;
@@ -151,7 +150,7 @@ public:
   /*!
    * Writes a curve as `Curve_point`s, which contain the points in space, the face locations, the crossed halfedges and
    * the tangents, or as `Curve_place`s if the metric has no points. The tangent is the direction of the straight piece
-   * in the next face, even if its two points nearly coincide.
+   * in the next face, even if the two ends of this piece nearly coincide.
    */
   template <class OutputIterator>
   OutputIterator curve_points(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)

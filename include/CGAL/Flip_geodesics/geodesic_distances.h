@@ -46,9 +46,9 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
-/// Reports how many paths of a tree are globally shortest. Paths are compared only with those that a search has found.
-/// Unless the distances are confirmed, the search may have missed vertices or shorter paths. In that case, the paths of
-/// the tree need not be shortest even if none was found to be longer.
+/// Reports how many paths of a tree are globally shortest. Paths are compared only with those that the search has
+/// found. Unless the distances are confirmed, the search may have missed vertices or shorter paths. In that case, the
+/// paths of the tree need not be shortest even if none was found to be longer.
 struct Distances_report
 {
   /// the number of vertices other than the source that the search reached within the limit of the tree
@@ -62,11 +62,11 @@ struct Distances_report
   double largest_excess = 0;        ///< the largest remaining excess length of a path, relative to the shortest length
   std::size_t windows = 0;          ///< the number of windows of the search
   std::size_t flips = 0;            ///< the number of flips that inserted shortest paths
-  /// `WITHIN_TOLERANCE` if the members above are exact up to rounding errors, and no path found exceeds the length of a
-  /// shortest path by more than 1e-10 of this length. `UNDECIDED` if the search was aborted or stopped, or encountered
-  /// a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. If the search encounters a face
-  /// whose height is at most 1e-10 of its base, or if rounding errors may exceed this tolerance, a second search with
-  /// outward-rounded bounds is run to confirm the results, provided that all sources are vertices.
+  /// `WITHIN_TOLERANCE` if the members above are exact up to rounding errors, and no path found by the search exceeds
+  /// the length of a shortest path by more than 1e-10 of this length. `UNDECIDED` if the search was aborted or stopped,
+  /// or encountered a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. If the search
+  /// encounters a face whose height is at most 1e-10 of its base, or if rounding errors may exceed this tolerance, a
+  /// second search with outward-rounded bounds is run to confirm the results, provided that all sources are vertices.
   Verdict verdict = Verdict::UNDECIDED;
   /// Whether the paths are locally shortest, including those that were not replaced, as reported by
   /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
@@ -279,10 +279,10 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  *
  * Replaces the paths of a tree that are not globally shortest.
  *
- * The distances on the input are computed by a `Geodesic_distance_field`, exact up to rounding errors, or, if the
- * field cannot confirm them, by a search with outward-rounded bounds. The longer paths are then removed from the tree,
- * and shortest ones are inserted by flips, the nearest first. The inserted paths do not cross other paths of the tree,
- * since shortest paths from one vertex never cross. Vertices within the limit of the tree that were missing from it are
+ * The distances are computed exactly up to rounding errors by a `Geodesic_distance_field` or, if the field cannot
+ * confirm them, by a search with outward-rounded bounds. The longer paths are then removed from the tree, and shortest
+ * ones are inserted by flips, the nearest first. The inserted paths do not cross other paths of the tree, since
+ * shortest paths from one vertex never cross. Vertices within the limit of the tree that were missing from it are
  * added.
  *
  * \param tree a tree whose growth was not stopped
@@ -805,8 +805,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
  *        Unreachable vertices receive infinity. If degenerate edges had to be contracted, this includes vertices that
  *        were connected to a source only by degenerate faces; these distances are not confirmed. If a computation is
- *        aborted at its limit, the distances are those of the geodesics of the tree if the second fallback has grown
- *        one; otherwise unknown distances are infinite
+ *        aborted at its limit, unknown distances are infinite, unless the second fallback has grown a tree; in that
+ *        case, the distances are the lengths of its geodesics
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
@@ -817,8 +817,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *     \cgalParamDefault{`Window_limit()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{nearest_source_map}
- *     \cgalParamDescription{a property map that receives the number of the nearest source, or 0 if the field has no
- *       distance}
+ *     \cgalParamDescription{a property map that receives the number of the nearest source, or 0 if the distance is
+ *       unknown}
  *     \cgalParamType{a model of `WritablePropertyMap` with the vertices of the mesh as keys and integers as values}
  *     \cgalParamDefault{no map}
  *   \cgalParamNEnd
@@ -877,7 +877,7 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  * vertex.
  *
  * The map is computed with a `Geodesic_distance_field`. If its result is not confirmed, a tree of geodesics is grown
- * and made shortest, as by `geodesic_distances()`.
+ * and made shortest, as in `geodesic_distances()`.
  *
  * \param mesh a triangle mesh
  * \param source a vertex of the mesh
@@ -1087,9 +1087,9 @@ private:
  *         number of windows of all fields, and whether all distances are confirmed
  * \throws Vertex_out_of_range_error if a point given as a vertex is not a vertex of the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
- * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
+ * \throws Degenerate_face_error as `geodesic_path()` does
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
- * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
+ * \throws Invalid_mesh_error as `geodesic_path()` does
  *
  * Complexity: for \f$k\f$ points, that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()` that end at the
  * farthest point, and \cgalBigO{k^2} memory for the matrix. Locating \f$k\f$ points in space in a mesh with \f$n\f$

@@ -111,15 +111,15 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor as for `shorten()`. If its `go_further()` returns `false`, the search for
- *       superfluous chains is not repeated: the network still cuts each component open, but possibly into several
- *       disks}
+ *     \cgalParamDescription{a visitor as for `shorten()`. If its `go_further()` returns `false`, no further chains are
+ *       removed: the network still cuts each component open, but possibly into several disks}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the report of the last run of `shorten()` on the remaining curves, with the flips and steps of all runs
+ * \return the report of the last run of `shorten()` on the remaining curves, with the numbers of flips and steps of all
+ *         runs
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  *
@@ -361,8 +361,7 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  * \return the halfedges of the loop; empty if no such loop exists
  *
  * Complexity: \cgalBigO{n \log n + c m \log m} for a fixed genus and number of borders, where the cut graph has \f$c\f$
- * vertices, and at most \f$m\f$ vertices lie nearer to one of these than half the length of the loops found during the
- * search.
+ * vertices and each search visits at most \f$m\f$ vertices.
  */
 template <class Triangulation, class... NamedParameters>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation,

@@ -74,12 +74,11 @@ struct Mean_limits
  * points has a local minimum.
  *
  * The logarithmic map provides the vectors from the current point to the given points. The search continues from the
- * current point along a straightest geodesic in the direction of the weighted mean of the vectors; if this step
- * increases the sum, it is halved repeatedly. In the plane, one step suffices.
+ * current point along a straightest geodesic in the direction of the weighted mean of the vectors. The length of this
+ * step is halved until the step decreases the sum. In the plane, one step suffices.
  *
  * The mean is unique if the points are close together relative to the curvature. On a mesh of needles, the vectors may
- * be less precise than the tolerance, and the status may then depend on the numbering of the mesh: one search ends with
- * `CONVERGED`, another with `ITERATION_LIMIT`.
+ * be less precise than the tolerance, and the status can then depend on the numbering of the mesh.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -98,6 +97,7 @@ public:
    * \param weights a range of numbers, one for each point
    * \throws Invalid_parameter_error if no points are given, the numbers of points and weights differ, a weight is
    *         negative or not finite, or all weights are zero
+   * \throws Invalid_location_error if a point does not lie on the surface
    */
   template <class PointRange = std::vector<Surface_location>>
   Geodesic_mean(const Triangulation& triangulation, const Triangle_mesh& mesh, const PointRange& points,
@@ -154,8 +154,8 @@ public:
    *
    * \return a report on the search
    * \throws Disconnected_endpoints_error if no path connects a point with positive weight and the start; `elements()`
-   *         is the number of the point
-   * \throws Invalid_location_error if the start or a given location is not a point of the surface
+   *         contains the number of the point
+   * \throws Invalid_location_error if the start is not a point of the surface
    * \throws Invalid_parameter_error if the tolerance is negative or NaN
    * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, and if all angles at a vertex are 0, so
    *         that no directions exist there

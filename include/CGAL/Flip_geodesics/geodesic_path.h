@@ -42,7 +42,7 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  * library.
  *
  * \note The geodesic is not necessarily a globally shortest path, since a path on the other side of a hole or a bump
- * may be shorter, and the path from `target` to `source` may differ; see `shortest_path()`.
+ * may be shorter, and the path computed from `target` to `source` may be a different one; see `shortest_path()`.
  *
  * If the two vertices coincide, the path has length zero, the status `Shortening_status::CONTRACTED` and the verdict
  * `Verdict::PROVEN`, and the output consists of its two end points. The end points of a degenerate edge coincide in
@@ -57,9 +57,9 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  * \param source, target vertices in the same connected component
  * \param out an output iterator that receives the points of the path from `source` to `target`. The value type of the
  *        iterator selects the form of the points. Points in space are written if the metric has points and the output
- *        accepts them; otherwise `CGAL::Polygon_mesh_processing::Face_location`s. If the output accepts neither, it
- *        receives `Curve_point`s, which contain both together with the crossed halfedges and the tangents, or
- *        `Curve_place`s, which have no points
+ *        accepts them; otherwise `CGAL::Polygon_mesh_processing::Face_location`s are written. If the output accepts
+ *        neither, it receives `Curve_point`s, which contain both together with the crossed halfedges and the tangents,
+ *        or `Curve_place`s, which have no points
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin
@@ -90,8 +90,8 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  *     \cgalParamDescription{a visitor that is called for each step}
  *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
- *     \cgalParamExtra{The search for the edge path also calls `go_further()`, about once per thousand vertices. If
- *       the call returns `false`, nothing is written, and the report has the status
+ *     \cgalParamExtra{The search for the edge path also calls `go_further()`, about once per thousand vertices. If the
+ *       call returns `false`, nothing is written, and the report has the status
  *       `Shortening_status::STOPPED_BY_VISITOR`.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
@@ -100,7 +100,8 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
  * \throws Disconnected_endpoints_error if no edge path connects `source` and `target`
- * \throws Degenerate_face_error if a face violates the triangle inequality, or no surface remains at a contracted edge
+ * \throws Degenerate_face_error if a face violates the triangle inequality, or if no surface remains at a contracted
+ *         edge or connects the ends after the contraction
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  * \throws Invalid_mesh_error if a visited face is not a triangle, or a `Surface_mesh` contains removed elements
  *
@@ -134,7 +135,7 @@ struct Path_between_points;
  *
  * Computes a geodesic between two points of any types: vertices of the mesh,
  * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or points in
- * space. Parameters, exceptions and complexity are those of `geodesic_path_through()`. Programs that link the compiled
+ * space. The named parameters and exceptions are those of `geodesic_path_through()`. Programs that link the compiled
  * library must also include `curves_through_points.h`.
  */
 template <
@@ -166,7 +167,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * \return the past-the-end output iterator, and a report with exactly one curve
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
- * \throws Invalid_curve_error if the vertices do not form a chain of edges
+ * \throws Invalid_curve_error if there are fewer than two vertices, or they do not form a chain of edges
  * \throws Crossing_curves_error if the loop crosses itself at a vertex
  * \throws Ambiguous_order_error if the search for an order of overlapping segments exceeds its budget
  * \throws Degenerate_face_error as `geodesic_path()` does
@@ -202,7 +203,7 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * \return the past-the-end output iterator, and a report with one entry per curve
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
- * \throws Invalid_curve_error if the vertices of a curve do not form a chain of edges
+ * \throws Invalid_curve_error if a curve has fewer than two vertices, or they do not form a chain of edges
  * \throws Crossing_curves_error if curves cross at a vertex
  * \throws Ambiguous_order_error if the search for an order of overlapping segments exceeds its budget
  * \throws Degenerate_face_error as `geodesic_path()` does

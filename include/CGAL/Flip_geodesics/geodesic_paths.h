@@ -179,7 +179,7 @@ struct Pair_of_ends<TriangleMesh, std::pair<Source, Target>>
                                   std::pair<Vertex, Vertex>, std::pair<std::decay_t<Source>, std::decay_t<Target>>>;
 };
 
-/* Those of a range; `void` if it is not one of pairs. */
+/* The pairs of a range; `void` if its elements are not pairs. */
 template <class TriangleMesh, class Range, bool IS_RANGE = is_range<Range>>
 struct Pairs_in
 {
@@ -234,7 +234,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  * \param pairs a range of `std::pair`s of a source and a target: vertices, or points of any types that
  *        `geodesic_path()` accepts. If the types differ from pair to pair, the ends are `std::variant`s of these types
  * \param out an output iterator that receives a `Geodesic_path_result` per pair, in the order of the pairs, with points
- *        of a form that `geodesic_path()` writes: points of the mesh, `Face_location`s or `Curve_point`s
+ *        of a form that `geodesic_path()` writes: points in space, `Face_location`s or `Curve_point`s
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
@@ -272,8 +272,8 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  * \return the past-the-end output iterator
  *
  * Complexity: that of the searches and of `shorten()`. Meshes other than `Surface_mesh` are indexed once per thread, in
- * \cgalBigO{n \log n}. Locating points in space takes \cgalBigO{n \log n} once per thread, and
- * logarithmic time for each point close to the surface.
+ * \cgalBigO{n \log n}. Locating points in space takes \cgalBigO{n \log n} time once per thread, and logarithmic time
+ * for each point close to the surface.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
           class... NamedParameters>

@@ -198,7 +198,7 @@ struct Intrinsic_graph_traits
  *
  * All functions take constant time, with three exceptions. `next()` and `prev()` of a border halfedge take time linear
  * in the degree of the vertex. `faces()` and `num_faces()` traverse all halfedges. The map of face indices is
- * constructed in linear time when it is requested, and remains valid until the next flip.
+ * constructed in linear time when it is requested, and remains valid until the next flip or insertion.
  *
  * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
  * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be
@@ -476,7 +476,6 @@ internal::Face_index_map get(boost::face_index_t, const Intrinsic_triangulation<
   return internal::Face_index_map(t);
 }
 
-// Returns the map of the intrinsic lengths of the edges.
 template <class M, class T, class E>
 internal::Edge_length_map<Intrinsic_triangulation<M, T, E>> get(boost::edge_weight_t,
                                                                 const Intrinsic_triangulation<M, T, E>& t)
@@ -484,7 +483,6 @@ internal::Edge_length_map<Intrinsic_triangulation<M, T, E>> get(boost::edge_weig
   return {&t};
 }
 
-// Returns the map of the points of the vertices in space, for metrics with points.
 template <class M, class T, class E>
 internal::Intrinsic_point_map<Intrinsic_triangulation<M, T, E>> get(CGAL::vertex_point_t,
                                                                     const Intrinsic_triangulation<M, T, E>& t)
@@ -492,7 +490,6 @@ internal::Intrinsic_point_map<Intrinsic_triangulation<M, T, E>> get(CGAL::vertex
   return {&t};
 }
 
-// Returns the value of a property.
 template <class Property, class M, class T, class E, class Key>
 auto get(Property property, const Intrinsic_triangulation<M, T, E>& t, const Key& key)
     -> decltype(get(get(property, t), key))

@@ -6,9 +6,9 @@
 /*!
  * \file insert_curves.h
  * \ingroup PkgFlipGeodesicsSubdivision
- * Inserts curves into a mesh in place. `Flip_geodesics.h` does not include this header, because it includes the \cgal
- * package 2D Triangulations, which is licensed under the GPL. A program that includes it is bound by that license, in
- * contrast to other programs that use this package.
+ * Inserts curves into a mesh in place. `Flip_geodesics.h` does not include this header, because this header includes
+ * the \cgal package 2D Triangulations, which is licensed under the GPL. A program that includes this header is bound by
+ * that license.
  */
 
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -200,8 +200,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
  *
- * \param mesh a triangle mesh, a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two
- *        faces may have the same three vertices; only faces that are divided must be triangles
+ * \param mesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two faces may have
+ *        the same three vertices; only faces that are divided must be triangles
  * \param curves a range of curves, or a single one. A curve is a range of points, or has such a range as its member
  *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a vertex or a
  *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Surface_location`, `Surface_point`,
@@ -259,8 +259,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, also if any face that is examined is not a triangle; if vertices, `Surface_location`s or
  *            `Surface_point`s are given, also if a `Surface_mesh` contains removed vertices or edges
- * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite;
- *            `elements()` contains the position of the vertex in the range of vertices
+ * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite; `elements()`
+ *            contains the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face contains few of them, and at most

@@ -153,7 +153,8 @@ std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulati
  *
  * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the triangulation
  * \throws Disconnected_endpoints_error if no edge path connects the vertices
- * \throws Degenerate_face_error if a face that the search visits is degenerate
+ * \throws Degenerate_face_error if a face that the search visits has a degenerate edge or violates the triangle
+ *         inequality
  * \throws Invalid_coordinate_error if a face that the search visits has an invalid coordinate or length
  *
  * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices visited.

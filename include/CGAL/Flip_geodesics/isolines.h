@@ -29,7 +29,7 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsIsolines
-/// The point type of the vertex points that a mesh stores itself.
+/// The type of the points that a mesh stores for its vertices.
 template <class TriangleMesh>
 using Mesh_point =
     typename boost::property_traits<typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type;
@@ -49,7 +49,7 @@ struct Located_polyline
   using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
 
   bool is_closed = false; ///< whether the polyline ends where it begins
-  /// the locations of the points; all points on one edge of the mesh are located in the same one of its two faces
+  /// the locations of the points; all points on one edge of the mesh are located in the same face
   std::vector<Face_location> locations;
   std::vector<Point> points; ///< the points in space
 
@@ -107,15 +107,14 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *   \f$t\f$ everywhere in this part.
  *
  * Faces that may contain a level are divided until their parts are as small as the tolerance. The bounds hold because
- * distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept; each is computed
- * once. Inside faces, only as many points are kept as the tolerance requires, and their number grows like the inverse
- * square root of the tolerance. All points are kept at sharp bends, if parts of one isoline come within three
- * tolerances of one another, or if levels are so close that chords of two isolines might intersect.
+ * distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept; each is computed once.
+ * Inside faces, only as many points are kept as the tolerance requires, and their number grows like the inverse square
+ * root of the tolerance. All points are kept at sharp bends, if parts of one isoline come within three tolerances of
+ * one another, or if levels are so close that chords of two isolines might intersect.
  *
  * A level may equal the distance at a vertex, or the constant distance in a whole region; points at the level count as
- * farther. If the field becomes infinite inside the surface, because it is limited, points with infinite distance count
- * as farther as well. A face whose three vertices have infinite distances is assumed to contain no point with a finite
- * distance.
+ * farther. If the field is limited, points with infinite distance count as farther as well. A face whose three vertices
+ * have infinite distances is assumed to contain no point with a finite distance.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`
@@ -260,8 +259,8 @@ private:
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
 {
-  /// Stands for the missing source of points without a finite distance, and for the missing junction at an end on the
-  /// border.
+  /// Stands for the missing source of points without a finite distance, and for the missing junctions of closed
+  /// boundaries and of ends on the border.
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   /// The nearest sources on the left and on the right of the boundary, as seen from the side from which the faces of

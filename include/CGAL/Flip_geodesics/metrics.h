@@ -87,9 +87,9 @@ public:
 
   Index number_of_vertices() const;  ///< returns the number of vertices
   Index number_of_halfedges() const; ///< returns the number of halfedges
-  /// Returns the number of a vertex of the mesh, or `null_index` if it does not belong to the mesh.
+  /// Returns the number of a vertex, or `null_index` if the vertex does not belong to the mesh.
   Vertex_index index(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v) const;
-  /// Returns the number of a halfedge of the mesh, or `null_index` if it does not belong to the mesh.
+  /// Returns the number of a halfedge, or `null_index` if the halfedge does not belong to the mesh.
   Input_halfedge_index index(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h) const;
   /// Returns the vertex of the mesh with a given number.
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex(Vertex_index v) const;
@@ -208,7 +208,7 @@ public:
     }
   }
 
-  /// Returns a lower bound on the distance on the surface: the distance in space.
+  /// Returns a lower bound on the distance between two points on the surface: their distance in space.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(is_rational)
@@ -453,8 +453,8 @@ public:
       });
   }
 
-  /// Throws an exception if the metric was made for a mesh with another number of edges.
-  /// \throws Input_mismatch_error in that case
+  /// Checks that the metric was made for a mesh with the same number of edges as `mesh`.
+  /// \throws Input_mismatch_error if the numbers differ
   void check_input(const Mesh& mesh) const
   {
     internal::check_halfedges(num_halfedges(*m_mesh), num_halfedges(mesh.mesh()));
@@ -625,8 +625,8 @@ public:
       m_least_stretch = (std::min)(1., internal::least_stretch_of_faces(base(), *this, indexed));
   }
 
-  /// Returns the length added to every edge, which is zero if none was needed. In that case this metric equals the
-  /// metric that it wraps.
+  /// Returns the length added to every edge, which is zero if none was needed; this metric then equals the other
+  /// metric.
   double added_length() const { return m_added; }
 
   /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
@@ -649,9 +649,8 @@ public:
 
   using Base::place;
 
-  /// Returns the lower bound of the other metric, reduced if lengths are rounded in almost degenerate faces. Adding
-  /// lengths does not shorten any path, because the amounts by which the squared sides of a face increase are
-  /// themselves the squared sides of a triangle.
+  /// Returns the lower bound of the other metric, which remains valid because adding the same length to all edges does
+  /// not shorten any path. The bound is reduced if almost degenerate faces require an allowance for rounding errors.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     return m_least_stretch * Base::distance_lower_bound(p, q);
@@ -674,9 +673,8 @@ public:
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
   using Base::is_rounded;
 
-  /// Throws an exception if the length to be added, or the other metric, belongs to a mesh with another number of
-  /// edges.
-  /// \throws Input_mismatch_error in that case
+  /// Checks that the length to be added and the other metric belong to a mesh with the same number of edges as `mesh`.
+  /// \throws Input_mismatch_error if the numbers differ
   void check_input(const Mesh& mesh) const
   {
     const std::size_t halfedges = static_cast<std::size_t>(mesh.number_of_halfedges());
@@ -731,9 +729,9 @@ private:
  * large.
  *
  * Weights given at vertices are interpolated linearly along edges. The length of an edge is that of the other metric,
- * times the mean of the weights of its two ends. Faces with the new lengths are flat, too. If the weight changes little
- * over a face, this is the conformal change of the metric by the weight, up to terms of second order. Weights given for
- * edges are factors by which their lengths are multiplied.
+ * times the mean of the weights of its two ends. Each face is again a flat triangle, with the new lengths. If the
+ * weight changes little over a face, the new metric is the conformal change of the other metric by the weight, up to
+ * terms of second order. A weight given for an edge is the factor by which its length is multiplied.
  *
  * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
  * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each
@@ -794,19 +792,19 @@ public:
   /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(h); }
 
-  /// The data of a vertex that a lower bound requires, which are those of the underlying metric. They do not represent
-  /// a point from which faces can be laid out.
+  /// The data of a vertex that a lower bound requires, which are those of the other metric. Unlike points, these data
+  /// do not determine the shapes of faces.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
   /// Returns the length of halfedge `h`, given the positions of its two ends.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place&, const Place&) const { return weight(mesh, h); }
 
-  /// Returns the data of the underlying metric for vertex `v`.
+  /// Returns the data of the other metric for vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
   /// Returns the lower bound of the other metric, times the least factor by which faces stretch segments. This factor
-  /// can be smaller than the smallest weight, because each face is flat again after its sides have been stretched, and
-  /// its height can be stretched less than any side.
+  /// can be smaller than the smallest weight, because the height of a face can be stretched less than each of its
+  /// sides.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(std::is_empty<Place>::value)
@@ -821,8 +819,8 @@ public:
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
   using Base::is_rounded;
 
-  /// Throws an exception if the weights, or the other metric, belong to a mesh with another number of edges.
-  /// \throws Input_mismatch_error in that case
+  /// Checks that the weights and the other metric belong to a mesh with the same number of edges as `mesh`.
+  /// \throws Input_mismatch_error if the numbers differ
   void check_input(const Mesh& mesh) const
   {
     internal::check_halfedges(2 * m_factors->size(), static_cast<std::size_t>(mesh.number_of_halfedges()));

@@ -45,7 +45,7 @@ struct Default_shortening_visitor
   {
   }
 
-  /// Is called after `refine()` has inserted vertex `v`, with the flips around it.
+  /// Is called after `refine()` has inserted vertex `v` and flipped the edges around it.
   template <class Triangulation>
   void on_insertion(const Triangulation&, Vertex_index /* v */)
   {
@@ -56,9 +56,9 @@ struct Default_shortening_visitor
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of windows that a search for shortest paths may create (about 60 bytes each). The same limit
-/// applies to the number of edges along which rays start at vertices. The search is aborted when either number exceeds
-/// the limit.
+/// Limits the number of windows that a search for shortest paths may create (about 60 bytes each). The search is
+/// aborted when the number of windows, or the number of edges along which rays have started at vertices, exceeds the
+/// limit.
 class Window_limit
 {
 public:
@@ -237,7 +237,8 @@ namespace parameters {
  * \ingroup PkgFlipGeodesicsParameters
  * Sets a metric, for instance an `Edge_length_metric`, whose lengths replace the distances between the points of the
  * mesh.
- * \param metric a model of `IntrinsicMetric` for the mesh; it is copied
+ * \param metric a model of `IntrinsicMetric`, which is copied. If it detects that it was made for another mesh, the
+ *        function that receives it throws `Input_mismatch_error`
  */
 template <class Metric>
 auto metric(const Metric& metric)
@@ -313,7 +314,8 @@ auto nearest_source_map(const VertexSourceMap& map)
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the greatest distance from the surface at which a point in space is accepted. A point farther away causes a
  * `Distant_point_error`; by default, points are accepted at any distance.
- * \param distance a non-negative number, in the unit of the coordinates
+ * \param distance a number in the unit of the coordinates. If it is negative or NaN, the function that receives it
+ *        throws `Invalid_parameter_error`
  */
 inline auto greatest_point_distance(double distance)
 {

@@ -150,11 +150,11 @@ private:
  * \cgalCite{SC20,section 6.1}. The border of the mesh is not a boundary of a region, but boundaries can end there.
  *
  * With fixed junctions, as with `add_marked_edges()`, the curves end at the vertices that are incident to exactly one
- * such edge or to more than two; a curve without such a vertex is closed. With free junctions, each edge carries two
- * segments, one for each adjacent region, with the region on the left; the segments form closed curves and paths from
- * border to border. The junctions can then move, and a gap that does not belong to a region opens between the curves of
- * three regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy class among the
- * others.
+ * edge between regions or to more than two; a curve without such a vertex is closed. With free junctions, each edge
+ * carries two segments, one for each adjacent region, with the region on the left; the segments form closed curves and
+ * paths from border to border. The junctions can then move, and a gap that does not belong to a region opens between
+ * the curves of three regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy
+ * class among the others.
  *
  * If the function or `regions` throws, the network is left empty.
  *
@@ -234,10 +234,10 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Completes a polyline whose consecutive points need not lie in a common face, such as positions of a pen. Between
+ * Completes a polyline whose consecutive points need not lie in a common face, such as the positions of a pen. Between
  * points without a common face, the crossings of a geodesic with the edges are inserted.
  *
- * \param triangulation a triangulation without flips, which is unchanged afterwards
+ * \param triangulation the triangulation, which is unchanged afterwards
  * \param polyline the points, a range of points of the surface, of any type that `surface_location()` accepts
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the polyline, for `draw_polyline()` and `snap_polyline()`
@@ -247,7 +247,6 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
  * \throws Invalid_location_error as `draw_polyline()` does
  * \throws Insertion_error as `draw_polyline()` does
- * \throws Crossing_curves_error as `draw_polyline()` does
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  */
@@ -281,7 +280,7 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a polyline anywhere on the mesh to a network, as a curve whose nodes are fixed at all its points
+ * Adds a polyline anywhere on the mesh to a network, as a curve that is fixed at all points of the polyline
  * \cgalCite{SC20,Figure 9}.
  *
  * The points become vertices of the triangulation, and the segments become edges, by flips of edges in the input faces
@@ -322,9 +321,9 @@ Curve_index draw_polyline(Network& network, const PointRange& polyline, const Na
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the vertices of a path of input edges in the isotopy class of a polyline. Each point on an edge, including
- * the ends of an open polyline, is moved to the nearer end of the edge. No vertex is added, and the path ends at
- * vertices of the mesh.
+ * Returns the vertices of a path of input edges in the isotopy class of a polyline. Each point on an edge is moved to
+ * the nearer end of the edge, and each end of an open polyline to the vertex at which its weight is largest. No vertex
+ * is added.
  *
  * \param triangulation the triangulation
  * \param polyline the points, as for `draw_polyline()`

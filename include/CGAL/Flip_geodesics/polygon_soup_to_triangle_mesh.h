@@ -6,9 +6,9 @@
 /*!
  * \file polygon_soup_to_triangle_mesh.h
  * \ingroup PkgFlipGeodesicsRepair
- * Repairs polygon soups. `Flip_geodesics.h` does not include this header, because it includes the \cgal packages
- * Polygon Mesh Processing, Surface Mesh, 2D Triangulations and 2D Polygons, which are licensed under the GPL. A program
- * that includes it is bound by that license, in contrast to other programs that use this package.
+ * Repairs polygon soups. `Flip_geodesics.h` does not include this header, because this header includes the \cgal
+ * packages Polygon Mesh Processing, Surface Mesh, 2D Triangulations and 2D Polygons, which are licensed under the GPL.
+ * A program that includes this header is bound by that license.
  */
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
@@ -219,7 +219,7 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   faces, at points at which they share only a vertex, and at edges across which the orientations cannot be made
  *   consistent.
  * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself,
- *   provided that no coordinate differs by more than the tolerance. Edges shorter than the tolerance collapse.
+ *   provided that no coordinate differs by more than the tolerance. Short edges can thus collapse.
  * - Borders whose coordinates are bitwise identical are stitched with
  *   `CGAL::Polygon_mesh_processing::stitch_borders()`. If more than two border edges coincide, two edges of the same
  *   component are stitched, and the others are not. Borders remain open if stitching would create two edges with the

@@ -143,8 +143,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * an insertion, a vertex on the edge splits it instead. Curves therefore remain geodesics of the same length, and the
  * surface does not change.
  *
- * \attention Since the positions of vertices on curves are rounded, `certify()` finds a bend of the size of a rounding
- * error at such a vertex. It should therefore be called before refinement.
+ * \attention Since the positions of vertices on curves are rounded, `certify()` can find a bend of the size of a
+ * rounding error at such a vertex. Call `certify()` before the refinement.
  *
  * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point
  * inside them. They are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
@@ -152,8 +152,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * with shortest side \f$s\f$ requires about \f$A/s^2\f$ vertices if its neighbors are equally thin, and far fewer
  * otherwise. Faces are processed in generations, each of which consists of the faces that are bad at its beginning. If
  * the sum of the estimates is more than 16 times the number of vertices that may still be inserted, and falls by less
- * than 10 % in each of two consecutive generations, the faces with the largest estimates are given up, and so are all
- * faces whose shortest side is not longer than theirs. The other faces are improved until the sum stagnates again.
+ * than 10 % in each of two consecutive generations, the faces with the largest estimates are given up, together with
+ * all other bad faces whose shortest sides are not longer. The other faces are improved until the sum stagnates again.
  *
  * Edges that are too long are never given up. They are divided, the longest first, until no such edge is left or the
  * limit is reached. Because of this order, the vertices are distributed evenly over the surface even if the limit is
@@ -171,8 +171,8 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor whose `go_further()` is called before each flip to Delaunay and then before each
- *       bad face, `on_flip()` after each flip, and `on_insertion()` after each vertex}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called before each edge that the initial flips examine
+ *       and then before each bad face, `on_flip()` after each flip, and `on_insertion()` after each vertex}
  *     \cgalParamType{a model of `RefinementVisitor`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If the visitor ends the process or throws an exception, the triangulation and its curves are
@@ -185,7 +185,7 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; in this case the
  *         triangulation is unchanged
  * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
- * \throws Degenerate_face_error if such a face is degenerate
+ * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
  *
  * Complexity: about linear in the number of flips and insertions and in the number of crossings of the refined faces,

@@ -26,8 +26,8 @@ enum class Verdict {
   /// no bend was found, but an angle was taken to be \f$\pi\f$ without proof, since the work limit was reached; see
   /// `Decision_statistics::unproven_zeros`
   PROBABLE,
-  /// the claim is false: a segment is not straight in its strip of input faces, its edge sequence is not that of a
-  /// strip, or it touches a vertex with a total angle below \f$2\pi\f$
+  /// the claim is false: a segment is not straight in its strip of input faces, has an edge sequence that does not
+  /// describe a strip, or touches a vertex with a total angle below \f$2\pi\f$
   BENT_SEGMENT,
   BENT_JOINT, ///< the claim is false: an unblocked side of a joint has an angle below \f$\pi\f$
   UNDECIDED,  ///< it is not known whether the claim holds: the predicates of the traits are inexact and `certify()`
@@ -152,8 +152,8 @@ struct Curve_report
   /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose
   /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether degenerate edges were contracted, because the curve encountered a degenerate edge, or two degenerate faces
-  /// whose vertices opposite to their common edge coincide. Set by the free functions.
+  /// Whether degenerate edges were contracted because the curve encountered such an edge, or two degenerate faces whose
+  /// vertices opposite to their common edge coincide. Set by the free functions.
   bool are_zero_edges_contracted = false;
   /// The distances in space of the given points from the surface, in the order of the points; 0 for points given as
   /// vertices or locations. Set by functions that accept points; empty if all of them are given as vertices.

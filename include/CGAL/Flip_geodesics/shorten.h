@@ -60,8 +60,8 @@ public:
   /*!
    * Shortens the curves until all of them are locally shortest or one of the arguments ends the run.
    *
-   * Steps that were not permitted in an earlier run are considered again, and `Shortening_step::steps` counts from 0 in
-   * each run.
+   * Steps that a stop predicate rejected in an earlier run are considered again, and `Shortening_step::steps` counts
+   * from 0 in each run.
    *
    * \param stop a model of `FlipOutStopPredicate`
    * \param visitor a model of `FlipOutVisitor`
@@ -69,7 +69,8 @@ public:
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    *
-   * Complexity: constant time per flip. The curves are measured only once, when no step remains.
+   * Complexity: constant time per flip. With traits whose `Has_drift` is `CGAL::Tag_true`, the curves are also measured
+   * when no step remains.
    */
   template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
   bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
@@ -246,13 +247,13 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
 /*!
  * \ingroup PkgFlipGeodesicsShortening
  *
- * Shortens the curves of a network to geodesics by flipping edges \cgalCite{SC20,Algorithm 2}, each within its isotopy
- * class.
+ * Shortens each curve of a network to a geodesic within its isotopy class, by flipping edges
+ * \cgalCite{SC20,Algorithm 2}.
  *
  * The process always terminates and is deterministic: the smallest angle is widened first; ties are broken in favor of
  * the older segment, and then of the left side. The straightness of the result is recomputed from the input. With
  * traits whose `Has_drift` is `CGAL::Tag_true`, a curve is reported as `LOCALLY_SHORTEST` only if this measurement
- * confirms it; `certify()` proves it exactly.
+ * confirms this; `certify()` verifies it exactly.
  *
  * \param network the curves, which are moved while the edges around them are flipped. Curves that share edges must be
  *        ordered by `order_overlapping_curves()` first. Curves that cross still cross afterwards. No status indicates
@@ -273,8 +274,8 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * \cgalNamedParamsEnd
  *
  * \return a report with one entry per curve
- * \throws Degenerate_face_error if a face that is visited is degenerate or violates the triangle inequality. The
- *         network and its triangulation remain valid, and no curve is longer than before
+ * \throws Degenerate_face_error if a face that is visited has a degenerate edge or violates the triangle inequality.
+ *         The network and its triangulation remain valid, and no curve is longer than before
  * \throws Invalid_coordinate_error if a coordinate or length of such a face is invalid; the same guarantee applies
  *
  * Complexity: constant time per flip.

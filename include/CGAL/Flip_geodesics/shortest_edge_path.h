@@ -70,7 +70,7 @@ public:
   /// Returns whether the distances are known. They are unknown if a visitor stopped the construction.
   bool is_complete() const { return m_is_complete; }
 
-  /// Returns the number of vertices.
+  /// Returns the number of vertices of the mesh.
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
   /*!
@@ -148,9 +148,9 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Searches for paths along the edges of the input mesh. Such paths are the usual initial curves. The paths are
- * shortest, or close to geodesics so that few flips are needed. Only the input is read, and the triangulation does not
- * change.
+ * Searches for paths along the edges of the input mesh. Such paths are the usual initial curves. They are shortest edge
+ * paths or, with `Search_method::LOOK_BACK`, close to geodesics so that few flips are needed. Only the input is read,
+ * and the triangulation does not change.
  *
  * Labels are allocated once and store the number of their search instead of being reset, so a search takes \cgalBigO{k
  * \log k} time for the \f$k\f$ vertices that it visits. Of several paths of equal length, the same one is always found.
@@ -174,8 +174,8 @@ public:
    *     \cgalParamDefault{`Search_method::A_STAR`, or `Search_method::LOOK_BACK` if landmarks are given}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{landmarks}
-   * \cgalParamDescription{landmarks that guide the search. With landmarks, the lower bound is multiplied by only 1.02,
-   *   since it is close to the distance}
+   *     \cgalParamDescription{landmarks that guide the search. With landmarks, the lower bound is multiplied by only
+   *       1.02, since it is close to the distance}
    *     \cgalParamType{`Landmark_distances`}
    *     \cgalParamDefault{no landmarks}
    *     \cgalParamPrecondition{the landmarks were computed for this mesh, and the method is `Search_method::LOOK_BACK`}

@@ -359,9 +359,9 @@ struct Internals<Geodesic_landmarks>
 };
 
 /*
- * Calls `run()`, a search over faces. Returns false if it has encountered a degenerate one, so shorter paths than
- * those found may exist. The search lays out faces when they are first needed, from many places in its innermost loops,
- * and its previous results remain valid; an exception ends it there without a test after each face.
+ * Calls `run()`, a search over faces. Returns false if it has encountered a degenerate one, so shorter paths than those
+ * found may exist. The search lays out faces when they are first needed, from many places in its innermost loops, and
+ * its previous results remain valid; an exception ends it there without a test after each face.
  */
 template <class Run>
 bool meets_no_degenerate_face(const Run& run)
@@ -691,8 +691,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \param network an empty network in a triangulation that has not been flipped
  * \param search an edge path search over that triangulation; `Search_method::LOOK_BACK` is fastest
  * \param source, target different vertices of the mesh in the same connected component. Inserted vertices are not
- *        accepted, since windows are propagated over the faces of the mesh; `shortest_path()` takes any points of the
- *        surface, by computing on a mesh that is divided at these points
+ *        accepted, since windows are propagated over the faces of the mesh; `shortest_path()` accepts any points of the
+ *        surface
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -740,9 +740,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * (`add_straightened_path()`) unless a visitor must observe the whole process. A lower-bound propagation from the
  * target bounds the remaining length of the paths that cross each edge. Windows are then propagated over the mesh as
  * far as a shorter path could reach \cgalCite{MMP87}, \cgalCite{CH90}, \cgalCite{XW09}. If they reveal a shorter path,
- * which lies in another homotopy class, this path replaces the geodesic and is inserted by flipping the edges that it
- * crosses. On a mesh with degenerate faces that prevent a confirmation, the paths of two trees of geodesics are tried
- * as well.
+ * this path replaces the geodesic and is inserted by flipping the edges that it crosses. On a mesh with degenerate
+ * faces that prevent a confirmation, the paths of two trees of geodesics are tried as well.
  *
  * \sa `shortest_path()`
  */
@@ -966,7 +965,8 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t numb
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Computes `Geodesic_landmarks::default_number` landmarks in each component.
+/// Computes `Geodesic_landmarks::default_number` landmarks in each component. The parameters and exceptions are those
+/// of the overload with a number.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParameters&... np)

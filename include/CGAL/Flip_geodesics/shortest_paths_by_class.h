@@ -72,7 +72,7 @@ struct Paths_by_class_report
                                                   ///< shortest in its class
   std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
   std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
-  double lower_bound = 0; ///< a lower bound for paths of classes not found; infinite if all classes were found
+  double lower_bound = 0; ///< a lower bound on the lengths of paths of classes not found; infinite if none exists
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
   std::size_t visited = 0;                                 ///< the number of vertices of the universal cover that
                                                            ///< were visited
@@ -88,8 +88,8 @@ struct Paths_by_class_report
     return least;
   }
 
-  /// Returns the verdict on the claim that these are the shortest paths of all classes: each is confirmed to be
-  /// shortest in its class, and no other class has a shorter one, up to `Shortest_path_report::tolerance()`. The
+  /// Returns the verdict on the claim that `paths` are the shortest paths of all classes: each is confirmed to be
+  /// shortest in its class, and no other class has a shorter path, up to `Shortest_path_report::tolerance()`. The
   /// verdict refers to the returned paths, even if fewer were found than requested; if no path was returned, the claim
   /// is never confirmed. With a larger limit, a further path may be found but not confirmed. A larger limit can
   /// therefore lead to a weaker verdict, although confirmed paths remain the shortest ones.
@@ -102,7 +102,7 @@ struct Paths_by_class_report
     return paths.empty() ? Verdict::UNDECIDED : Verdict::WITHIN_TOLERANCE;
   }
 
-  /// Returns whether these are confirmed to be the shortest paths of all classes.
+  /// Returns whether `paths` are confirmed to be the shortest paths of all classes.
   bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict()); }
 };
 
@@ -347,15 +347,15 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes the shortest homotopically distinct paths on the surface between two points: a shortest path in each of
- * `number` homotopy classes, the shortest classes first. Together, two such paths lead around handles or borders of the
- * surface.
+ * `number` homotopy classes. The classes with the shortest paths are chosen. Together, two such paths lead around
+ * handles or borders of the surface.
  *
  * On a sphere or a disk, only one class exists. Obstacles create further classes: the mesh can be a
  * `CGAL::Face_filtered_graph` without the faces that paths must not enter. Degenerate edges are contracted if they
  * affect the result. If both ends coincide, the first path consists of that point and has length zero, and the others
  * are the shortest loops at the point, one in each class.
  *
- * \param mesh a triangle mesh that is a surface, in which no two umbrellas meet only at a vertex
+ * \param mesh a triangle mesh in which no two umbrellas meet at a vertex
  * \param source, target points in the same connected component, of any types that `shortest_path()` accepts
  * \param number the number of classes
  * \param out an output iterator that receives one `std::vector` per path, sorted by length, of the points that
@@ -400,7 +400,7 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * Shortest edge paths are searched in the universal cover of the surface, in which each class of paths has its own end
  * point. A part of the cover is constructed, and a shortest path to each of these end points is computed there as by
  * `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged until
- * these bounds exceed the lengths of the paths. If this does not succeed, the report is not confirmed.
+ * these bounds exceed the lengths of the computed paths. If this does not succeed, the report is not confirmed.
  *
  * \sa `shortest_path()`
  */

@@ -225,9 +225,9 @@ private:
  * Adds an edge path to an empty network after initial straightening, so that `shorten()` needs few flips.
  *
  * The curve is never longer than the path. The curve may pass through vertices between its ends, but stays in the
- * homotopy class of the path. `shorten()` determines which of its segments and joints are straight. The function is
- * intended for paths of which only the ends matter, such as those of `Shortest_edge_path`. If a stop predicate or a
- * visitor has to observe the whole process, use `Edge_path_network::add_curve()` instead.
+ * homotopy class of the path. `shorten()` determines afterwards which segments and joints of the curve are straight.
+ * The function is intended for paths of which only the ends matter, such as those of `Shortest_edge_path`. If a stop
+ * predicate or a visitor has to observe the whole process, use `Edge_path_network::add_curve()` instead.
  *
  * The face strip along the path is unfolded, the path is shortened in it with a funnel algorithm, and the strip is
  * moved to the other side of the vertices at which the path bends \cgalCite{XW07}. All of this is computed in doubles
@@ -242,8 +242,8 @@ private:
  * \return the number of flips
  *
  * \throws Invalid_curve_error as `Edge_path_network::add_curve()` does
- * \throws Degenerate_face_error if a face at the path is degenerate; in this case the network is empty, and nothing is
- *         flipped
+ * \throws Degenerate_face_error if a face at the path has a degenerate edge or violates the triangle inequality; in
+ *         this case the network is empty, and nothing is flipped
  * \throws Invalid_coordinate_error if a face at the path has an invalid coordinate or length; in this case the network
  *         is empty, and nothing is flipped
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; in this case nothing changes

@@ -49,9 +49,10 @@ struct Subdivision_vertex
  *
  * Each face lies in one face of the input. The vertices are those of the triangulation, in its order, followed by the
  * crossings of intrinsic edges with input edges, by the midpoints of curve edges that were split (see
- * `cut_along_curves()`), and, after a cut, by copies of vertices. The connectivity is exact, regardless of rounding
- * errors in positions. The mesh is oriented and manifold, and has the components, borders and genus of the input unless
- * it is cut open. Since positions are rounded, very thin faces may be geometrically degenerate.
+ * `cut_along_curves()`), and, after a cut, by copies of vertices. `insert_curves()` and `cut_along_curves()` can omit
+ * inserted vertices that lie on no curve. The connectivity is exact, regardless of rounding errors in positions. The
+ * mesh is oriented and manifold, and has the components, borders and genus of the input unless it is cut open. Since
+ * positions are rounded, very thin faces may be geometrically degenerate.
  *
  * No two edges have the same two end points, with one exception: the common subdivision of a mesh in which two faces
  * share all three vertices, or two edges share both end points, may contain such edges, which cannot be stored in files
@@ -172,7 +173,7 @@ public:
     }
   }
 
-  /// Restricts vertex values of the mesh to the vertices of the triangulation, all of which are vertices of the mesh.
+  /// Restricts vertex values of the mesh to those vertices of the triangulation that are vertices of the mesh.
   template <class VertexMap, class IntrinsicMap>
   void restrict_to_intrinsic(VertexMap in, IntrinsicMap out) const
   {
@@ -584,7 +585,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  *         specified as the first template argument
  * \throws Invalid_mesh_error if the result has too many elements for 32-bit indices, or a face that has not been
  *         accessed before is not a triangle
- * \throws Degenerate_face_error if such a face is degenerate
+ * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
  *
  * Complexity: linear in the number of faces of the mesh and of crossings of the two triangulations.

@@ -231,9 +231,8 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
  * points are equally near, one of them is chosen.
  *
  * The location is moved to an edge if one of its barycentric coordinates is at most 1e-9, and to a vertex if two are.
- * All faces are considered. Functions that take many points build a tree of bounding boxes for them, with the same
- * results. For many single calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns
- * `Face_location`s.
+ * All faces are considered. Functions that take many points build a tree of bounding boxes, with the same results. For
+ * many single calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
  * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is more than 1e140
@@ -378,7 +377,7 @@ private:
   std::optional<Nearest_mesh_face<Triangulation>> m_nearest_face;
 };
 
-/* Converts a surface point of any kind on the mesh of a triangulation, and below a range of such points. */
+/* Converts a surface point of any kind on the mesh of a triangulation; the next function converts a range. */
 template <class Triangulation, class Place>
 Surface_location located_place(const Triangulation& triangulation, const Place& place)
 {

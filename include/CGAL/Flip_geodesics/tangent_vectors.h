@@ -81,7 +81,7 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{search_limit}
-   *     \cgalParamDescription{how far the map is computed}
+   *     \cgalParamDescription{the limits up to which the map is computed}
    *     \cgalParamType{`Distance_field_limits`}
    *     \cgalParamDefault{no limits}
    *   \cgalParamNEnd
@@ -129,7 +129,8 @@ public:
 
   /*!
    * Returns the length of a shortest path to a point, and the angle of its direction at the source, counterclockwise
-   * from `halfedge()`. The radius is infinite if no path exists within the limits.
+   * from `halfedge()`. The radius is infinite if no path exists within the limits. At the source itself, the radius is
+   * 0 and the angle is NaN.
    *
    * If the path bends at vertices, the angle is that of the path to the first of them, so all points whose paths first
    * bend at the same vertex have the same angle.
@@ -379,7 +380,7 @@ private:
  * Computes the logarithmic map of a surface point, that is, the length and initial direction of a shortest path from it
  * to each target.
  *
- * `trace_geodesic(mesh, source, std::pair(result.halfedge, p.angle), p.radius, out)` arrives at a target with the
+ * `trace_geodesic(mesh, source, std::pair(result.halfedge(), p.angle), p.radius, out)` arrives at a target with the
  * coordinates `p`, unless the path bends at a vertex.
  *
  * \param mesh a triangle mesh
@@ -387,8 +388,8 @@ private:
  *        `trace_geodesic()`
  * \param targets a range of points of these types; `vertices(mesh)` for all vertices
  * \param out an output iterator that receives `Polar_coordinates`, one for each target
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
- *        which only the work limit is used
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
+ *        only the work limit is used
  * \return a `Logarithmic_map_result`. The angles are measured from a halfedge by the rule of `Surface_direction`
  * \throws Vertex_out_of_range_error if the source or a target is not a vertex of the mesh
  * \throws Invalid_location_error if the source or a target does not lie on the mesh
@@ -450,16 +451,16 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  *        contains one
  * \param direction the direction at the start of the curve: a halfedge and the angle from this halfedge, as for
  *        `trace_geodesic()`
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
- *        which only the work limit is used
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
+ *        only the work limit is used
  * \return the direction at the end of the curve in the same form, measured from the halfedge that is described at
- * `Surface_direction`
+ *         `Surface_direction`
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Invalid_parameter_error if the angle is not finite, or the halfedge is not a side of a face that contains the
- * start
- * \throws Degenerate_face_error if a face along the curve is degenerate
+ *         start
+ * \throws Degenerate_face_error if a face along the curve has a degenerate edge
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
@@ -499,13 +500,13 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * \param curve a range of locations in faces, of which any two consecutive ones lie in a common face. A vertex must be
  *        given as a `Face_location`, since vectors lie in the planes of faces
  * \param vector a vector in space, of any kernel
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of
- *        which only the work limit is used; the metric must have points
+ * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
+ *        only the work limit is used; the metric must have points
  * \return the vector at the end of the curve, of the kernel of the points of the mesh
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Invalid_parameter_error if a coordinate of the vector is not finite
- * \throws Degenerate_face_error if a face along the curve is degenerate
+ * \throws Degenerate_face_error if a face along the curve has a degenerate edge
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *

@@ -179,8 +179,8 @@ Value picture_place(double x, double y)
  *        `trace_geodesic()`
  * \param size the length of the sides of the image on the surface, in the unit of the coordinates
  * \param corners a model of `WritablePropertyMap` with the halfedges of the mesh as keys, which represent the corners
- *        at their targets, and `std::array<double, 2>` or `Point_2` as values. Corners of faces that lie outside the
- *        image or are unreachable receive NaN. Border halfedges receive no value
+ *        at their targets, and `std::array<double, 2>` or `Point_2` as values. Corners of faces that are unreachable or
+ *        too far from the image receive NaN. Border halfedges receive no value
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
  *        only the work limit is used
  * \return a report on the faces
@@ -194,8 +194,8 @@ Value picture_place(double x, double y)
  *
  * Complexity: that of a `Geodesic_distance_field` whose radius is the distance from the center of the image to its
  * corners plus the length of the longest edge of the mesh. In addition, at most as many windows as in this field are
- * created. For points whose shortest path the windows do not
- * determine because of rounding errors, the logarithmic map is evaluated separately.
+ * created. For points whose shortest paths the windows do not determine because of rounding errors, the logarithmic map
+ * is evaluated separately.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(

@@ -334,11 +334,11 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
  * function is `trace_geodesic()`.
  *
  * Which edges are crossed, and whether a vertex is reached, is decided exactly, from the signs of real numbers that are
- * defined by the weights of the start, the direction and the input coordinates, each rounded to a double. A direction
- * given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly \f$2\pi\f$, the
- * geodesic continues as in a plane, without rounding. Examples are vertices inside planar regions and on the edges
- * between two planar regions. At other vertices, and at vertices of a degenerate face, the bisecting angle is rounded,
- * and so is the outgoing direction.
+ * defined by the weights of the start, the direction, and the input coordinates or lengths. A direction given as an
+ * angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly \f$2\pi\f$, the geodesic
+ * continues as in a plane, without rounding. Examples are vertices inside planar regions and on the edges between two
+ * planar regions. At other vertices, and at vertices of a degenerate face, the bisecting angle is rounded, and so is
+ * the outgoing direction.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
