@@ -61,7 +61,7 @@ public:
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, or a halfedge does not satisfy the condition
-   * \throws Degenerate_face_error if a face along the curve has a degenerate edge
+   * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
    * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
    * \throws Invalid_mesh_error if a face along the curve is invalid
    *
@@ -105,7 +105,7 @@ public:
    *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
-   * \throws Degenerate_face_error if a face along the curve has a degenerate edge
+   * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
    * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
    * \throws Invalid_mesh_error if a face along the curve is invalid
    *
@@ -228,7 +228,7 @@ private:
  * where a full turn does not exist, it is the difference of the angles of the directions, which can be negative.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
- * \throws Degenerate_face_error if a face of the location has a degenerate edge
+ * \throws Degenerate_face_error if a face of the location has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if a face of the location has an invalid coordinate
  * \throws Invalid_mesh_error if a face of the location is invalid
  * \throws Invalid_parameter_error if an angle is not finite, or a halfedge neither bounds a face that contains the
@@ -350,7 +350,7 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
  * \throws Invalid_location_error if a point does not lie on the mesh
- * \throws Degenerate_face_error if a face along the curve has a degenerate edge
+ * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *

@@ -203,7 +203,7 @@ public:
   const Shortening_report& report() const { return m_report; }
   /// Returns the length of the finished curve. \throws Invalid_parameter_error before `finish()`
   double length() const { return finished().length; }
-  /// Returns whether the legs of the finished curve are geodesics. \throws Invalid_parameter_error before `finish()`
+  /// Returns the status of all legs of the finished curve together. \throws Invalid_parameter_error before `finish()`
   Shortening_status status() const { return finished().status; }
   /// Returns the verdict on all legs of the finished curve together. \throws Invalid_parameter_error before `finish()`
   Verdict verdict() const { return finished().verdict; }
@@ -435,8 +435,8 @@ struct Free_legs
   Shortening_report report;                        ///< the report on all legs together, as one curve
 
   double length() const { return report.length(); }            ///< returns the total length of the legs
-  Shortening_status status() const { return report.status(); } ///< returns whether each leg is a geodesic
-  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on all legs
+  Shortening_status status() const { return report.status(); } ///< returns the status of all legs together
+  Verdict verdict() const { return report.verdict(); }         ///< returns the verdict on all legs together
 };
 
 namespace internal {
@@ -602,7 +602,7 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
  *        greater weight and attracts the curve
  * \param kind the type of the spline, a `Spline_kind`
  * \param out an output iterator that receives the points of the curve, in the form described at `geodesic_path()`
- * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
+ * \param np an optional sequence of named parameters among those listed below, `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`, and `greatest_point_distance` as for `geodesic_path_through()`
  *
  * \cgalNamedParamsBegin
@@ -614,7 +614,7 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
  * \cgalNamedParamsEnd
  *
  * \return the past-the-end output iterator, and a report with exactly one curve
- * \throws Invalid_curve_error if fewer than two points are given
+ * \throws Invalid_curve_error if fewer than two points are given, or fewer than three for a closed spline
  * \throws Invalid_parameter_error if the number of iterations is out of range
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Distant_point_error if a point in space is too far from the surface

@@ -43,8 +43,8 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * in `Loop_basis`, without the paths that these loops traverse back and forth. The network is therefore short, but in
  * general not the shortest cut graph, whose computation is NP-hard \cgalCite{EH04}. Borders need not be cut open;
  * curves therefore lead from one border to another and end there, and paths along the border count as having length
- * zero. A disk receives no curve. A sphere receives one, from its base point to the vertex that is farthest from it
- * along edges.
+ * zero. A disk receives no curve. A sphere receives one, from the base point to the vertex that is farthest from this
+ * point along edges.
  *
  * \param network an empty network
  * \param base_points vertices, at most one in each component. In a component without a base point, the first vertex of

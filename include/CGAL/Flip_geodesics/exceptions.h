@@ -189,8 +189,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a vertex does not belong to the mesh. `elements()` contains the index of the vertex or, if the vertices
-/// of the mesh have no indices, its position among the given vertices.
+/// Is thrown if a vertex does not belong to the mesh, or to any face of it. `elements()` contains the index of the
+/// vertex or, if the vertices of the mesh have no indices, its position among the given vertices.
 class Vertex_out_of_range_error : public Error
 {
 public:
@@ -258,8 +258,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if an edge would have to be flipped or split although a curve of a network lies on it; if a network is
-/// being changed, only the curves of other networks count. In this case nothing has been changed. `elements()` contains
-/// the halfedge of the point to be inserted, if there is one.
+/// being changed, only the curves of other networks count. The edge is unchanged. `elements()` contains the halfedge of
+/// the point to be inserted, if there is one.
 class Occupied_triangulation_error : public Error
 {
 public:

@@ -883,7 +883,7 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  * \param source a vertex of the mesh
  * \param coordinates a model of `WritablePropertyMap` with the vertices of the mesh as keys and `Polar_coordinates` as
  *        values
- * \param np named parameters, as for `geodesic_distances()`
+ * \param np named parameters, as for `geodesic_distances()`, except `nearest_source_map`
  * \return a report that contains the number of shortest paths and states whether they are confirmed
  * \throws Vertex_out_of_range_error if `source` is not a vertex of the mesh
  * \throws Degenerate_face_error as `geodesic_path()` does

@@ -48,8 +48,9 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  * \param out an output iterator that receives one `std::vector` per loop, in the order of the basis, of the points that
  *        `geodesic_path()` writes
  * \param np named parameters, as for `geodesic_path()`; the stop predicate is applied to each loop separately. If the
- *        `go_further()` of a visitor returns `false`, the remaining loops are not shortened. If this happens before the
- *        basis is known, nothing is written, and the report has one entry with `Shortening_status::STOPPED_BY_VISITOR`
+ *        `go_further()` of a visitor returns `false`, the remaining loops are written without being shortened. If this
+ *        happens before the basis is known, nothing is written, and the report has one entry with
+ *        `Shortening_status::STOPPED_BY_VISITOR`
  * \return the past-the-end output iterator, and a report with one entry per loop
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Degenerate_face_error as `geodesic_path()` does
@@ -95,7 +96,7 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  * \ingroup PkgFlipGeodesicsLoops
  *
  * Shortens a network along which each component of a surface is cut open to a disk, and preserves this property.
- * Afterwards, each component is a single disk, and all curves are locally shortest between their ends.
+ * Afterwards, the curves cut each component open to a single disk and are locally shortest between their ends.
  *
  * Curves that were disjoint can touch at a vertex or overlap along edges after shortening. Cutting along all of them
  * would then divide the component into several disks, and some of the curves are superfluous, because two disks with a

@@ -130,8 +130,8 @@ public:
       weight /= sum;
   }
 
-  /// Returns the point at which the search starts by default: the point with the largest weight, or the first of
-  /// several such points.
+  /// Returns the point with the largest weight, or the first of several such points; `geodesic_mean()` starts the
+  /// search there.
   const Surface_location& heaviest() const
   {
     const auto i = (std::max_element)(m_weights.begin(), m_weights.end()) - m_weights.begin();

@@ -48,10 +48,10 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  * `Verdict::PROVEN`, and the output consists of its two end points. The end points of a degenerate edge coincide in
  * this sense.
  *
- * The following holds for all functions that compute curves on a mesh. If a degenerate edge is encountered, all such
- * edges are contracted and the curve is computed again. The result is then a geodesic of the contracted surface, and
- * `Curve_report::are_zero_edges_contracted` is `true`. A visitor observes the steps of both attempts. The output is
- * written once the result is complete, so nothing is written if an exception is thrown.
+ * The following holds for all functions that compute locally shortest curves on a mesh. If a degenerate edge is
+ * encountered, all degenerate edges are contracted and the curve is computed again. The result is then a geodesic of
+ * the contracted surface, and `Curve_report::are_zero_edges_contracted` is `true`. A visitor observes the steps of both
+ * attempts. The output is written once the result is complete, so nothing is written if an exception is thrown.
  *
  * \param mesh a triangle mesh
  * \param source, target vertices in the same connected component

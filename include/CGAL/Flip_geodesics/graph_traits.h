@@ -196,9 +196,10 @@ struct Intrinsic_graph_traits
  * `boost::graph_traits` is specialized for the class `Intrinsic_triangulation` itself, not for other models of
  * `IntrinsicTriangulation` or for derived classes.
  *
- * All functions take constant time, with three exceptions. `next()` and `prev()` of a border halfedge take time linear
- * in the degree of the vertex. `faces()` and `num_faces()` traverse all halfedges. The map of face indices is
- * constructed in linear time when it is requested, and remains valid until the next flip or insertion.
+ * The functions take constant time, with the following exceptions. `next()` and `prev()` of a border halfedge, and the
+ * functions that return the degree of a vertex or find an edge between two vertices, take time linear in the degree of
+ * the vertex. `faces()` and `num_faces()` traverse all halfedges. The map of face indices is constructed in linear time
+ * when it is requested, and remains valid until the next flip or insertion.
  *
  * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
  * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be

@@ -36,8 +36,8 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Is the base class of visitors of `insert_curves()`; its members do nothing. A visitor derives from this class and
- * overrides the members that it needs. The names, the parameters and the order of the calls are those of
+ * Is the base class of visitors of `insert_curves()`; its members do nothing. Derive a visitor from this class, and
+ * redefine the members that it needs. The names, the parameters and the order of the calls are those of
  * `CGAL::Polygon_mesh_processing::Corefinement::Default_visitor`.
  *
  * \tparam TriangleMesh the mesh into which curves are inserted

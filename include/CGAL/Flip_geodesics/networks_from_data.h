@@ -26,7 +26,7 @@ namespace CGAL::Flip_geodesics {
 /// Specifies the treatment of vertices at which more than two regions, or regions and the border, meet.
 enum class Junctions {
   FIXED, ///< these vertices are fixed, and every curve ends there
-  FREE   ///< these vertices can move: every region has its own closed curves, next to those of its neighbors
+  FREE   ///< these vertices can move: every region has its own curves, next to those of its neighbors
 };
 
 namespace internal {

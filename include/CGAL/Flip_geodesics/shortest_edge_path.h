@@ -116,7 +116,7 @@ enum class Search_method {
   /// several times fewer edges. The lower bound on the remaining distance is multiplied by 1.1 (weighted A*), so that
   /// paths of nearly equal length need not be compared. A vertex that is reached again by a path that is only
   /// marginally shorter keeps its position in the queue. The search visits about a third as many vertices as `A_STAR`.
-  /// If the metric has no lower bound, the method is equivalent to `DIJKSTRA`.
+  /// If the metric has no lower bound and no landmarks are given, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
   /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if this
   /// bound is zero

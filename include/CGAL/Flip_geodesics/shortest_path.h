@@ -59,7 +59,7 @@ struct Shortest_path_report
   /// confirmed, no such path has been missed.
   bool has_tie = false;
 
-  /// Returns whether the path is a geodesic.
+  /// Returns how the shortening of the path ended.
   Shortening_status status() const { return shortening.status(); }
 
   /// Returns whether the path is confirmed to be shortest; an unconfirmed path may still be shortest.
@@ -680,7 +680,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a shortest path between two vertices to an empty network, and returns a lower bound on the lengths of all paths.
+ * Adds a shortest path between two vertices to an empty network, and computes a lower bound on the lengths of all
+ * paths.
  *
  * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is usually within a relative
  * 1e-13 of the length. A `Verdict::PROVEN` geodesic whose length is within `Shortest_path_report::rounding_tolerance()`
@@ -898,7 +899,7 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  * \cgalNamedParamsEnd
  *
  * \return the past-the-end output iterator, and a report. Its `Curve_report::point_distances` are the distances of the
- *         given points from the surface, unless both ends are given as vertices
+ *         given points from the surface; they are empty if both ends are given as vertices
  *
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
  * \throws Disconnected_endpoints_error as `geodesic_path()` does

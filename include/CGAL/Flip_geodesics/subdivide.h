@@ -588,7 +588,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
  *
- * Complexity: linear in the number of faces of the mesh and of crossings of the two triangulations.
+ * Complexity: linear in the number of faces of the mesh and the number of crossings of the two triangulations.
  */
 template <class OutputMesh = void, class Triangulation>
 auto common_subdivision(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh)
@@ -627,7 +627,8 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  * \ingroup PkgFlipGeodesicsSubdivision
  *
  * Cuts the input mesh open along the curves of a network. The curves are inserted as by `insert_curves()`. Each of
- * their edges is then doubled, and a vertex is duplicated if this separates the faces around the vertex.
+ * their edges that is not on the border is then doubled, and a vertex is duplicated if this separates the faces around
+ * the vertex.
  *
  * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
  * single vertices; a closed curve becomes two borders, and a curve from border to border becomes two chains of border

@@ -460,7 +460,7 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Invalid_parameter_error if the angle is not finite, or the halfedge is not a side of a face that contains the
  *         start
- * \throws Degenerate_face_error if a face along the curve has a degenerate edge
+ * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
@@ -506,7 +506,7 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
  * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Invalid_parameter_error if a coordinate of the vector is not finite
- * \throws Degenerate_face_error if a face along the curve has a degenerate edge
+ * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *

@@ -372,7 +372,8 @@ public:
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, its halfedge is neither a side of a face that contains
    *         the source nor starts there, or the length is negative or not finite
-   * \throws Degenerate_face_error if a face has a zero-length side, or the direction lies in a degenerate face
+   * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
+   *         lies in a degenerate face
    * \throws Invalid_coordinate_error if a coordinate is not finite
    * \throws Invalid_mesh_error if a face is not a triangle
    *
@@ -555,8 +556,8 @@ private:
  * \throws Invalid_parameter_error if the length or the direction is not finite, the length or the number of iterations
  *         is negative, the vector has no component in the plane of its face, or the halfedge does not satisfy the
  *         condition above
- * \throws Degenerate_face_error if a face with a zero-length side is encountered, or the direction at the start points
- *         into a degenerate face
+ * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
+ *         at the start points into a degenerate face
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  * \throws Invalid_mesh_error if a face is not a triangle
  *

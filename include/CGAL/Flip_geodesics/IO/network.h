@@ -391,9 +391,9 @@ inline std::string checked_text(std::istream& in)
  *
  * Saves a network together with its triangulation as text.
  *
- * The text contains the log of flips and insertions; the curves, by segments; and the order of overlapping segments on
- * edges, which does not follow from the curves. Instead of the input mesh, a fingerprint of its connectivity and edge
- * lengths is written.
+ * The text contains the log of flips and insertions, the segments of the curves, and the order of overlapping segments
+ * on edges, which does not follow from the curves. Instead of the input mesh, a fingerprint of its connectivity and
+ * edge lengths is written.
  *
  * The format, version 2, consists of words separated by blanks. Numbers are written in decimal with all significant
  * digits, and indices are those of the library.
