@@ -93,7 +93,6 @@ private:
 
 namespace internal {
 
-/* Reads the points of a given curve. */
 template <class Triangulation>
 class Given_curve
 {
@@ -204,7 +203,6 @@ private:
   Vertex_index m_first = null_index;
 };
 
-/* Certifies the edge sequences of a curve. */
 template <class Triangulation>
 class Given_curve_certifier
 {

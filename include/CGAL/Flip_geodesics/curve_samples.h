@@ -260,7 +260,6 @@ struct Curve_sample : Curve_point<TriangleMesh, Point>
 
 namespace internal {
 
-/* Converts points on a curve to samples. */
 template <class Triangulation, class TriangleMesh>
 class Curve_sampler
 {
@@ -322,7 +321,6 @@ bool is_one_place(const Input_mesh& input, const Surface_location& p, const Surf
   return p.halfedge == q.halfedge;
 }
 
-/* Returns a curve that is given by surface points of any kind. */
 template <class Triangulation, class TriangleMesh, class PlaceRange>
 Located_curve<Triangulation> located_curve(const Triangulation& triangulation, const TriangleMesh&,
                                            const PlaceRange& curve)

@@ -127,7 +127,6 @@ bool compare(const Tree& tree, const Search& search, Distances_report& report)
   return is_consistent;
 }
 
-/* Replaces the paths of a tree that are longer than those that a search has found. */
 template <class Tree, class Search>
 void replace_longer(Tree& tree, const Search& search, Interruption& interruption, Distances_report& report)
 {
@@ -470,7 +469,6 @@ struct Value_collector
   friend void put(const Value_collector& map, const Key&, const Value& value) { map.values->push_back(value); }
 };
 
-/* Returns the number of windows that a search or a field over a triangulation may create. */
 template <class Triangulation>
 std::size_t most_windows(const Triangulation& triangulation, const Window_limit& limit)
 {
@@ -669,7 +667,6 @@ Distance_source distance_source(const Triangulation& triangulation, const Triang
   }
 }
 
-/* Converts a single source or a range of sources. */
 template <class Triangulation, class TriangleMesh, class Sources>
 std::vector<Distance_source> distance_sources(const Triangulation& triangulation, const TriangleMesh& mesh,
                                               const Sources& sources)
@@ -686,7 +683,6 @@ std::vector<Distance_source> distance_sources(const Triangulation& triangulation
   return result;
 }
 
-/* The type of functions that return the sources on the surface of a triangulation. */
 template <class TriangleMesh, class NamedParameters>
 using Locate_sources = std::function<std::vector<Distance_source>(
     const typename Curve_types<TriangleMesh, NamedParameters>::Triangulation&)>;

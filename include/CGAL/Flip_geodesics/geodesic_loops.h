@@ -26,7 +26,6 @@ namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
-/* Adds the report on one curve of a network to a report on many. */
 inline void append_report(const Shortening_report& report, Shortening_report& sum)
 {
   sum.curves.insert(sum.curves.end(), report.curves.begin(), report.curves.end());

@@ -69,7 +69,6 @@ private:
   Halfedge_index m_halfedge;
 };
 
-/* Maps descriptors to their numbers. */
 template <class Key>
 struct Descriptor_index_map
 {
@@ -109,7 +108,6 @@ private:
   std::shared_ptr<Numbers> m_numbers;
 };
 
-/* Maps edges to their intrinsic lengths. */
 template <class Triangulation>
 struct Edge_length_map
 {
@@ -123,7 +121,6 @@ struct Edge_length_map
   friend double get(const Edge_length_map& map, Edge_index e) { return map.triangulation->length(first_side(e)); }
 };
 
-/* Maps vertices to their points in space. */
 template <class Triangulation>
 struct Intrinsic_point_map
 {
@@ -143,7 +140,6 @@ struct Intrinsic_point_map
   }
 };
 
-/* Defines boost::graph_traits of a triangulation. */
 template <class Triangulation>
 struct Intrinsic_graph_traits
 {

@@ -92,7 +92,6 @@ constexpr bool
     is_mutable_mesh<T, std::void_t<decltype(add_edge(std::declval<T&>())), decltype(faces(std::declval<const T&>()))>> =
         !std::is_const<T>::value;
 
-/* Returns whether edges can be marked with these named parameters. */
 template <class NamedParameters>
 constexpr bool can_mark_edges()
 {
@@ -114,7 +113,6 @@ auto marked_edges(TriangleMesh& mesh, const NamedParameters& np)
     return static_cast<void>(np), get(CGAL::dynamic_edge_property_t<bool>(), mesh);
 }
 
-/* Returns the given visitor, or one that does nothing. */
 template <class TriangleMesh, class NamedParameters>
 auto insertion_visitor(const NamedParameters& np)
 {

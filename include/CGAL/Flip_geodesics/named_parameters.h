@@ -101,7 +101,6 @@ constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag
 template <class NamedParameters, class Tag>
 using Given = typename internal_np::Get_param<typename NamedParameters::base, Tag>::type;
 
-/* Prepends a sequence of named parameters to others. */
 template <class T, class Tag, class Base, class Others>
 auto put_before(const Named_function_parameters<T, Tag, Base>& np, const Others& others)
 {
@@ -118,7 +117,6 @@ auto put_before(const Named_function_parameters<T, Tag, Base>& np, const Others&
 
 inline parameters::Default_named_parameters joined() { return parameters::default_values(); }
 
-/* Joins several sequences of named parameters. */
 template <class NamedParameters, class... Others>
 decltype(auto) joined(const NamedParameters& np, const Others&... others)
 {
@@ -179,7 +177,6 @@ decltype(auto) curve_options(const NamedParameters&... np)
   return surface_options<internal_np::visitor_t, Stop_parameter, Tags...>(np...);
 }
 
-/* Returns the given limit, or the default. */
 template <class Limit, class NamedParameters>
 Limit search_limit_of(const NamedParameters& np)
 {
@@ -192,7 +189,6 @@ Limit search_limit_of(const NamedParameters& np)
   }
 }
 
-/* Returns whether a curve is closed, which it is not by default. */
 template <class NamedParameters>
 bool is_closed_of(const NamedParameters& np)
 {

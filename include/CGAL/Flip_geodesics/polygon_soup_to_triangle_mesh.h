@@ -141,7 +141,6 @@ private:
   std::vector<std::size_t> m_numbers;
 };
 
-/* Checks the requirements on the result of a repair. */
 template <class Kernel>
 void check_repaired(const Triangle_soup<Kernel>& soup, const Repair_record& record)
 {

@@ -311,7 +311,6 @@ private:
     Ancestors ancestors;
   };
 
-  // A step to a neighbor.
   struct Step
   {
     double distance;

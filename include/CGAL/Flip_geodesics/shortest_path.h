@@ -781,7 +781,6 @@ Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& trian
   return report;
 }
 
-/* Computes a shortest path between vertices. */
 template <class Form, class Triangulation, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> shortest_path_between(Triangulation& triangulation,
                                                                   const TriangleMesh& mesh, Vertex_index source,

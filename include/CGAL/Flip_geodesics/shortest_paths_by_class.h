@@ -153,7 +153,6 @@ private:
 
 namespace internal {
 
-/* Paths of several classes, with a report. */
 template <class TriangleMesh, class Form>
 using Paths_of_classes = Computed_output<std::vector<Form>, Paths_by_class_report<TriangleMesh>>;
 

@@ -293,7 +293,6 @@ private:
 
 namespace internal {
 
-/* Returns the given stop predicate, or else one that never stops. */
 template <class NamedParameters>
 decltype(auto) stop_predicate_of(const NamedParameters& np)
 {

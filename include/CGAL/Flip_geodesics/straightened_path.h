@@ -64,7 +64,6 @@ public:
   /* Returns the length of the path that was straightened. */
   double path_length() const { return m_path_length; }
 
-  /* Returns the edges that a segment crosses. */
   std::vector<Crossed_edge> crossed(const Leg& leg)
   {
     std::vector<Crossed_edge> result;

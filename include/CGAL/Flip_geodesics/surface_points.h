@@ -204,7 +204,6 @@ private:
   }
 };
 
-/* Finds the nearest faces of points in space. */
 template <class Triangulation>
 using Nearest_mesh_face = Nearest_face<typename Triangulation::Triangle_mesh, Halved_corners<Triangulation>>;
 

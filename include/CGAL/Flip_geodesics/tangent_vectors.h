@@ -333,7 +333,6 @@ template <class Triangulation>
 class Logarithm_of_targets
 {
 public:
-  /* \param source the source of the logarithm */
   Logarithm_of_targets(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
                        const Logarithmic_map<Triangulation>& logarithm, const Surface_location& source)
     : m_triangulation(triangulation)

@@ -300,7 +300,6 @@ struct Is_constrained
   }
 };
 
-/* Traces a geodesic with the named parameters of `trace_geodesic()`. */
 template <class Triangulation, class Direction, class OutputIterator, class NamedParameters>
 Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_input_faces<Triangulation>& exact_faces,
                              const Surface_location& source, const Direction& direction, double length,
