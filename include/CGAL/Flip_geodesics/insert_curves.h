@@ -257,8 +257,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, also if any face that is examined is not a triangle; if vertices, `Surface_location`s or
  *            `Surface_point`s are given, also if a `Surface_mesh` contains removed vertices or edges
- * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite; `elements()`
- *            contains the position of the vertex in the range of vertices
+ * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite;
+ *            `elements()` contains the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
  * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face contains few of them, and at most
