@@ -223,7 +223,7 @@ struct Network_certificate
  * Certifies from the input alone that the curves of a network are locally shortest, regardless of the traits with which
  * they were computed.
  *
- * The input edges that a segment crosses must unfold to a strip that contains the straight line between the ends of the
+ * The input faces that a segment crosses must unfold to a strip that contains the straight line between the ends of the
  * segment, and each unblocked side of a joint must have an angle of at least \f$\pi\f$. The comparisons are those of
  * exact real numbers, filtered by error bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or
  * lengths of the mesh must be rounded, as `Embedded_metric::is_rounded()` reports, no curve is certified, and every

@@ -318,10 +318,10 @@ private:
  *
  * Certifies that a given curve, however it was computed, is locally shortest.
  *
- * The curve consists of segments, which lead from one end or passed vertex to the next. Each segment must be the
- * straight line across its crossed edges, and at each passed vertex, the angle on each side that does not contain the
- * border must be at least \f$\pi\f$. The segments are determined by their end points and edge sequences. The given
- * positions on crossed edges are therefore ignored, and the correct positions are returned.
+ * The curve consists of segments, which lead from one end or passed vertex to the next. Each segment must be a straight
+ * line across its crossed edges, and at each passed vertex, the angle on each side that does not contain the border
+ * must be at least \f$\pi\f$. The segments are determined by their end points and edge sequences. The given positions
+ * on crossed edges are therefore ignored, and the correct positions are returned.
  *
  * An end inside a face or on an edge is exactly the point with the given weights divided by their sum; if an end is
  * given by a position t on a halfedge, these weights are 1 - t, rounded, and t. Ends are not snapped. The angles at the
@@ -337,9 +337,9 @@ private:
  *        which must then be a vertex and must not be repeated; `false` by default. Also `vertex_point_map` or `metric`,
  *        and `geom_traits`, as for `geodesic_path()`
  * \return the certificate of the curve
- * \throws Invalid_curve_error if the points do not form such a curve: there are too few, two consecutive ones are
- *         equal, one between the ends lies inside a face, or an edge is on the border or not adjacent to the point
- *         before it. `elements()` contains the number of the invalid point, if there is one
+ * \throws Invalid_curve_error if the points do not form such a curve: there are too few points, two consecutive points
+ *         are equal or have no common face, a point between the ends lies inside a face, or a crossed edge is on the
+ *         border. `elements()` contains the number of the invalid point, if there is one
  * \throws Invalid_location_error if the face of a location does not belong to the mesh, or weights of an end are
  *         negative, NaN, too small or too large
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated

@@ -318,8 +318,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a curve through points of the surface. The points become vertices, at which the nodes of the curve are fixed,
- * and consecutive points are connected.
+ * Adds a curve through points of the surface. The points become vertices, at which the curve is fixed, and consecutive
+ * points are connected.
  *
  * A curve through two points is a shortest edge path. A curve through more points consists of *legs*, which connect
  * consecutive points. Each leg is first shortened on its own, with the other points ignored, and therefore passes each
@@ -329,7 +329,7 @@ private:
  *
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
- *        location that coincides with the previous one is skipped. A closed curve need not repeat the first
+ *        location that coincides with the previous one is skipped. A closed curve need not repeat the first location
  * \param np the named parameter `is_closed`, a `bool`: whether the curve is closed; `false` by default
  * \return the index of the curve
  * \throws Invalid_curve_error if fewer than two points are given, or all points coincide

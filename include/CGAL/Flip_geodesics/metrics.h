@@ -63,8 +63,7 @@ void check_input(const Metric& metric, const Mesh& mesh)
  * \ingroup PkgFlipGeodesicsCurves
  *
  * Represents a mesh whose vertices and halfedges are numbered consecutively. This type is the input of triangulations
- * and an argument of the functions of metrics. It is a class rather than a concept, since a metric and all
- * triangulations that use the metric must identify elements by the same numbers.
+ * and an argument of the functions of metrics.
  *
  * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge with number `e` in
  * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result can therefore be converted back to elements
@@ -649,8 +648,8 @@ public:
 
   using Base::place;
 
-  /// Returns the lower bound of the other metric, which remains valid because adding the same length to all edges does
-  /// not shorten any path. The bound is reduced if almost degenerate faces require an allowance for rounding errors.
+  /// Returns the lower bound of the other metric, reduced if almost degenerate faces require an allowance for rounding
+  /// errors. Adding the same length to all edges does not shorten any path.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     return m_least_stretch * Base::distance_lower_bound(p, q);
@@ -803,8 +802,7 @@ public:
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
   /// Returns the lower bound of the other metric, times the least factor by which faces stretch segments. This factor
-  /// can be smaller than the smallest weight, because the height of a face can be stretched less than each of its
-  /// sides.
+  /// can be smaller than the smallest weight.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(std::is_empty<Place>::value)

@@ -161,7 +161,7 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * Two kinds of faces are exempt from the bound on angles. In one kind, the smallest angle lies between two constrained
  * edges that meet at less than 60 degrees, or at a vertex whose angles sum to less than 60 degrees; no insertion could
- * enlarge this angle. In the other, the shortest side connects two constrained edges at equal distances from such a
+ * enlarge this angle. In the other, the shortest side connects two such edges at equal distances from their common
  * vertex; an insertion there would cause another one closer to the vertex, and so on without end \cgalCite{S02}.
  *
  * \param network an `Edge_path_network` whose triangulation, a model of `IntrinsicTriangulationOfMesh`, is refined

@@ -152,8 +152,8 @@ namespace Flip_geodesics {
  * paths or, with `Search_method::LOOK_BACK`, close to geodesics so that few flips are needed. Only the input is read,
  * and the triangulation does not change.
  *
- * Labels are allocated once and store the number of their search instead of being reset, so a search takes \cgalBigO{k
- * \log k} time for the \f$k\f$ vertices that it visits. Of several paths of equal length, the same one is always found.
+ * A search takes \cgalBigO{k \log k} time for the \f$k\f$ vertices that it visits. Of several paths of equal length,
+ * the same one is always found.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */

@@ -725,7 +725,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \throws Invalid_curve_error if the vertices are equal
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
  * \throws Disconnected_endpoints_error as `geodesic_path()` does
- * \throws Degenerate_face_error as `geodesic_path()` does
+ * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()` does

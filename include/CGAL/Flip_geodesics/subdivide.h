@@ -37,8 +37,8 @@ struct Subdivision_vertex
   Surface_point on_input;                     ///< the position of the vertex on the input mesh
   Vertex_index intrinsic_vertex = null_index; ///< the vertex of the triangulation, or null
   Halfedge_index intrinsic_halfedge =
-      null_index;         ///< if that is null, the first halfedge of the intrinsic edge that contains the vertex,
-  double intrinsic_t = 0; ///< and the position on that halfedge, strictly between 0 at the tail and 1 at the head
+      null_index; ///< the first halfedge of the intrinsic edge on which a vertex without `intrinsic_vertex` lies
+  double intrinsic_t = 0; ///< the position on `intrinsic_halfedge`, strictly between 0 at the tail and 1 at the head
 };
 
 /*!
