@@ -198,8 +198,8 @@ public:
     return sum;
   }
 
-  /// Returns the report on `finish()`, which includes the flips of all previous calls. Its initial length is that of
-  /// the first control polygon, and its verdict is that of all geodesics together.
+  /// Returns the report on `finish()`, which includes the flips of all previous calls. The initial length is that of
+  /// the first control polygon, and the verdict is that on all geodesics together.
   const Shortening_report& report() const { return m_report; }
   /// Returns the length of the finished curve. \throws Invalid_parameter_error before `finish()`
   double length() const { return finished().length; }

@@ -59,8 +59,8 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
  * crossed edges and their order are exact; the positions of the crossings are rounded to double.
  *
  * If a curve passes a vertex at a distance of the order of rounding errors, consecutive points on the edges at this
- * vertex may coincide in space. The edges then determine on which side the curve passes, and `Surface_point::t` is not
- * zero.
+ * vertex may coincide in space. The crossed edges then determine on which side of the vertex the curve passes, and
+ * `Surface_point::t` is not zero.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */

@@ -46,9 +46,9 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
-/// Reports how many paths of a tree are globally shortest. Paths are compared only with those that the search has
-/// found. Unless the distances are confirmed, the search may have missed vertices or shorter paths. In that case, the
-/// paths of the tree need not be shortest even if none was found to be longer.
+/// Reports how many paths of a tree are globally shortest. Paths are compared only with those that a search has found.
+/// Unless the distances are confirmed, the search may have missed vertices or shorter paths. In that case, the paths of
+/// the tree need not be shortest even if none was found to be longer.
 struct Distances_report
 {
   /// the number of vertices other than the source that the search reached within the limit of the tree

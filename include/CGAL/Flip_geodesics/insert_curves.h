@@ -178,8 +178,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * kept, and nothing is shortened. The edges of the curves are marked, and faces can be labeled by the regions that the
  * marked edges bound.
  *
- * A curve is the output of a function of this package, or a polyline drawn by a user. It may be open, or closed, in
- * which case its last point must repeat the first. A curve may cross itself and other curves, lie on edges, pass
+ * A curve is the output of a function of this package, or a polyline drawn by a user. It may be open or closed; the
+ * last point of a closed curve must repeat the first. A curve may cross itself and other curves, lie on edges, pass
  * through vertices, and overlap with other curves. Each crossing of two curves inside a face becomes one new vertex.
  * Whether curves cross is decided exactly, by a constrained Delaunay triangulation in the plane of each face.
  *

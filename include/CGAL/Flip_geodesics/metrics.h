@@ -181,7 +181,7 @@ public:
   }
 
   /// Returns the length of halfedge `h`, given the positions of its two ends. For rational coordinates, the error is at
-  /// most a few units in the last place of the coordinates, or \f$2^{-40}\f$ of the length if this is smaller.
+  /// most a few units in the last place of the coordinates, or \f$2^{-40}\f$ of the length if this bound is smaller.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     if constexpr(is_rational) {

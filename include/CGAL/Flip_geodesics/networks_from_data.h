@@ -152,7 +152,7 @@ private:
  * With fixed junctions, as with `add_marked_edges()`, the curves end at the vertices that are incident to exactly one
  * edge between regions or to more than two; a curve without such a vertex is closed. With free junctions, each edge
  * carries two segments, one for each adjacent region, with the region on the left; the segments form closed curves and
- * paths from border to border. The junctions can then move, and a gap that does not belong to a region opens between
+ * paths from border to border. The junctions can then move, and a gap that does not belong to any region opens between
  * the curves of three regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy
  * class among the others.
  *

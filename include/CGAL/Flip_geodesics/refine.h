@@ -146,9 +146,9 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * \attention Since the positions of vertices on curves are rounded, `certify()` can find a bend of the size of a
  * rounding error at such a vertex. Call `certify()` before the refinement.
  *
- * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low for a point
- * inside them. They are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
- * length is a million times its thickness. The latter case is detected early by an estimate: a face of area \f$A\f$
+ * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low to represent a
+ * point inside them, and *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
+ * length is a million times its thickness. The second case is detected early by an estimate: a face of area \f$A\f$
  * with shortest side \f$s\f$ requires about \f$A/s^2\f$ vertices if its neighbors are equally thin, and far fewer
  * otherwise. Faces are processed in generations, each of which consists of the faces that are bad at its beginning. If
  * the sum of the estimates is more than 16 times the number of vertices that may still be inserted, and falls by less

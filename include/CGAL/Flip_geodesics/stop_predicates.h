@@ -131,7 +131,7 @@ class Angle_stop_predicate
 {
 public:
   /// Sets the limit.
-  /// \param angle the limit of the angle, in radians, in (0, \f$\pi\f$]
+  /// \param angle the angle at which shortening stops, in radians, in (0, \f$\pi\f$]
   explicit Angle_stop_predicate(double angle)
     : m_key(1 - std::cos(angle) / (std::abs(std::cos(angle)) + std::sin(angle)))
   {

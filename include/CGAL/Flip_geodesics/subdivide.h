@@ -632,8 +632,8 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  *
  * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
  * single vertices; a closed curve becomes two borders, and a curve from border to border becomes two chains of border
- * edges. Since both sides of a slit of one edge would have both end points in common, each side receives a vertex at
- * its midpoint.
+ * edges. If a slit consists of one edge, its two sides would have both end points in common; each side therefore
+ * receives a vertex at its midpoint.
  *
  * \param network, mesh as for `insert_curves()`
  * \return a `Surface_subdivision`, as for `common_subdivision()`

@@ -51,9 +51,9 @@ namespace CGAL::Flip_geodesics {
  *                                             p.radius, CGAL::Emptyset_iterator()); \endcode
  *
  * This code arrives at the target unless the shortest path bends at a vertex, which a straightest geodesic never does.
- * A `Geodesic_distance_field` finds the edges that the path crosses. These edges are unfolded into a plane, starting at
- * the source, and the unfolded target gives the result. The error is therefore a few rounding errors per edge, not the
- * error of the distances.
+ * A `Geodesic_distance_field` finds the edges that the path crosses. The faces between these edges are unfolded into a
+ * plane, and the unfolded target gives the result. The error is therefore a few rounding errors per edge, not the error
+ * of the distances.
  *
  * The map is discontinuous across the cut locus, the set of points that shortest paths reach from two sides. Which of
  * these paths is chosen there depends on rounding errors.
