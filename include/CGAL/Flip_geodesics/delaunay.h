@@ -133,9 +133,10 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParame
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Returns the edges near the curves of a network, in increasing order: the edges of the faces around the vertices that
- * a curve passes, extended to `rings` rings of vertices. With these edges, `flip_to_delaunay()` is local. The time does
- * not depend on the size of the mesh: it is \cgalBigO{k \log k} for \f$k\f$ edges.
+ * Returns the edges near the curves of a network, in increasing order: for one ring, the edges of the faces around the
+ * vertices that a curve passes; each further ring adds the edges of the faces around the vertices of these edges. With
+ * these edges, `flip_to_delaunay()` is local. The time does not depend on the size of the mesh: it is
+ * \cgalBigO{k \log k} for \f$k\f$ edges.
  */
 template <class Network>
 std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)

@@ -139,8 +139,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \cgalNamedParamsEnd
  *
  * \return the past-the-end output iterator
- * \throws Invalid_parameter_error if a level is not finite, the tolerance is not positive or is less than 1e-14 of a
- *         side of a face, or the field returns NaN or is a `Geodesic_distance_field` that has not been computed
+ * \throws Invalid_parameter_error if a level is not finite, the tolerance is not positive and finite or is less than
+ *         1e-14 of a side of a face, or the field returns NaN or is a `Geodesic_distance_field` that has not been
+ *         computed
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
@@ -301,8 +302,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \param tolerance a distance on the surface, in the unit of the coordinates
  * \param np the named parameters `vertex_point_map` and `visitor`, as for `isolines()`
  * \return the past-the-end output iterator
- * \throws Invalid_parameter_error if the tolerance is not positive or is less than 1e-14 of a side of a face, or the
- *         field returns NaN or is a `Geodesic_distance_field` that has not been computed
+ * \throws Invalid_parameter_error if the tolerance is not positive and finite or is less than 1e-14 of a side of a
+ *         face, or the field returns NaN or is a `Geodesic_distance_field` that has not been computed
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
