@@ -131,7 +131,7 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws Degenerate_face_error if the mesh has a degenerate edge
+   * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    * \throws Invalid_mesh_error if a face is not a triangle
    *
@@ -157,7 +157,7 @@ public:
    * \param tag an object whose type selects sequential or parallel execution
    * \param np the named parameter `visitor`, as for the constructor with a number of landmarks
    * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
-   * \throws Degenerate_face_error if the mesh has a degenerate edge
+   * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    * \throws Invalid_mesh_error if a face is not a triangle
    *
