@@ -56,7 +56,7 @@ struct Curve_certificate
   {
   }
 
-  Segment_index segment; ///< the bent segment, or the segment that arrives at the bent joint; null without a bend
+  Segment_index segment; ///< the bent segment, or the segment that arrives at the bent joint; null if neither exists
   Side side;             ///< the side of the bent joint
 
   /// Returns the verdict on the curve.

@@ -233,8 +233,8 @@ namespace parameters {
  * \ingroup PkgFlipGeodesicsParameters
  * Sets a metric, for instance an `Edge_length_metric`, whose lengths replace the distances between the points of the
  * mesh.
- * \param metric a model of `IntrinsicMetric`, which is copied. If it detects that it was made for another mesh, the
- *        function that receives it throws `Input_mismatch_error`
+ * \param metric a model of `IntrinsicMetric`, which is copied. If the metric detects that it was made for another mesh,
+ *        the function to which it is passed throws `Input_mismatch_error`
  */
 template <class Metric>
 auto metric(const Metric& metric)
@@ -310,7 +310,7 @@ auto nearest_source_map(const VertexSourceMap& map)
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the greatest distance from the surface at which a point in space is accepted. A point farther away causes a
  * `Distant_point_error`; by default, points are accepted at any distance.
- * \param distance a number in the unit of the coordinates. If it is negative or NaN, the function that receives it
+ * \param distance a number in the unit of the coordinates. If it is negative or NaN, the function to which it is passed
  *        throws `Invalid_parameter_error`
  */
 inline auto greatest_point_distance(double distance)
