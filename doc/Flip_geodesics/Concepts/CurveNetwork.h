@@ -9,11 +9,11 @@
  * measuring, extraction, subdivision, cutting, flattening, direction fields, `edges_near_curves()` and
  * `write_network()` require it.
  *
- * A curve is a chain of segments. Each segment has its own `Segment_index` and lies on a halfedge of the triangulation.
- * Two consecutive segments of a curve form a joint, which has two sides; a `Joint` consists of the arriving segment and
- * a side. If several segments lie on one edge, whether of one curve or of several, they are ordered from left to
- * right. Together with the cyclic order of the halfedges around a vertex, this defines a cyclic order of all segment
- * ends at the vertex.
+ * A curve is a chain of segments, whose end points are called nodes. Each segment has its own `Segment_index` and lies
+ * on a halfedge of the triangulation. Two consecutive segments of a curve form a joint, which has two sides; an object
+ * of type `Joint` consists of the arriving segment and a side. If several segments lie on one edge, whether of one
+ * curve or of several, they are ordered from left to right. Together with the cyclic order of the halfedges around a
+ * vertex, this defines a cyclic order of all segment ends at the vertex.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Edge_path_network<Triangulation>}
@@ -37,13 +37,13 @@ public:
   /// Returns the triangulation whose edges carry the curves. A model may return a non-`const` reference.
   const Triangulation& triangulation() const;
 
-  /// Returns the number of curves. They are numbered from 0, and a curve keeps its number when it contracts.
+  /// Returns the number of curves. Curves are numbered from 0 and keep their numbers when they contract.
   Index number_of_curves() const;
 
   /// Returns whether the curve is a loop without ends.
   bool is_closed(Curve_index curve) const;
 
-  /// Returns whether the curve has contracted to a point and has no segments.
+  /// Returns whether the curve has contracted to a point and therefore has no segments.
   bool is_contracted(Curve_index curve) const;
 
   /// Returns the current length of a curve, or 0 if it has contracted.
@@ -69,11 +69,12 @@ public:
   /// Returns the curve that contains a segment.
   Curve_index curve(Segment_index segment) const;
 
-  /// Returns the next segment of the curve: `null_index` at the end of a path, and the segment itself in a loop of one
-  /// segment.
+  /// Returns the next segment of the curve, or `null_index` at the end of a path. In a loop of one segment, the result
+  /// is the segment itself.
   Segment_index next(Segment_index segment) const;
 
-  /// Returns whether the node at the head of a segment must not move, as at the end of a path.
+  /// Returns whether the node at the head of a segment is fixed, that is, must not move. The end of a path is always
+  /// fixed.
   bool is_head_fixed(Segment_index segment) const;
 
   /// Returns whether a segment lies on the edge of halfedge `h`.
@@ -87,18 +88,18 @@ public:
   /// \pre `next(joint.incoming)` is a segment
   /// @{
 
-  /// Returns the two segment ends that meet in a joint. The wedge on the joint's side extends clockwise from the first
-  /// to the second.
+  /// Returns the two segment ends that meet at a joint. The wedge on the side of the joint extends clockwise from the
+  /// first end to the second.
   std::pair<Segment_end, Segment_end> ends(const Joint& joint) const;
 
-  /// Returns the next segment end clockwise around the same vertex, possibly the given end itself after a full turn.
-  /// The member `Segment_end::is_none()` of the result returns `true` if the border of the surface, or an edge that is
-  /// held only by other networks, comes first.
+  /// Returns the next segment end clockwise around the same vertex, possibly the given end itself after a full turn. If
+  /// the border of the surface, or an edge that only other networks hold, comes first, the result is a null end, for
+  /// which `Segment_end::is_none()` returns `true`.
   Segment_end next_clockwise(const Segment_end& end) const;
 
-  /// Returns whether the two ends are adjacent on one edge, with no face between them on the joint's side. The wedge of
-  /// such a joint has angle zero. A wedge that extends around the whole vertex also has the same edge on both sides,
-  /// but its angle is positive.
+  /// Returns whether the two ends of a joint are adjacent on one edge, with no face between them on the side of the
+  /// joint. The wedge of such a joint has angle zero. A wedge that extends around the whole vertex also begins and ends
+  /// at the same edge, but its angle is positive.
   bool is_turning_back(const Joint& joint) const;
 
   /// @}

@@ -7,13 +7,13 @@
  * The concept `EdgePathGraph` refines `CurveNetwork` by the additional requirements of `shorten()`: the state of the
  * wedges of joints, and the operations that move a joint.
  *
- * A model must never reuse the index of a segment, since indices remain in a queue while segments are created and
- * removed. A model must place exactly one hold on each edge of the triangulation on which at least one segment lies,
- * and none on other edges.
+ * A model must never reuse the index of a removed segment, since the queue of `shorten()` can still contain it. A model
+ * must place exactly one hold on each edge of the triangulation on which at least one segment lies, and none on other
+ * edges.
  *
  * The angle of a wedge is constant as long as its joint exists, since `shorten()` does not flip occupied edges. The set
  * of segment ends in the wedge can change, however. Therefore `shorten()` queues each free wedge once, ordered by its
- * angle, and verifies that the two ends are still adjacent when the wedge is processed. The function relies on
+ * angle, and, before it processes the wedge, verifies that the two ends are still adjacent. `shorten()` relies on
  * `replace_joint()` to report every wedge that may have become free.
  *
  * \cgalRefines{CurveNetwork}
@@ -56,7 +56,7 @@ public:
   /// \pre `next(joint.incoming)` is a segment
   /// @{
 
-  /// Returns the state of the wedge of a joint and its angle. The state is `Wedge_state::FREE` if and only if the joint
+  /// Returns the state and the angle of the wedge of a joint. The state is `Wedge_state::FREE` if and only if the joint
   /// is not fixed, the second of its ends is `next_clockwise()` of the first, and the angle between them is less than
   /// \f$\pi\f$. The second condition implies that neither a border nor an edge held by another network lies between the
   /// two ends. Once the angle has reached \f$\pi\f$, further corners need not be examined.
@@ -73,12 +73,13 @@ public:
   /// segment becomes the outermost one on its edge, on the side of the wedge. The arc is empty if and only if the joint
   /// turns back. A closed curve that consists of these two segments contracts if the arc is empty.
   ///
-  /// The function appends to `affected` both sides of each new joint: a joint that contains a new segment, or whose two
-  /// segments have become consecutive because the arc is empty. It also appends each joint whose two ends have become
-  /// adjacent around a vertex because the ends between them were removed. It may append further joints, since wedges
-  /// that are not free are discarded. A side may be omitted if its angle is known to be at least \f$\pi\f$. This holds
-  /// for the side of the wedge at a joint between two new segments. At a joint at either end of the arc, it also holds
-  /// for the other side if the angle there was at least \f$\pi\f$ before the move, since this angle has grown.
+  /// The function appends to `affected` both sides of each new joint. A joint is new if it contains a new segment, or
+  /// if its two segments have become consecutive because the arc is empty. The function also appends each joint whose
+  /// two ends have become adjacent around a vertex because the ends between them were removed. It may append further
+  /// joints, since `shorten()` ignores wedges that are not free. A side may be omitted if its angle is known to be at
+  /// least \f$\pi\f$. At a joint between two new segments, this is the case for the side of the wedge. At a joint at
+  /// either end of the arc, it is also the case for the other side if its angle was at least \f$\pi\f$ before the move,
+  /// since this angle has grown.
   ///
   /// \return the first new segment in the direction of the curve, `null_index` if the arc is empty
   /// \pre The two segments differ, no edge inside the wedge is held, the arc bounds the faces of the wedge, and no
@@ -96,10 +97,10 @@ public:
   /// `restore_loop()` requires.
   Bundle_place bundle_place(Segment_index segment) const;
 
-  /// Replaces the present segments of a closed curve by a single segment, at the position of its only segment when
-  /// `place` was recorded.
+  /// Replaces the present segments of a closed curve by a single segment, at the position that the only segment of the
+  /// curve had when `bundle_place()` returned `place`.
   /// \return the new segment, which has a new index
-  /// \pre All flips since then have been rolled back, and no other curve has changed.
+  /// \pre All flips since that call have been rolled back, and no other curve has changed since.
   Segment_index restore_loop(Curve_index curve, const Bundle_place& place);
 
   /// @}

@@ -7,9 +7,9 @@
  * The concept `FlipOutStopPredicate` describes a predicate that can end a shortening early. `shorten()` keeps a
  * reference to it and calls it from one thread.
  *
- * The predicate is evaluated when the outcome of a step is known and before the curve changes. A limit on the length is
- * therefore never exceeded, not even by a step in which a curve collapses. If the predicate rejects the step, its flips
- * are rolled back.
+ * The predicate is evaluated after the outcome of a step has been computed, but before the curve changes. Lengths
+ * therefore never fall below the limit of a predicate, not even in a step in which a curve contracts to a point. If the
+ * predicate rejects a step, the flips of the step are rolled back.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Never_stop_predicate}

@@ -5,18 +5,18 @@
  * \cgalConcept
  *
  * The concept `FlipOutVisitor` describes an observer of a shortening, for progress, interruption and animation.
- * `shorten()` calls its members from one thread. An exception thrown by a member propagates through `shorten()` and
- * leaves valid curves, none of them longer than before.
+ * `shorten()` calls its members from one thread. An exception thrown by a member propagates through `shorten()`; the
+ * curves are then valid, and none of them is longer than before.
  *
- * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well and call `go_further()` and
- * `on_flip()`; `refine()` requires a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Logarithmic_map`,
- * `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only `go_further()`, as do
- * `geodesic_distances()` and `logarithmic_map()` unless they grow a tree. Each of these functions has a status for a
- * computation that was stopped. After a stop, nothing is certified, no output is written, and all objects remain
- * usable.
+ * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` also take a visitor, and call `go_further()` and
+ * `on_flip()`; the visitor of `refine()` must be a model of `RefinementVisitor`. `Geodesic_distance_field::compute()`,
+ * `Logarithmic_map`, `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only
+ * `go_further()`, as do `geodesic_distances()` and `logarithmic_map()` unless they grow a tree. Each of these functions
+ * reports by a status whether it was stopped. After a stop, nothing is certified, no output is written, and all objects
+ * remain usable.
  *
- * Other long computations call only `go_further()`, at regular intervals, and not again after it has returned `false`.
- * Their results are then the following:
+ * Other long computations call only `go_further()`, at regular intervals. After it has returned `false`, they do not
+ * call it again, and their results are the following:
  *
  * | computation | result if it is stopped |
  * |---|---|
@@ -27,8 +27,8 @@
  * | `handle_and_tunnel_loops()`, `add_cut_graph()` | no loops, no curves |
  * | `isolines()`, `voronoi_boundaries()` | no output |
  *
- * `shorten_cut_graph()` and `geodesic_loop_basis()` consist of several shortenings. After one of them has been stopped,
- * none of the others takes a step.
+ * `shorten_cut_graph()` and `geodesic_loop_basis()` shorten curves several times. After one of these shortenings has
+ * been stopped, the others take no further steps.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
@@ -44,20 +44,20 @@
 class FlipOutVisitor
 {
 public:
-  /// Returns whether the computation continues. It is called before each step of a shortening. If it returns `false`,
-  /// the shortening ends, and the curves that could still be shortened have the status
+  /// Returns whether the computation continues. `shorten()` calls it before each step. If it returns `false`, the
+  /// shortening ends, and the curves that could still be shortened have the status
   /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls it before each pair of end points.
   /// Searches, distance fields and computations of loops, landmarks and isolines call it at regular intervals, about
   /// once per thousand steps, each of which takes at most a microsecond.
   bool go_further();
 
-  /// Optional. Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of
-  /// complete rows, from 0 to 1. If this member is missing, progress is not reported.
+  /// Optional. Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of rows
+  /// that are complete, from 0 to 1. If this member is missing, progress is not reported.
   void on_progress(double fraction);
 
-  /// Is called after the edge of halfedge `h` has been flipped, and before the step moves its curve. The flips of a
-  /// rejected step are rolled back without a call of this member; the rollback is visible only from
-  /// `triangulation.log_position()`.
+  /// Is called after the edge of halfedge `h` has been flipped. In a shortening, the curve has not been moved yet. The
+  /// flips of a rejected step are rolled back without a call of this member; only `triangulation.log_position()` shows
+  /// that this has happened.
   template <class Triangulation>
   void on_flip(const Triangulation& triangulation, Halfedge_index h);
 

@@ -4,16 +4,16 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `GeodesicDistanceField` describes a distance field that can be evaluated at every surface point of a mesh
- * and returns the distance to the nearest of some sources together with the number of that source. `isolines()` and
- * `voronoi_boundaries()` require it. Any function object with this signature is a model, such as a lambda expression
- * that evaluates a closed form.
+ * The concept `GeodesicDistanceField` describes a distance field: a function object that returns, for each surface
+ * point of a mesh, the distance to the nearest of several sources and the number of that source. `isolines()` and
+ * `voronoi_boundaries()` require it. Any function object with the signature below is a model, such as a lambda
+ * expression that evaluates a closed form.
  *
  * In the region in which the field is finite, it must be continuous across edges and vertices, and should be
  * 1-Lipschitz: the values at two points should differ by at most the length of any path on the surface between them, up
- * to rounding errors. If a field has larger slopes, both functions still work, but the bounds stated in their
- * documentation need not hold. Sources may have offsets; negative ones are allowed, although `Geodesic_distance_field`
- * does not accept them.
+ * to rounding errors. If the values differ by more, both functions still work, but the bounds stated in their
+ * documentation need not hold. Sources may have offsets, that is, nonzero values at the sources themselves. These can
+ * be negative, although `Geodesic_distance_field` does not accept negative offsets.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Interpolated_distances<TriangleMesh\,VertexDistanceMap>}

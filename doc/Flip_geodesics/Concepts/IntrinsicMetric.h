@@ -11,8 +11,8 @@
  * consecutive integers.
  *
  * Curves are certified with respect to a metric if the metric has the optional member `squared_length()` or is one of
- * the models below. A class that is derived from one of them is a different metric, and curves are certified only if
- * the class has `squared_length()`.
+ * the models below. A class that is derived from one of these models counts as a user-defined metric: curves are
+ * certified only if the class has `squared_length()`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}
@@ -44,8 +44,9 @@ public:
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The data of a vertex from which lower bounds are computed, such as the coordinates of its point. Default
-  /// constructible and cheap to copy. If the class is empty, every lower bound is 0. A `std::array<double, 3>` is
-  /// interpreted as the coordinates of a point, from which `add_straightened_path()` unfolds faces.
+  /// constructible and cheap to copy. If the class has no data members, every lower bound is taken to be 0. A
+  /// `std::array<double, 3>` is interpreted as the coordinates of a point, from which `add_straightened_path()` unfolds
+  /// faces.
   typedef unspecified_type Place;
 
   /// Returns `weight(mesh, h)` up to rounding errors, given the data of the two ends of the halfedge. Searches for edge
@@ -56,8 +57,9 @@ public:
   Place place(const Mesh& mesh, Vertex_index v) const;
 
   /// Returns a lower bound on the lengths of all paths on the surface between two vertices, across faces as well as
-  /// along edges. Bounds and verdicts of shortest paths depend on it. The bound from a vertex to itself must be 0, and
-  /// the bounds from the two ends of an edge to the same vertex must differ by at most the weight of the edge.
+  /// along edges. Verdicts on shortest paths are correct only if this bound is correct. The bound from a vertex to
+  /// itself must be 0, and the bounds from the two ends of an edge to the same vertex must differ by at most the weight
+  /// of the edge.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
   /// Optional. The type of points, if vertices have points in space; see `point_in_space()`. The type must have the
@@ -69,28 +71,29 @@ public:
   Point_3 point(const Mesh& mesh, Vertex_index v) const;
 
   /// Optional. Returns the exact squared length of the edge of a halfedge, which must be equal for both halfedges of
-  /// the edge. The type must be an exact number type with rational values: `Gmpq`, `mpq_class`, `Exact_rational`,
-  /// `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer of any size; `length()` is the rounded root. With
-  /// this member, faces are constructed and all predicates are evaluated from exact squared lengths,
-  /// `Certified_intrinsic_triangulation_traits` are the default traits, and certificates refer to the exact metric. The
-  /// three lengths of a face must satisfy the triangle inequality; equality is allowed.
+  /// the edge. The return type must be an exact number type with rational values: `Gmpq`, `mpq_class`,
+  /// `Exact_rational`, `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer type of any size. `length()` must
+  /// return the square root of this number, rounded. With this member, faces are constructed and all predicates are
+  /// evaluated from exact squared lengths, `Certified_intrinsic_triangulation_traits` are the default traits, and
+  /// certificates refer to the exact metric. The three lengths of a face must satisfy the triangle inequality; equality
+  /// is allowed.
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed by one of the functors of
   /// `traits`. This member is not called for a metric with `squared_length()` and is not required in that case.
-  /// \throws Degenerate_face_error if an edge of the face has length zero or its lengths violate the triangle
-  /// inequality
+  /// \throws Degenerate_face_error if an edge of the face has length zero, or the lengths of the edges violate the
+  /// triangle inequality
   /// \throws Invalid_coordinate_error if a coordinate or length is not finite, or a length is outside [1e-70, 1e70]
   /// \pre `h` is not on the border
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const;
 
-  /// Optional. Returns whether the metric rounds the numbers that define it, such as coordinates or lengths, to
-  /// double. If it does, curves are not certified and distances are not confirmed, since predicates refer to the
-  /// rounded numbers. A metric without this member is defined by the doubles that `length()` returns.
+  /// Optional. Returns whether the metric rounds the numbers that define it, such as coordinates or lengths, to double.
+  /// If it does, curves are not certified and distances are not confirmed, since predicates refer to the rounded
+  /// numbers. Without this member, the doubles that `length()` returns define the metric.
   bool is_rounded(const Mesh& mesh) const;
 
-  /// Optional. Throws an exception if `mesh` is detected, for example by its number of edges, not to be the mesh for
+  /// Optional. Throws an exception if it detects, for example from the number of edges, that `mesh` is not the mesh for
   /// which the metric was made. Triangulations and functions that take a metric call this member first.
   /// \throws Input_mismatch_error if the metric was made for another mesh
   void check_input(const Mesh& mesh) const;

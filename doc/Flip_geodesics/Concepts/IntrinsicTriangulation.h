@@ -4,16 +4,16 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulation` describes a triangulation of a surface by straight edges that can be
+ * The concept `IntrinsicTriangulation` describes a triangulation of a surface whose edges are straight and can be
  * flipped. `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
  * `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`, `Geodesic_tree`, `intrinsic_faces()`, `Operators` and
  * the solvers that are built on it require this concept. The table in Section \ref Flip_geodesicsAsked lists the
  * requirements of each algorithm.
  *
- * The descriptors are the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, numbered from 0. The edge with
- * number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: loops, several edges between
- * two vertices, and faces that are glued to themselves are allowed. Every face is a triangle on the left of its
- * halfedges, and a border halfedge has no face. The surface is an oriented manifold.
+ * The elements are identified by the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, and are numbered from
+ * 0. The edge with number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: loops,
+ * several edges between two vertices, and faces that are glued to themselves are allowed. Every face is a triangle and
+ * lies on the left of its halfedges; a border halfedge has no face. The surface is an oriented manifold.
  *
  * If `Traits::Has_drift` is `CGAL::Tag_true`, finished curves and trees are measured on the input, and faces are
  * recomputed from it. In this case `shorten()`, `Geodesic_tree` and `flip_to_delaunay()` require
@@ -39,8 +39,8 @@ public:
   /// `Traits::Turn`.
   typedef unspecified_type Turn;
 
-  /// A handle to a halfedge, which stores the position of the halfedge in memory, for walks of many steps: a model of
-  /// `IntrinsicTriangulationWalker`. Copyable, assignable, and comparable by `==` and `!=`.
+  /// A model of `IntrinsicTriangulationWalker`: a handle that stores the position of a halfedge in memory, which makes
+  /// walks of many steps fast. Copyable, assignable, and comparable by `==` and `!=`.
   typedef unspecified_type Walker;
 
   /// A position in the log of flips, an integer.
@@ -127,7 +127,7 @@ public:
   void release(Edge_index e);
   /// Returns the total number of holds on all edges.
   std::size_t number_of_holds() const;
-  /// Returns an upper bound on `Walker::edge_place()` over all edges that a walker has visited.
+  /// Returns a number that is greater than `Walker::edge_place()` of every edge that a walker has visited.
   std::size_t number_of_edge_places() const;
 
   /// @}
@@ -136,7 +136,7 @@ public:
 
   /// Returns a walker at `h`.
   Walker walker(Halfedge_index h) const;
-  /// Returns a walker at `h`, given the `place()` of a walker at either side of the edge.
+  /// Returns a walker at `h`, given the `place()` of a walker at `h` or its twin.
   Walker walker(Walker::Place place, Halfedge_index h) const;
   /// Returns whether the two faces of the edge of `h` together have an angle of at least \f$\pi\f$ at the head of `h`.
   /// \pre both faces exist

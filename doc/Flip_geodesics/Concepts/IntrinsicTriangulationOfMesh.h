@@ -9,8 +9,8 @@
  * inserted vertices. Certification, measuring, extraction, subdivision, searches, drawn polylines, splines, refinement,
  * `logarithmic_map()` and saving require it, as does `shorten()` if `Traits::Has_drift` is `CGAL::Tag_true`.
  *
- * Edge sequences are exact. Since an edge is straight across the faces of its sequence, it is determined by the
- * sequence and the input alone, regardless of the rounding errors that the triangulation has accumulated.
+ * Edge sequences are exact. Since an edge is straight across the faces that its sequence connects, the sequence and the
+ * input determine the edge, regardless of the rounding errors that the triangulation has accumulated.
  *
  * `shorten()` and `certify()` measure the edges of a model `t` with the object that `edge_straightness(t)` returns.
  * This function is found by argument-dependent lookup; `Intrinsic_triangulation.h` declares it for all models.
@@ -61,8 +61,7 @@ public:
   /// \name Correspondence
   /// @{
 
-  /// Returns the number of input edges that an edge crosses, or -1 if the edge lies along an input edge or a part of
-  /// one.
+  /// Returns the number of input edges that an edge crosses, or -1 if the edge is an input edge or a part of one.
   Index crossings(Edge_index e) const;
 
   /// Returns the input edges that a halfedge crosses, from its tail to its head. Algorithms that accept models of
@@ -92,17 +91,17 @@ public:
   /// Returns the position of a vertex on the input in the unique form of `Intrinsic_triangulation::location()`.
   Surface_location location(Vertex_index v) const;
 
-  /// Makes a point a vertex, unless it already is one. The face or edge that contains the point is split; new edges are
-  /// numbered after the others, and the log grows. If an edge is split, the function calls `on_split` with an object
-  /// that has two members: `first`, a halfedge that has become shorter, and `second`, which leads from the new vertex
-  /// to the old head of `first`.
+  /// Inserts a point as a vertex, unless a vertex already lies there. The face or edge that contains the point is
+  /// split; new edges are numbered after the others, and the log grows. If an edge is split, the function calls
+  /// `on_split` with an object that has two members, both halfedges: `first` has become shorter, and `second` leads
+  /// from the new vertex to the old head of `first`.
   /// \return the vertex
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split);
 
-  /// Splits the edge of `h` at a point that counts as a point of the edge, even if rounding errors move it off the
+  /// Splits the edge of `h` at a point that is taken to lie on the edge, even if rounding errors have moved it off the
   /// edge. `gap` is the number of edges in the edge sequence of `h` that are crossed before the input face that
   /// contains the point.
   /// \throws Invalid_location_error if the location is not valid; nothing changes

@@ -5,8 +5,8 @@
  * \cgalConcept
  *
  * The concept `IntrinsicTriangulationTraits` describes the arithmetic of an intrinsic triangulation: the data that are
- * stored per halfedge, their change by a flip, and the comparison of angles. The rest of the package performs geometric
- * computations only through a model, so the number type can be exchanged through this one template argument.
+ * stored for each halfedge, the change of these data by a flip, and the comparison of angles. A triangulation computes
+ * its geometry only by means of a model, so this template argument selects the number type.
  *
  * A model must be default constructible and copyable; a triangulation keeps a copy. Functors may refer to the traits
  * object that returned them, but must not rely on a state of their own, since a functor is requested for each call.
@@ -36,9 +36,9 @@ public:
   /// The point type of the mesh, the argument of `Construct_face_3`.
   typedef unspecified_type Point_3;
 
-  /// The geometry that is stored for a halfedge. Default constructible, copyable, and assignable. If it is trivially
-  /// copyable, the triangulation allocates records only for the part of the mesh that is used; otherwise it constructs
-  /// all records at once.
+  /// The geometry that is stored for a halfedge. Default constructible, copyable, and assignable. If the type is
+  /// trivially copyable, the triangulation allocates records only for the part of the mesh that is used; otherwise it
+  /// constructs all records at once.
   typedef unspecified_type Halfedge_geometry;
 
   /// The geometry of a face: a range of three objects of type `Halfedge_geometry`, those of `h`, `hn` and `hp`, with
@@ -63,23 +63,24 @@ public:
   /// The functor chooses the frame of the face.
   /// @{
 
-  /// `Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const`: the face whose halfedges
-  /// lead from `p` to `q`, from `q` to `r` and from `r` to `p`. `Embedded_metric` calls it once for each
+  /// `Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const`: constructs the face whose
+  /// halfedges lead from `p` to `q`, from `q` to `r` and from `r` to `p`. `Embedded_metric` calls it once for each
   /// input face that is used. \pre the points differ pairwise; they may be collinear
   ///
   /// A further overload, `Face_geometry operator()(const std::array<std::array<double, 3>, 3>& sides) const`, is
-  /// optional: the face whose halfedges have these vectors in space. If it exists, `Embedded_metric` calls it instead.
-  /// Each coordinate of a vector is the difference of the corresponding coordinates of two points, rounded once; if
-  /// coordinates are not exact rational numbers, they are rounded to doubles before.
+  /// optional. It constructs the face whose halfedges have these vectors in space. If it exists, `Embedded_metric`
+  /// calls it instead. Each coordinate of a vector is the difference of the corresponding coordinates of two points,
+  /// rounded once. Coordinates that are not exact rational numbers are rounded to doubles before they are subtracted.
   typedef unspecified_type Construct_face_3;
 
-  /// `Face_geometry operator()(double a, double b, double c) const`: the face whose halfedges have these lengths, in
-  /// the order of the face. `Edge_length_metric` calls it once for each input face that is used.
+  /// `Face_geometry operator()(double a, double b, double c) const`: constructs the face whose halfedges have these
+  /// lengths, in the order of the face. `Edge_length_metric` calls it once for each input face that is used.
   /// \pre the lengths are positive and satisfy the triangle inequality; equality is allowed
   ///
   /// A further overload, `Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator)
-  /// const`, is optional: the face whose halfedges have exactly the squared lengths `squares[i] / denominator`. If it
-  /// exists, it is called instead for metrics with the member `IntrinsicMetric::squared_length()`. `Integer` is
+  /// const`, is optional. It constructs the face whose halfedges have exactly the squared lengths
+  /// `squares[i] / denominator`. If it exists, it is called instead for metrics with the member
+  /// `IntrinsicMetric::squared_length()`. `Integer` is
   /// `boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>`.
   typedef unspecified_type Construct_face_from_lengths;
 
@@ -95,39 +96,39 @@ public:
   /// @{
 
   /// `void operator()(Turn& turn, const H& in, const H& out, const H& opposite) const`, with `H = Halfedge_geometry`:
-  /// adds to `turn` the corner between two consecutive halfedges of a face, at the head of `in`; `opposite` is the
-  /// third one. All three are in the frame of that face.
+  /// adds to `turn` the corner at the head of `in`, between the consecutive halfedges `in` and `out` of a face;
+  /// `opposite` is the third halfedge. All three are given in the frame of that face.
   typedef unspecified_type Extend_turn;
 
-  /// `Uncertain<Comparison_result> operator()(const Turn& turn) const`: compares the angle of `turn` with \f$\pi\f$.
-  /// An angle that is not `SMALLER` counts as straight and is neither shortened nor flipped. If the result is uncertain
-  /// and `Has_drift` is `CGAL::Tag_false`, the triangulation determines the result by exact arithmetic on the input.
-  /// Otherwise `CGAL::Uncertain_conversion_exception` is thrown; a model may also throw this exception itself. The
-  /// functor is called after each corner, and a turn that is not `SMALLER` is not extended further. The functor
-  /// therefore need not distinguish angles above \f$2\pi\f$ from small angles.
+  /// `Uncertain<Comparison_result> operator()(const Turn& turn) const`: compares the angle of `turn` with \f$\pi\f$. If
+  /// the result is not `SMALLER`, a joint with this angle is not shortened, and an edge at whose end its two faces have
+  /// this angle is not flipped. If the result is uncertain and `Has_drift` is `CGAL::Tag_false`, the triangulation
+  /// determines the result by exact arithmetic on the input. Otherwise `CGAL::Uncertain_conversion_exception` is
+  /// thrown; a model may also throw this exception itself. The functor is called after each corner, and a turn that is
+  /// not `SMALLER` is not extended further. The functor therefore need not distinguish angles above \f$2\pi\f$ from
+  /// small angles.
   typedef unspecified_type Compare_turn_with_straight;
 
-  /// `double operator()(const Turn& turn) const`: returns a key that increases with the angle of a turn below
-  /// \f$\pi\f$ and is 0 for the rotation by zero. The key only determines the order in the queue, so its rounding error
-  /// affects only the order of steps. `Angle_stop_predicate` requires that the key of an angle \f$\alpha\f$ is
-  /// \f$1 - \cos\alpha / (|\cos\alpha| + \sin\alpha)\f$.
+  /// `double operator()(const Turn& turn) const`: returns a key that is 0 for the rotation by zero and increases with
+  /// the angle of the turn, for angles below \f$\pi\f$. Since the key determines only the order in the queue, its
+  /// rounding error affects only the order of steps. `Angle_stop_predicate` requires that the key of an angle
+  /// \f$\alpha\f$ is \f$1 - \cos\alpha / (|\cos\alpha| + \sin\alpha)\f$.
   typedef unspecified_type Turn_key;
 
   /// @}
   /// \name Functors on edges
   /// @{
 
-  /// `Flipped_geometry operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: the geometry
-  /// after the flip of the edge between the faces `(h, hn, hp)` and `(t, tn, tp)`. Afterwards the faces are `(h, hp,
-  /// tn)` and `(t, tp, hn)`; the geometry of `hn` and `hp` does not change. The frame of the new faces is therefore
-  /// that of the old face of `h`. \pre the quadrilateral is convex, with angles below \f$\pi\f$ at both ends of the old
-  /// edge
+  /// `Flipped_geometry operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: computes the
+  /// geometry after the flip of the edge between the faces `(h, hn, hp)` and `(t, tn, tp)`. Afterwards the faces are
+  /// `(h, hp, tn)` and `(t, tp, hn)`. The geometry of `hn` and `hp` does not change, so both new faces have the frame
+  /// of the old face of `h`. \pre the quadrilateral is convex, with angles below \f$\pi\f$ at both ends of the old edge
   typedef unspecified_type Flip;
 
   /// `Uncertain<bool> operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: returns whether
   /// the angles opposite to the edge between the faces `(h, hn, hp)` and `(t, tn, tp)`, at the heads of `hn` and `tn`,
   /// add up to at most \f$\pi\f$. Equality, that is, four points on a circle, counts as Delaunay. A model with rounding
-  /// errors treats an excess below a tolerance as equality; the tolerance must be well above its errors, so that
+  /// errors treats an excess below a tolerance as equality; the tolerance must be well above these errors, so that
   /// Lawson's algorithm terminates. If the result is uncertain and `Has_drift` is `CGAL::Tag_false`, the triangulation
   /// determines the result by exact arithmetic on the input. Only `Intrinsic_triangulation::is_locally_delaunay()`
   /// calls it.
@@ -179,9 +180,10 @@ public:
   /// @{
 
   /// Optional. `Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& w)
-  /// const`: the triangle of three points in a face. Each `w[i]` consists of nonnegative weights of the tails of `h`,
-  /// `hn` and `hp`, whose sum need not be 1. It is called for each part of an input face that is divided at points. If
-  /// the type is missing or `void`, such parts are computed by `Construct_face_2`, with rounding errors.
+  /// const`: constructs the triangle formed by three points of a face. Each `w[i]` consists of nonnegative weights of
+  /// the tails of `h`, `hn` and `hp`; the sum of the weights need not be 1. The functor is called for each part of an
+  /// input face that is divided at points. If the type is missing or `void`, such parts are computed by
+  /// `Construct_face_2`, with rounding errors.
   typedef unspecified_type Construct_subface;
 
   /// Optional. Returns a functor of type `Construct_subface`; required if that type is present and not `void`.

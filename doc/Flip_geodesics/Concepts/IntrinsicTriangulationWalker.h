@@ -41,8 +41,9 @@ public:
   /// Adds to `turn` the corner on the right at the tail, and returns `clockwise()`. At the border, `turn` is unchanged.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
-  /// Returns a number that is unique to the edge, never changes, and can serve as an index into arrays of edge data. It
-  /// is the number of the edge, or a number that is small if the edge was used early, which keeps such arrays short.
+  /// Returns a number that is unique to the edge, never changes, and can serve as an index into arrays of edge data. A
+  /// model can return the number of the edge, or number the edges in the order in which they are first used, which
+  /// keeps such arrays short.
   std::size_t edge_place() const;
   /// Returns whether the edge is held.
   bool is_held() const;
