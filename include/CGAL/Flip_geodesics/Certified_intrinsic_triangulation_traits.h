@@ -22,20 +22,21 @@ namespace CGAL::Flip_geodesics {
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Provides exact predicates for intrinsic triangulations: each predicate is the sign of a real number that the input
- * defines. Coordinates and edge lengths are used exactly if they are doubles or their number type is exact and
- * rational, such as that of `Exact_predicates_exact_constructions_kernel`; otherwise they are rounded to doubles.
+ * defines. Coordinates and edge lengths that are doubles, or of an exact number type with rational values such as that
+ * of `Exact_predicates_exact_constructions_kernel`, are used exactly; others are rounded to doubles.
  *
- * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound on their relative error. If the bound
- * does not determine a sign, the filter fails, and the triangulation determines the sign from the unfolded input faces:
- * first by doubles with an a-priori error bound, and by exact predicates on points if the faces lie in one plane; then
- * by numbers of 50 digits with an error bound; and finally by exact arithmetic in the field of the square roots of the
- * areas of the faces. Unless a work limit is reached, zeros are therefore proven, and flipping terminates.
+ * Each halfedge stores its vector in doubles, as with `Intrinsic_triangulation_traits`, and a bound on the relative
+ * error of the vector. If the sign is uncertain because of this error, the triangulation determines the sign from the
+ * unfolded input faces: first by doubles with an a-priori error bound, or by exact predicates on points if the faces
+ * lie in one plane; then by numbers of 50 digits with an error bound; and finally by exact arithmetic with the square
+ * roots of the squared areas of the faces. Unless a work limit is reached, zeros are therefore proven, and flipping
+ * terminates.
  *
- * Arithmetic with many independent roots can take too long and is subject to a work limit; see `sign_work_limit()`. A
- * sign that has not been determined when the limit is reached is assumed to be zero and counted in
- * `Decision_statistics::unproven_zeros`. The verdict of `certify()` is then `PROBABLE`.
+ * Since exact arithmetic with many independent roots can take very long, it is subject to a work limit; see
+ * `sign_work_limit()`. A sign that has not been determined when the limit is reached is assumed to be zero and counted
+ * in `Decision_statistics::unproven_zeros`. The verdict of `certify()` is then `PROBABLE`.
  *
- * \tparam K a kernel with `Point_3` and `FT`, convertible to double
+ * \tparam K a kernel with `Point_3` and `FT`, whose numbers can be converted to double
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -70,9 +71,8 @@ public:
   /*!
    * Returns the work limit for computing one sign by exact arithmetic with roots, counted in products of two 64-bit
    * words; an operation with short integers counts as 32 such products. A product of two numbers with \f$r\f$
-   * independent roots takes \f$4^r\f$ products of integers. The previous stages take time linear in the number of
-   * faces, except for sums of roots over developable regions with parallel rulings, which are subject to the default
-   * limit.
+   * independent roots takes \f$4^r\f$ products of integers. The earlier stages take time linear in the number of faces,
+   * except for sums of roots over developable regions with parallel rulings, to which the default limit applies.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 
@@ -87,17 +87,17 @@ public:
   /// The geometry of a face, in the order of its halfedges.
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
-  /// Stores the rotation over a fan of corners, with a bound on its error relative to its magnitude.
+  /// Stores the rotation over a fan of corners as a complex number of any magnitude, with a bound on its error.
   struct Turn
   {
-    double x = 1;                           ///< the real part; the argument of the number is the angle
+    double x = 1;                           ///< the real part; the argument of the complex number is the angle
     double y = 0;                           ///< the imaginary part
     double error = 0;                       ///< a bound, relative to \f$|x|+|y|\f$
     Comparison_result comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$, if `is_certain`
     bool is_certain = true;                 ///< whether the bound suffices for the comparison
   };
 
-  /// Stores the new geometry of the four halfedges whose vectors a flip changes.
+  /// Stores the new geometry of the four halfedges that a flip changes.
   struct Flipped_geometry
   {
     Halfedge_geometry h;  ///< the geometry of the side `h` of the edge
@@ -106,12 +106,12 @@ public:
     Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
   };
 
-  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, and stores with each
-  /// vector the error bound of placing the face in the plane.
+  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, and stores a bound on
+  /// the rounding error with each vector.
   class Construct_face_3
   {
   public:
-    /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
+    /// Returns the face with halfedges from `p` to `q`, from `q` to `r`, and from `r` to `p`.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       return with_error(typename Plain::Construct_face_3()(p, q, r), internal::face_layout_error);
@@ -124,8 +124,8 @@ public:
     }
   };
 
-  /// Constructs a face from lengths as `Intrinsic_triangulation_traits::Construct_face_from_lengths` does, and stores
-  /// with each vector the error bound of placing the face in the plane.
+  /// Constructs a face from lengths as `Intrinsic_triangulation_traits::Construct_face_from_lengths` does, and stores a
+  /// bound on the rounding error with each vector.
   class Construct_face_from_lengths
   {
   public:
@@ -156,8 +156,8 @@ public:
     }
   };
 
-  /// Extends a turn as `Intrinsic_triangulation_traits::Extend_turn` does, and updates its error bound; the comparison
-  /// may be uncertain.
+  /// Extends a turn as `Intrinsic_triangulation_traits::Extend_turn` does, and updates the error bound and the
+  /// comparison with \f$\pi\f$.
   class Extend_turn
   {
   public:
@@ -208,11 +208,11 @@ public:
     }
   };
 
-  /// Compares a turn with \f$\pi\f$. The result is uncertain if the error is too large.
+  /// Compares the angle of a turn with \f$\pi\f$. The result is uncertain if the error bound is too large.
   class Compare_turn_with_straight
   {
   public:
-    /// Returns `SMALLER` or `LARGER`, or both if the result is uncertain.
+    /// Returns `SMALLER` or `LARGER`, or the range from `SMALLER` to `LARGER` if the result is uncertain.
     Uncertain<Comparison_result> operator()(const Turn& turn) const
     {
       return turn.is_certain ? Uncertain<Comparison_result>(turn.comparison)
@@ -220,8 +220,8 @@ public:
     }
   };
 
-  /// Computes a number in [0, 2] that increases with the angle of a turn below \f$\pi\f$. It is 0 for the rotation by
-  /// zero; otherwise, only rounding can produce 0 or 2.
+  /// Computes a key in [0, 2] that is 0 for the rotation by zero and increases with the angle of the turn, for angles
+  /// below \f$\pi\f$.
   class Turn_key
   {
   public:
@@ -259,12 +259,11 @@ public:
     }
   };
 
-  /// Determines whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, if the error
-  /// permits.
+  /// Determines whether the sum of the angles opposite to the edge with the sides `h` and `t` is at most \f$\pi\f$.
   class Is_locally_delaunay
   {
   public:
-    /// Returns the result, which is indeterminate if the error is too large.
+    /// Returns the result, which is uncertain if the error bounds are too large.
     Uncertain<bool> operator()(const Halfedge_geometry& /* h */, const Halfedge_geometry& hn,
                                const Halfedge_geometry& hp, const Halfedge_geometry& /* t */,
                                const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
@@ -292,11 +291,11 @@ public:
     }
   };
 
-  /// Determines whether the error of a vector is so large that its face should be recomputed from the input.
+  /// Determines whether the error bound of a vector is so large that its face must be recomputed from the input.
   class Is_inaccurate
   {
   public:
-    /// Returns whether the bound is at least \f$2^{-14}\f$.
+    /// Returns whether the relative error bound is at least \f$2^{-14}\f$.
     bool operator()(const Halfedge_geometry& h) const { return !(h.error < internal::inaccurate_vector); }
   };
 

@@ -35,24 +35,24 @@ namespace CGAL::Flip_geodesics {
  * \ingroup PkgFlipGeodesicsCurves
  *
  * Represents a network of curves along the edges of an intrinsic triangulation. Curves are open paths or closed loops.
- * They may have fixed nodes, several segments on one edge, and segments that run back and forth.
+ * They can have fixed nodes, several segments on one edge, and segments that run back and forth.
  *
  * A curve is a chain of *segments*, each on a halfedge. The node between two segments is a *joint*, which is fixed or
- * free; the end points of an open path are always fixed. Each edge keeps the bundle of its overlapping segments
- * (`bundle()`), ordered from left to right as seen along its first halfedge. Around a vertex, the segment ends have a
+ * free; the end points of an open path are always fixed. The segments on an edge form its bundle (`bundle()`), which is
+ * ordered from left to right as seen along the first halfedge of the edge. Around a vertex, the segment ends have a
  * cyclic order: clockwise by incident edge, and on each edge from left to right as seen from the vertex.
  *
  * The network satisfies an invariant that `is_valid()` checks. Curves are chains, and each bundle contains exactly the
  * segments on its edge. Around each vertex, the ends connected by free joints form a non-crossing matching; all other
  * ends, and the border, lie in one region of the matching.
  *
- * Segment ids are assigned once and never reused, so an id in a queue cannot refer to another segment later.
+ * The indices of segments are never reused, even after segments have been removed.
  *
  * Several networks can have curves in one triangulation. A network holds the edges under its curves, and a held edge is
  * not flipped. Curves of other networks are therefore obstacles: they do not move, and a wedge that contains one of
- * their edges is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges, but have no order on
- * such edges, so each of them can leave such an edge to either side. Curves that must not cross have to belong to the
- * same network.
+ * their edges is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges, but have no order there,
+ * so each of them can leave a common edge on either side. Curves that must not cross must therefore belong to the same
+ * network.
  *
  * \attention The network refers to its triangulation, which must not be destroyed or moved while the network has
  * curves. To move both, use the constructor from a network and a triangulation. A moved-from network can only be
@@ -70,11 +70,11 @@ public:
   using Triangulation = Triangulation_;      ///< the type of the triangulation
   using Turn = typename Triangulation::Turn; ///< a rotation around a vertex, of the traits of the triangulation
 
-  /// Describes the part of a wedge up to the next segment end.
+  /// Describes the wedge of a joint, up to the next segment end.
   struct Wedge
   {
     Wedge_state state; ///< what the wedge contains
-    Turn turn;         ///< the angle of the corners up to the next segment end; meaningful only if `state` is `FREE`
+    Turn turn;         ///< the angle of the wedge; meaningful only if `state` is `FREE`
   };
 
   /// Constructs an empty network in a triangulation. Constant time.
@@ -96,7 +96,7 @@ public:
     m_segments.set_triangulation(moved_to);
   }
 
-  /// Removes all curves, then moves the other network into this one as the move constructor does.
+  /// Removes all curves, and then replaces this network by `other`, as the move constructor does.
   Edge_path_network& operator=(Edge_path_network&& other) noexcept
   {
     if(this != &other) {
@@ -126,7 +126,7 @@ public:
    *        the first if the curve is closed
    * \param np the named parameter `is_closed`, a `bool`: whether the curve is a closed loop; `false` by default
    * \return the index of the curve; curves are numbered from 0
-   * \throws Invalid_curve_error if the halfedges do not form a chain
+   * \throws Invalid_curve_error if there are no halfedges, or they do not form a chain
    *
    * Complexity: linear in the number of halfedges.
    */
@@ -141,7 +141,7 @@ public:
   }
 
   /// Fixes every node that a curve currently has at vertex `v`: the node keeps its position, and other curves cannot
-  /// move across it. This takes time linear in the number of segment ids.
+  /// move across it. Linear in the number of segments that have ever been created.
   void fix_nodes_at(Vertex_index v)
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
@@ -149,10 +149,11 @@ public:
         set_head_fixed(s, true);
   }
 
-  /// Fixes or frees the node at the head of `s`. \pre if the node is freed, the curves do not cross there
+  /// Fixes or frees the node at the head of segment `s`. \pre a node that is freed is not the end of an open path, and
+  /// curves do not cross there
   void set_head_fixed(Segment_index s, bool is_fixed) { m_segments.set_head_fixed(s, is_fixed); }
 
-  /// Frees all nodes of a curve, except the ends of an open one.
+  /// Frees all nodes of a curve, except the ends of an open path.
   /// \throws Crossing_curves_error if curves cross at one of the nodes; in this case the network is unchanged
   void free_nodes(Curve_index curve)
   {
@@ -174,11 +175,11 @@ public:
     }
   }
 
-  /// Sets the initial length of a curve to its current length, for instance after a drawn polyline has been added.
+  /// Sets the initial length of a curve, to which stop predicates refer, to its current length.
   void reset_initial_length(Curve_index curve) { set_initial_length(curve, length(curve)); }
 
-  /// Sets the initial length of a curve to a given value, for a curve that had already been shortened when it was
-  /// added.
+  /// Sets the initial length of a curve, to which stop predicates refer, for instance if the curve had already been
+  /// shortened when it was added.
   void set_initial_length(Curve_index curve, double length) { m_segments.set_initial_length(curve, length); }
 
   /// Reorders the segments on edge `e`. \pre `order` is a permutation of `bundle(e)`
@@ -186,18 +187,20 @@ public:
 
   /*!
    * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()` does. Each
-   * segment on an edge that is split becomes two, with a free joint between them; the order of the segments is kept.
+   * segment on an edge that is split becomes two segments with a free joint between them. The order of the segments is
+   * kept.
    * \param location the point
    * \return the new vertex, or the existing one at the point
    * \throws Invalid_location_error as `Intrinsic_triangulation::insert()` does
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
-   * \throws Occupied_triangulation_error if another network has a curve on the edge of the point
+   * \throws Occupied_triangulation_error if a curve of another network lies on the edge that contains the point
    * \throws Degenerate_face_error as `Intrinsic_triangulation::insert()` does
    * \throws Invalid_coordinate_error as `Intrinsic_triangulation::insert()` does
    */
   Vertex_index insert(const Surface_location& location) { return m_triangulation->insert(location, divide_bundles()); }
 
-  /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()` does.
+  /// Splits the edge of `h` as `Intrinsic_triangulation::split_edge()` does, and its segments as `insert()` does. The
+  /// exceptions are those of `insert()`.
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
     return m_triangulation->split_edge(h, location, gap, divide_bundles());
@@ -210,13 +213,12 @@ public:
   /// \name Curves
   /// @{
 
-  /// Returns the number of curves that have been added, including those that have contracted. Curves are numbered from
-  /// 0.
+  /// Returns the number of curves, including those that have contracted. Curves are numbered from 0.
   Index number_of_curves() const { return m_segments.number_of_curves(); }
-  /// Returns all curves as a range with random access: `for(Curve_index c : network.curves())`.
+  /// Returns the indices of all curves as a range with random access.
   auto curves() const { return internal::descriptors<Curve_index>(number_of_curves()); }
 
-  /// Returns one more than the largest segment id assigned so far; ids start at 1.
+  /// Returns one more than the largest segment index assigned so far. The indices start at 1.
   Index end_of_segment_ids() const { return m_segments.end_of_ids(); }
 
   /// Returns the first segment of a curve, or `null_index` if the curve has contracted to a point.
@@ -228,7 +230,8 @@ public:
   /// Returns whether the curve has contracted to a point.
   bool is_contracted(Curve_index curve) const { return first_segment(curve) == null_index; }
 
-  /// Returns the initial length of a curve: its length when it was added, unless another initial length has been set.
+  /// Returns the initial length of a curve, to which stop predicates refer: its length when it was added, unless
+  /// another initial length has been set.
   double initial_length(Curve_index curve) const { return m_segments.initial_length(curve); }
 
   /// Returns the length of a curve, summed over its segments.
@@ -258,7 +261,7 @@ public:
   /// \name Segments
   /// @{
 
-  /// Returns whether `s` is currently a segment of a curve. Ids of replaced segments become invalid and are not reused.
+  /// Returns whether `s` is currently a segment of a curve. The indices of removed segments are not reused.
   bool is_alive(Segment_index s) const { return m_segments.is_alive(s); }
   /// Returns the halfedge of segment `s`, or `null_index` if the segment no longer exists.
   Halfedge_index halfedge(Segment_index s) const { return m_segments.halfedge(s); }
@@ -268,7 +271,7 @@ public:
   Segment_index next(Segment_index s) const { return m_segments.next(s); }
   /// Returns the previous segment of the curve, or `null_index` at the start of a path.
   Segment_index previous(Segment_index s) const { return m_segments.previous(s); }
-  /// Returns whether the node at the head of `s` is fixed, like the end of a path.
+  /// Returns whether the node at the head of segment `s` is fixed, as the end of a path always is.
   bool is_head_fixed(Segment_index s) const { return m_segments.is_head_fixed(s); }
 
   /// Returns whether any segment of this network lies on the edge of `h`.
@@ -277,14 +280,15 @@ public:
   /// Returns the segments on edge `e`, from left to right as seen along halfedge `2e`.
   std::vector<Segment_index> bundle(Edge_index e) const { return m_segments.bundle(e); }
 
-  /// Returns the outermost segment on a side of the edge of `h`, as seen along `h`. \pre `is_occupied(h)`
+  /// Returns the leftmost or rightmost segment on the edge of `h`, as seen along `h`. \pre `is_occupied(h)`
   Segment_index outermost(Halfedge_index h, Side side) const { return m_segments.outermost(h, side); }
 
   /// @}
   /// \name Ends and wedges
   /// @{
 
-  /// Returns the two ends at a joint. The wedge on the side of the joint lies clockwise from the first to the second.
+  /// Returns the two segment ends that meet at a joint. The wedge on the side of the joint extends clockwise from the
+  /// first end to the second.
   std::pair<Segment_end, Segment_end> ends(const Joint& joint) const
   {
     const Segment_index x = joint.incoming, y = next(x);
@@ -292,30 +296,30 @@ public:
     return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
   }
 
-  /// Returns the next end clockwise around the node, or a null end if the border, or an edge held only by other
-  /// networks, comes first. Linear in the number of incident edges passed.
+  /// Returns the next segment end clockwise around the vertex, or a null end if the border, or an edge held only by
+  /// other networks, comes first. Linear in the number of edges that are passed.
   Segment_end next_clockwise(const Segment_end& end) const
   {
     return next_end(end, Side::RIGHT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// Returns the next end counterclockwise around the node, or a null end if the border, or an edge held only by other
-  /// networks, comes first. Linear in the number of incident edges passed.
+  /// Returns the next segment end counterclockwise around the vertex, or a null end if the border, or an edge held only
+  /// by other networks, comes first. Linear in the number of edges that are passed.
   Segment_end next_counterclockwise(const Segment_end& end) const
   {
     return next_end(end, Side::LEFT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// Returns the next end of this network around the node, clockwise if `side` is `Side::RIGHT` and otherwise
-  /// counterclockwise, regardless of edges that other networks hold in between. Returns a null end if the border comes
-  /// first. Linear in the number of incident edges passed.
+  /// Returns the next segment end of this network around the vertex, clockwise if `side` is `Side::RIGHT` and otherwise
+  /// counterclockwise. Edges that only other networks hold are skipped. If the border comes first, the result is a null
+  /// end. Linear in the number of edges that are passed.
   Segment_end next_beyond_others(const Segment_end& end, Side side) const
   {
     return next_end(end, side, [this](const Walker& h) { return h.is_held() && m_segments.leftmost(h) != no_segment; });
   }
 
-  /// Returns the state and the angle of the wedge of a joint. The wedge is inspected up to an angle of \f$\pi\f$ at
-  /// most, so the time is linear in the number of incident edges within that angle.
+  /// Returns the state and the angle of the wedge of a joint. Since the wedge is inspected at most up to an angle of
+  /// \f$\pi\f$, the time is linear in the number of edges within this angle.
   Wedge wedge(const Joint& joint) const
   {
     const Wedge result = look_into_wedge(joint);
@@ -324,8 +328,8 @@ public:
     return result;
   }
 
-  /// Returns whether the two ends of a joint are adjacent on one halfedge, in which case the curve turns back at the
-  /// joint.
+  /// Returns whether the curve turns back at a joint: its two ends are adjacent on one halfedge, and the wedge has
+  /// angle zero.
   bool is_turning_back(const Joint& joint) const
   {
     const auto [a, b] = ends(joint);
@@ -339,15 +343,16 @@ public:
   /*!
    * Moves a joint over its wedge, that is, replaces its two segments by segments along `arc`.
    *
-   * The arc leads from the head of the first end of the joint to that of the second, with the wedge on its right. The
-   * new segments are outermost on that side. An empty arc cancels a joint that turns back.
+   * The arc leads from the far node of the first end of the joint to that of the second, with the wedge on its right.
+   * The new segments become the outermost ones on their edges, on the side of the wedge. If the joint turns back, the
+   * arc is empty, and the two segments are removed.
    *
    * \param joint the joint
    * \param arc the halfedges of the arc
-   * \param affected receives the joints that are new or newly adjacent: all joints that must be inspected again, except
-   *        on sides whose angle is known to be at least \f$\pi\f$
-   * \return the first new segment in the direction of the curve, or `null_index` if no segment was created
-   * \pre the angles of the arc on its right are at least \f$\pi\f$
+   * \param affected the joints whose wedges must be inspected again are appended to it, except for sides whose angle is
+   *        known to be at least \f$\pi\f$
+   * \return the first new segment in the direction of the curve, or `null_index` if the arc is empty
+   * \pre see `EdgePathGraph::replace_joint()`
    */
   Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected)
   {
@@ -355,24 +360,25 @@ public:
   }
 
   /*!
-   * Replaces the only segment of a loop by two \cgalCite{SC20,Appendix B}, which lie on the other two edges of the face
-   * on the left of `h`, where `h` is the halfedge of the segment or its twin.
+   * Replaces the only segment of a loop by two segments \cgalCite{SC20,Appendix B}, which lie on the other two edges of
+   * the face on the left of `h`, where `h` is the halfedge of the segment or its twin.
    * \return the new segment that arrives at the old node
    */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }
 
 #ifdef DOXYGEN_RUNNING
-  /// Stores the position of a segment among the segments on its edge, so that another segment can be put there.
+  /// Stores the position of a segment among the segments on its edge, for `restore_loop()`.
   using Bundle_place = unspecified_type;
 #else
   using Bundle_place = internal::Bundle_place;
 #endif
 
-  /// Returns the position of segment `s` on its edge, to be passed to `restore_loop()`.
+  /// Returns the position of segment `s` among the segments on its edge, for `restore_loop()`.
   Bundle_place bundle_place(Segment_index s) const { return m_segments.bundle_place(s); }
 
-  /// Replaces a closed curve by the single segment that it had when `place` was obtained. \pre all later flips have
-  /// been undone
+  /// Replaces the segments of a closed curve by a new one, at the position that its only segment had when
+  /// `bundle_place()` returned `place`. \pre all flips since that call have been rolled back, and no other curve has
+  /// changed since
   Segment_index restore_loop(Curve_index curve, const Bundle_place& place)
   {
     return m_segments.restore_loop(curve, place);
@@ -380,12 +386,13 @@ public:
 
   /// @}
 
-  /// Returns whether the invariant holds. Linear in the number of segments and the degrees of their vertices.
+  /// Returns whether the invariant of the network holds. Linear in the number of segments and in the sum of the degrees
+  /// of their vertices.
   bool is_valid() const { return internal::Network_validity<Edge_path_network>(*this).is_valid(); }
 
   /*!
-   * Returns whether the ends around the vertex of `end` form a non-crossing matching, and all ends of curves, fixed
-   * nodes and the border lie in one region of the matching.
+   * Returns whether the ends that free joints connect around the vertex of `end` form a non-crossing matching, and all
+   * other ends, and the border, lie in one region of the matching.
    */
   bool is_non_crossing_at(const Segment_end& end) const
   {
@@ -483,18 +490,18 @@ struct Internals<Edge_path_network<Triangulation>>
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the chain of halfedges of the triangulation through given vertices, of which any two consecutive ones must
- * share an edge.
+ * Returns the chain of halfedges through given vertices, of which any two consecutive ones must be connected by an edge
+ * of the triangulation. If several edges connect them, the shortest one is chosen.
  *
- * \param triangulation a triangulation
- * \param vertices a range of vertex indices; a closed curve does not repeat the first
+ * \param triangulation a model of `IntrinsicTriangulation`
+ * \param vertices a range of vertices, as `Vertex_index`; for a closed chain, the first vertex is not repeated at the
+ *        end
  * \param np the named parameter `is_closed`, a `bool`: whether the chain leads back to the first vertex; `false` by
  *        default
  * \throws Vertex_out_of_range_error if an index is not that of a vertex
- * \throws Invalid_curve_error if the range has fewer than two vertices, or two consecutive vertices do not share an
- *         edge
+ * \throws Invalid_curve_error if the range has fewer than two vertices, or no edge connects two consecutive vertices
  *
- * Complexity: linear in the degrees of the vertices.
+ * Complexity: linear in the sum of the degrees of the vertices.
  */
 template <class Triangulation, class VertexRange, class... NamedParameters>
 std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation, const VertexRange& vertices,
@@ -526,9 +533,9 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  *
  * Returns the chain of input halfedges along shortest edge paths between consecutive waypoints.
  *
- * \param search a `Shortest_edge_path` over the triangulation of the network, whose edges are still those of the input
- * \param way_points at least two vertex indices; a vertex that equals the previous one is skipped. A closed curve need
- *        not repeat the first
+ * \param search a `Shortest_edge_path` on a triangulation whose edges are still those of the input
+ * \param way_points at least two vertices, as `Vertex_index`; a vertex that equals the previous one is skipped. For a
+ *        closed chain, the first vertex need not be repeated at the end
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -655,13 +662,13 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the marked edges of the input mesh as curves.
+ * Adds the marked edges of the input mesh to a network as curves.
  *
- * Vertices that are incident to exactly one marked edge or to more than two become fixed ends, and each chain between
- * such vertices becomes a curve. A loop without such a vertex becomes a closed curve. Open curves come first. Of the
- * two halfedges with which a curve leaves its ends, the smaller is its first one, and the curves are ordered by their
- * first halfedges. Closed curves follow, ordered by their smallest edges. If the function throws, a network that was
- * empty before is empty afterwards.
+ * Curves end at the vertices that are incident to exactly one marked edge or to more than two: each chain of marked
+ * edges between such vertices becomes an open curve, and a loop without such a vertex becomes a closed curve. Of the
+ * two halfedges that start at the ends of an open curve, the one with the smaller index is the first halfedge of the
+ * curve. Open curves are added first, ordered by their first halfedges; closed curves follow, ordered by their edges of
+ * smallest index. If the function throws an exception, a network that was empty before is empty afterwards.
  *
  * \param network the network
  * \param mesh the mesh of the triangulation
@@ -725,36 +732,35 @@ Order_conflict order_if_possible(Network& network)
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes an order of the overlapping segments on each edge of a network such that no two curves cross and no curve
- * crosses itself.
+ * Reorders the overlapping segments on the edges of a network such that no two curves cross and no curve crosses
+ * itself.
  *
- * \attention The function must be called after the curves have been added, because `add_curve()` orders segments by
- * insertion.
+ * \attention Call this function after all curves have been added, because `add_curve()` orders segments by insertion.
  *
- * The result depends on the connectivity only and is exact: if an order without crossings exists, it is found.
- * Otherwise the curves cross in every order, for example if two curves part on opposite sides at the two ends of a
- * common chain of edges, or if a curve goes around an annulus twice before it closes.
+ * The result depends only on the connectivity and is exact: if an order without crossings exists, such an order is
+ * found, unless the search is aborted. No such order exists, for example, if two curves part on opposite sides at the
+ * two ends of a common chain of edges, or if a curve goes around an annulus twice before it closes.
  *
  * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. A
  * chain that ends at the end of a path or at a fixed node does not determine an order there, but all such ends at a
  * vertex, and the border, must lie on one side of each curve that passes through the vertex. An order that is
- * undetermined at both ends of the chain follows from the orders of other segments on the same edges, or else is
- * chosen: the segment that was added first lies on the left, as seen in its direction, or against its direction if its
- * curve has turned back an odd number of times before. Copies of a curve that does not turn back therefore lie to its
- * right.
+ * undetermined at both ends of the chain follows from the orders of other segments on the same edges, if these
+ * determine it. Otherwise it is chosen: the segment that was added first lies on the left, as seen in its direction, or
+ * against its direction if its curve has turned back an odd number of times before. Copies of a curve that does not
+ * turn back therefore lie to the right of the curve.
  *
  * \param network an `Edge_path_network`
  * \throws Crossing_curves_error if curves cross in every order. `elements()` contains a vertex at which they cross, or
  *         one of several vertices that together make an order impossible
  * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
  *         repeatedly and the choices of their orders depend on each other; `elements()` contains the vertices of an
- *         edge that they share. After either exception the curves are unchanged, but the order of their segments may
- *         have changed
+ *         edge that they share. After either exception, the curves are unchanged, but the order of their segments can
+ *         differ from the order before the call
  *
- * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the degrees of the vertices that they pass. If edges have
- * several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time (about half a
- * second per million pairs) and \cgalBigO{p} memory. If the choices described above are inconsistent and must be
- * revised, the time is proportional to \f$p\f$ times the maximal number of segments on one edge.
+ * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the sum of the degrees of the vertices that they pass. If
+ * edges have several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time
+ * (about half a second per million pairs) and \cgalBigO{p} memory. If the choices described above are inconsistent and
+ * must be revised, the time is proportional to \f$p\f$ times the maximal number of segments on one edge.
  */
 template <class Network>
 void order_overlapping_curves(Network& network)

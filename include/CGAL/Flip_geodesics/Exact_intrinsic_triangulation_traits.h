@@ -31,8 +31,8 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * Evaluates the predicates of intrinsic triangulations with an exchangeable number type, which determines whether they
- * are exact:
+ * Evaluates the predicates of intrinsic triangulations with a number type of your choice, which determines whether the
+ * predicates are exact:
  *
  * | number type | predicates | supported meshes |
  * |---|---|---|
@@ -42,21 +42,22 @@ namespace CGAL::Flip_geodesics {
  * | `Interval_nt<>` | exact, or `Uncertain_conversion_exception` | any mesh |
  * | rounded, such as `boost::multiprecision::cpp_bin_float_100`, `double` | up to `angle_tolerance()` | any mesh |
  *
- * A mesh has one radicand \f$d\f$ if the area of each face is a rational multiple of \f$\sqrt d\f$; `common_radicand()`
- * computes it. It is 1 in the plane and on boxes parallel to the axes, and 3 on regular tetrahedra and octahedra.
- * `Inexact_root_error` is thrown when a face is accessed whose area is not such a multiple.
+ * A mesh has one radicand \f$d\f$ if the area of each face is a rational multiple of \f$\sqrt d\f$. The radicand is 1
+ * for meshes in a coordinate plane and for axis-aligned boxes, and 3 for regular tetrahedra and octahedra.
+ * `common_radicand()` computes it; a radicand other than 1 must be passed to the constructor. `Inexact_root_error` is
+ * thrown when a face is accessed whose area is not such a multiple.
  *
- * With exact numbers, faces store squared lengths and areas: with one root per input face, namely that of its squared
- * area, all numbers belong to one field, and flips do not require roots. With rounded numbers and intervals, faces
- * store vectors in their frames instead, because squared lengths and areas would drift apart.
+ * With exact numbers, faces store squared lengths and areas. Only one root per input face is then required, that of its
+ * squared area, and flips do not require roots. With rounded numbers and intervals, faces store vectors instead,
+ * because squared lengths and areas would become inconsistent.
  *
- * With number types that allocate heap memory, the construction of a triangulation takes time linear in the size of the
- * mesh. Exact numbers grow with the number of flips; the user manual lists the cost of each number type.
- * `Certified_intrinsic_triangulation_traits` combine exact predicates with speed.
+ * With a number type that allocates heap memory, the construction of a triangulation takes time linear in the size of
+ * the mesh. The representations of exact numbers grow with the number of flips; Section \ref Flip_geodesicsKernelTimes
+ * lists the cost of each number type.
  *
  * \tparam NT a field number type: a model of `RealEmbeddable` and `FieldWithSqrt`, or of `Field` with the functor
  *         `Is_square`, `Sqrt_extension`, `Interval_nt<>`, a rational or floating point number of Boost.Multiprecision,
- *         or `double`; doubles convert to it without loss
+ *         `double` or `float`
  * \tparam K a kernel with `Point_3` and `FT`; coordinates are used exactly if `FT` is `NT` or has rational values, and
  *         are rounded to doubles otherwise
  *
@@ -94,8 +95,8 @@ class Exact_intrinsic_triangulation_traits
 
 public:
   using FT = NT; ///< the type of squared lengths
-  /// `Tag_true` for rounded numbers, whose errors accumulate, although this is not noticeable with 100 digits;
-  /// `Tag_false` for exact numbers, and for intervals, which bound their errors.
+  /// `Tag_true` for rounded numbers, whose errors accumulate; `Tag_false` for exact numbers, and for intervals, which
+  /// bound their errors.
   using Has_drift = Boolean_tag<is_rounded>;
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
   /// The type of radicands: `NT` or, for `Sqrt_extension<NT, ROOT>`, `ROOT`.
@@ -106,16 +107,16 @@ public:
   /// The geometry of the four halfedges that a flip changes.
   using Flipped_geometry = typename Geometry::Flipped_geometry;
 
-  /// Stores the rotation over a fan of corners, a complex number of any magnitude.
+  /// Stores the rotation over a fan of corners as a complex number of any magnitude.
   struct Turn
   {
-    NT x = NT(1);         ///< the real part; the argument of the number is the angle
-    NT y = NT(0);         ///< the imaginary part, a multiple of the unit in which the traits store areas
+    NT x = NT(1);         ///< the real part; the argument of the complex number is the angle
+    NT y = NT(0);         ///< the imaginary part; for rational `NT`, divided by the root of the radicand
     bool is_empty = true; ///< whether the turn is the rotation by zero
     Uncertain<Comparison_result> comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$
   };
 
-  /// Constructs traits for any mesh, or with radicand 1 if the number type has no roots.
+  /// Constructs traits for any mesh, or for meshes with radicand 1 if the number type has no roots.
   Exact_intrinsic_triangulation_traits() = default;
 
   /// Constructs traits for meshes with the radicand `d`, a positive number. Only available for number types without
@@ -126,17 +127,17 @@ public:
     static_assert(has_radicand, "only a number type without square roots accepts a radicand");
   }
 
-  /// Returns the work limit for signs that the traits do not determine. These traits determine all signs; see
-  /// `IntrinsicTriangulationTraits::sign_work_limit()`.
+  /// Returns the default work limit, which the concept requires. It is not used, since these traits determine all
+  /// signs.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
-  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. It is zero
-  /// unless `NT` rounds. In that case half of the digits are reserved for errors, so the result is about 1e-9 for
-  /// `double` and 1e-51 for 100 digits.
+  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. It is 0 for
+  /// exact numbers and intervals. For rounded numbers, about half of the digits are reserved for errors, so the result
+  /// is about 1e-9 for `double` and 1e-51 for 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
-  /// Constructs a face from points. \throws Inexact_root_error if the area is not a rational multiple of the unit of
-  /// area
+  /// Constructs a face from points. \throws Inexact_root_error if the area is not a rational multiple of the square
+  /// root of the radicand
   class Construct_face_3 : Functor_with_unit
   {
     using Vector_3 = typename Geometry::Vector_3;
@@ -144,7 +145,7 @@ public:
   public:
     using Functor_with_unit::Functor_with_unit;
 
-    /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
+    /// Returns the face with halfedges from `p` to `q`, from `q` to `r`, and from `r` to `p`.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       const Vector_3 u = difference(p, q), v = difference(q, r), w = difference(r, p);
@@ -172,8 +173,8 @@ public:
     }
   };
 
-  /// Constructs a face from lengths. \throws Inexact_root_error if the area is not a rational multiple of the unit of
-  /// area
+  /// Constructs a face from lengths. \throws Inexact_root_error if the area is not a rational multiple of the square
+  /// root of the radicand
   class Construct_face_from_lengths : Functor_with_unit
   {
   public:
@@ -218,19 +219,18 @@ public:
     }
   };
 
-  /// Lays out a triangle formed by points of a face.
+  /// Constructs the triangle formed by three points of a face.
   class Construct_exact_subface
   {
   public:
-    /// Returns the triangle; point `i` has the weights `weights[i]` of the corners of the face.
+    /// Returns the triangle whose vertex `i` is the point with the weights `weights[i]` of the corners of `face`.
     Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& weights) const
     {
       return Geometry::subface(face, weights);
     }
   };
 
-  /// Lays out a triangle formed by points of a face, each given by weights of the corners of the face. `void` if `NT`
-  /// is not exact.
+  /// `Construct_exact_subface`, or `void` if `NT` is not exact.
   using Construct_subface = std::conditional_t<is_exact, Construct_exact_subface, void>;
 
   /// Extends a turn as `Intrinsic_triangulation_traits::Extend_turn` does.
@@ -314,8 +314,8 @@ public:
     }
   };
 
-  /// Compares a turn with \f$\pi\f$. \throws Uncertain_conversion_exception if interval arithmetic cannot decide the
-  /// comparison
+  /// Compares the angle of a turn with \f$\pi\f$. \throws Uncertain_conversion_exception if interval arithmetic cannot
+  /// decide the comparison
   class Compare_turn_with_straight
   {
   public:
@@ -323,7 +323,8 @@ public:
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.comparison.make_certain(); }
   };
 
-  /// Computes the key of a turn. For number types with a radicand, equal angles have equal keys.
+  /// Computes a key that increases with the angle of a turn, for angles below \f$\pi\f$. For number types without
+  /// roots, equal angles have equal keys.
   class Turn_key : Functor_with_unit
   {
   public:
@@ -372,7 +373,7 @@ public:
   };
 
   /*!
-   * Determines whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$ plus
+   * Determines whether the sum of the angles opposite to the edge with the sides `h` and `t` is at most \f$\pi\f$ plus
    * `angle_tolerance()`.
    * \throws Uncertain_conversion_exception if interval arithmetic cannot decide the comparison
    */
@@ -404,11 +405,12 @@ public:
     }
   };
 
-  /// Determines whether the geometry of a halfedge is too inaccurate, which is possible only with intervals.
+  /// Determines whether the geometry of a halfedge is so inaccurate that its face must be recomputed from the input,
+  /// which is possible only with intervals.
   class Is_inaccurate
   {
   public:
-    /// Returns `false` for exact numbers.
+    /// Returns whether the geometry is too inaccurate; the result is `false` for exact numbers.
     bool operator()(const Halfedge_geometry& h) const
     {
       if constexpr(is_exact)
@@ -459,15 +461,16 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * Computes the number \f$d\f$ for which the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
- * `Exact_intrinsic_triangulation_traits` over a number type without roots. Squares of primes below 1000 are divided out
- * of this number.
+ * Computes a number \f$d\f$ such that the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
+ * `Exact_intrinsic_triangulation_traits` over a number type without roots. The number is an integer that is not
+ * divisible by the square of a prime below 1000. If all faces are degenerate, the result is 1.
  *
- * \tparam Radicand a number type to which integers given as doubles can be converted
+ * \tparam Radicand the type of the result, a number type that can represent integers, such as
+ *         `Exact_intrinsic_triangulation_traits::Radicand`
  * \param mesh a triangle mesh
  * \param metric an `Embedded_metric` or `Edge_length_metric`
  * \throws Inexact_root_error if no such number exists; `elements()` contains the vertices of a face whose area is not a
- *         rational multiple of that of the first face
+ *         rational multiple of the area of the first face that is not degenerate
  *
  * Complexity: linear in the size of the mesh, with arithmetic on integers of a few hundred bits.
  */
@@ -497,8 +500,9 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
 }
 
 /// \ingroup PkgFlipGeodesicsTraits
-/// Computes the number \f$d\f$ for which the area of every face of a mesh, embedded in space by its own points, is a
-/// rational multiple of \f$\sqrt d\f$. The exceptions are those of `common_radicand()` with a metric.
+/// Computes a number \f$d\f$ such that the area of every face of a mesh, embedded in space by the points of the mesh,
+/// is a rational multiple of \f$\sqrt d\f$. The result, the exceptions and the complexity are those of
+/// `common_radicand()` with an `Embedded_metric`.
 template <class Radicand, class TriangleMesh>
 Radicand common_radicand(const TriangleMesh& mesh)
 {

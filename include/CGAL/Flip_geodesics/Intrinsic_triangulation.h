@@ -159,8 +159,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Provides the elements of an intrinsic triangulation: their connectivity, their lengths, and the edges that networks
- * hold. This is the base class of `Intrinsic_triangulation`, which flips edges and inserts points.
+ * Provides read access to the elements of an intrinsic triangulation: their connectivity, their geometry, and the holds
+ * on edges. This is the base class of `Intrinsic_triangulation`, which flips edges and inserts points.
  *
  * The template parameters are those of `Intrinsic_triangulation`.
  */
@@ -196,7 +196,7 @@ public:
   /// \name The input
   /// @{
 
-  /// Returns the input mesh, numbered by consecutive integers.
+  /// Returns a view of the input mesh in which vertices and halfedges are numbered by consecutive integers.
   const Input_mesh& input() const { return m_halfedges.input(); }
   /// Returns the metric, which defines the lengths of the input edges.
   const Metric& metric() const { return m_halfedges.metric(); }
@@ -210,23 +210,25 @@ public:
   /// Returns the number of edges: those of the input, followed by those created by insertions. Flips do not change it.
   Index number_of_edges() const { return m_halfedges.number_of_edges(); }
 
-  /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if that vertex is not valid.
+  /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if the argument is not a vertex
+  /// of the mesh.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
-  /// Returns the halfedge that corresponds to a halfedge of the input mesh as long as its edge has not been flipped, or
-  /// `null_index` if that halfedge is not valid.
+  /// Returns the halfedge with the number of a halfedge of the input mesh, or `null_index` if the argument is not a
+  /// halfedge of the mesh. The two halfedges coincide as long as the edge has not been flipped.
   Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
   /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted
   Mesh_vertex vertex(Vertex_index v) const { return input().vertex(v); }
 
-  /// Returns the halfedge of the input mesh with the same number as `h`.
+  /// Returns the halfedge of the input mesh with the same number as `h`. \pre `h` was not created by an insertion
   Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
 
   /// @}
   /// \name Connectivity
   /// The functions take constant time. The face on the left of a halfedge is copied from the input when it is first
-  /// accessed. At that time `Invalid_mesh_error`, `Degenerate_face_error` or `Invalid_coordinate_error` is thrown if
-  /// the face is not a triangle, is degenerate, or does not have finite coordinates and lengths.
+  /// accessed. This access throws `Invalid_mesh_error` if the face is not a triangle, `Degenerate_face_error` if an
+  /// edge has length zero or the lengths violate the triangle inequality, and `Invalid_coordinate_error` if a
+  /// coordinate is not finite or a length is outside [1e-70, 1e70].
   /// @{
 
   /// Returns the opposite halfedge of `h`.
@@ -245,25 +247,25 @@ public:
   /// Returns whether `h` has no face on its left.
   bool is_border(Halfedge_index h) const { return record(h).is_border(); }
 
-  /// Returns the next halfedge clockwise around the tail, or `null_index` if the border lies in between.
+  /// Returns the next halfedge clockwise around the tail, or `null_index` if the border comes first.
   Halfedge_index clockwise(Halfedge_index h) const
   {
     const Record& at_t = record(twin(h));
     return at_t.is_border() ? null_index : m_halfedges.halfedge(at_t.next());
   }
 
-  /// Returns the next halfedge counterclockwise around the tail, or `null_index` if the border lies in between.
+  /// Returns the next halfedge counterclockwise around the tail, or `null_index` if the border comes first.
   Halfedge_index counterclockwise(Halfedge_index h) const { return is_border(h) ? null_index : twin(previous(h)); }
 
   /// Returns a walker positioned at `h`.
   Walker walker(Halfedge_index h) const { return Walker(m_halfedges, m_halfedges.taken(h)); }
-  /// Returns a walker positioned at `h`, given the `edge_place()` of a walker at either side of the edge.
+  /// Returns a walker positioned at `h`, given the `place()` of a walker at `h` or its twin.
   Walker walker(typename Walker::Place place, Halfedge_index h) const
   {
     return Walker(m_halfedges, internal::side_slot(place, h));
   }
 
-  /// Prefetches the face on the left of `h` into the cache, without any other effect.
+  /// Prefetches the face on the left of `h` into the cache of the processor, without any other effect.
   void prefetch_face(Halfedge_index h) const { m_halfedges.prefetch_face(m_halfedges.slot(h)); }
 
   /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
@@ -276,22 +278,21 @@ public:
   /// Returns the data that the traits store for a halfedge, in the frame of its face. \pre `h` is not on the border
   const Halfedge_geometry& geometry(Halfedge_index h) const { return record(h).geometry; }
 
-  /// Returns the squared length of edge `edge(h)`, in the number type of the traits.
+  /// Returns the squared length of the edge of `h`, in the number type of the traits.
   FT squared_length(Halfedge_index h) const
   {
     return traits().compute_squared_length_object()(geometry(is_border(h) ? twin(h) : h));
   }
 
-  /// Returns the length of edge `edge(h)`, rounded to double.
+  /// Returns the length of the edge of `h`, rounded to double.
   double length(Halfedge_index h) const
   {
     return traits().compute_length_object()(geometry(is_border(h) ? twin(h) : h));
   }
 
   /*!
-   * Adds the corner on the right of `h` to a turn around the tail of `h`, and advances to the next halfedge.
-   * \return the next halfedge clockwise, or `null_index` if the border lies in between; in that case nothing is
-   *         added
+   * Adds the corner on the right of `h` at its tail to `turn`, which leads clockwise around the tail.
+   * \return the next halfedge clockwise, or `null_index` if the border comes first; in that case nothing is added
    */
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const
   {
@@ -299,38 +300,37 @@ public:
     return next.is_none() ? null_index : next.index();
   }
 
-  /// Adds the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`, to a turn.
+  /// Adds to `turn` the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
   void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
 
   /// @}
   /// \name Held edges
-  /// A held edge is not flipped. A network places one hold on each edge on which it has segments. The functions take
+  /// A held edge cannot be flipped. A network places one hold on each edge on which it has segments. The functions take
   /// constant time.
   /// @{
 
-  /// Returns the number of holds on edge `e`, one for each network that has a segment there; it is 0 initially.
+  /// Returns the number of holds on edge `e`, initially 0.
   Index holds(Edge_index e) const { return m_halfedges.holds(m_halfedges.slot(internal::first_side(e))); }
   /// Adds a hold on edge `e`.
   void hold(Edge_index e) { m_halfedges.hold(m_halfedges.taken(internal::first_side(e))); }
   /// Removes a hold on edge `e`. \pre `holds(e) > 0`
   void release(Edge_index e) { m_halfedges.release(m_halfedges.slot(internal::first_side(e))); }
-  /// Returns the total number of holds on all edges, which is 0 if and only if no network has a segment in the
-  /// triangulation.
+  /// Returns the total number of holds on all edges.
   std::size_t number_of_holds() const { return m_halfedges.number_of_holds(); }
 
-  /// Returns an upper bound on `Walker::edge_place()`; the bound grows with the number of edges that have been
-  /// accessed.
+  /// Returns a number that is greater than `Walker::edge_place()` of every walker; it grows with the number of edges
+  /// that have been accessed.
   std::size_t number_of_edge_places() const { return m_halfedges.number_of_edge_places(); }
 
   /// @}
 
-  /// Returns whether the invariant holds, with a tolerance of 1e-9.
+  /// Returns whether the accessed elements are consistent, as `is_valid(double)` does with a tolerance of 1e-9.
   bool is_valid() const { return is_valid(internal::default_validity_tolerance); }
 
   /*!
-   * Returns whether the invariant holds for all accessed elements: the faces are linked correctly, the vectors of each
-   * face sum to zero, and the two sides of an edge have equal lengths, up to `tolerance` relative to the longest edge
-   * of the face. Linear in the size of the mesh.
+   * Returns whether all accessed elements are consistent: every face has three halfedges, no side is longer than the
+   * sum of the other two, and the two sides of each edge have the same end points and the same length. Lengths are
+   * compared up to `tolerance` times the longest side of the face. Linear in the size of the mesh.
    */
   bool is_valid(double tolerance) const
   {
@@ -369,15 +369,16 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsMetrics
-/// The default metric of a mesh: the metric that the points of the mesh define.
+/// The default metric of a mesh: the one defined by the points of the mesh.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
 
 #ifdef DOXYGEN_RUNNING
 /// \ingroup PkgFlipGeodesicsTraits
-/// The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the metric's kernel,
-/// or, for a user-defined metric without `squared_length()`, `Intrinsic_triangulation_traits` in double.
+/// The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the
+/// kernel of the metric, or, for a user-defined metric without `squared_length()`, `Intrinsic_triangulation_traits` in
+/// double.
 template <class Metric>
 using Default_traits = unspecified_type;
 #else
@@ -390,9 +391,9 @@ using Default_traits = std::conditional_t<internal::has_exact_faces<Metric>,
 /// \ingroup PkgFlipGeodesicsCurves
 /// Specifies how a triangulation treats degenerate edges.
 enum class Zero_length_edges {
-  REFUSE, ///< `Degenerate_face_error` is thrown when a face with a degenerate edge is accessed
-  /// the ends of a degenerate edge become one vertex, and so do the vertices opposite to the common edge of two
-  /// degenerate faces if they coincide; faces with a degenerate edge and such pairs of faces are removed
+  REFUSE, ///< `Degenerate_face_error` is thrown when a face with a degenerate (zero-length) edge is accessed
+  /// the ends of a degenerate edge become one vertex, and faces with such an edge are removed; if two degenerate faces
+  /// share an edge and the vertices opposite to it coincide, these become one vertex, and both faces are removed
   CONTRACT
 };
 
@@ -405,7 +406,7 @@ enum class Zero_length_edges {
  * The triangulation is a \f$\Delta\f$-complex: an edge may be a loop, two edges may have the same two end points, a
  * vertex may have degree 1, and a face may be glued to itself. Elements are therefore identified by their indices,
  * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`.
- * Flips do not change these numbers; before the first flip, the elements with these numbers are those of the input.
+ * Flips do not change these numbers; before the first flip, each number refers to the element of the input that has it.
  * Points of the surface can be inserted as further vertices, which receive the next indices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
@@ -413,21 +414,22 @@ enum class Zero_length_edges {
  *
  * \attention The mesh and its points must outlive the triangulation and must not be changed.
  *
- * The triangulation satisfies an invariant that `is_valid()` checks: the vectors of a face sum to zero, the two sides
- * of an edge have the same length, and the normal coordinates of the edges are consistent with the input edges.
+ * The triangulation satisfies the following invariant: no side of a face is longer than the sum of the other two, the
+ * two sides of an edge have the same length, and the normal coordinates of the edges are consistent with the input
+ * edges. `is_valid()` checks the invariant, except for the normal coordinates.
  *
  * Several threads may call `const` members concurrently if the mesh and its points can be read concurrently, although
- * these members copy faces of the input and cache derived data. Only the halfedge that `outgoing()` chooses can depend
- * on which faces have been accessed before. While one thread calls another member, changes a network in the
- * triangulation, or adds or releases a hold through a walker, no other thread may use the triangulation.
+ * these members copy faces of the input and cache derived data. The only result that can depend on which faces have
+ * been accessed before is the halfedge that `outgoing()` returns. While one thread calls another member, changes a
+ * network in the triangulation, or adds or releases a hold through a walker, no other thread may use the triangulation.
  *
  * \cgalModels{IntrinsicTriangulationOfMesh}
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
  *         `Surface_mesh` must not contain removed vertices or edges
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`; by default `Certified_intrinsic_triangulation_traits` of
- *         the kernel of the points
- * \tparam Metric_ a model of `IntrinsicMetric`
+ *         the kernel of the points. With another metric, see `Default_traits`
+ * \tparam Metric_ a model of `IntrinsicMetric`; by default the metric defined by the points of the mesh
  */
 template <class TriangleMesh, class Traits_ = Default_traits<Default_metric<TriangleMesh>>,
           class Metric_ = Default_metric<TriangleMesh>>
@@ -460,15 +462,17 @@ public:
   /// \name Construction
   /// @{
 
-  /// Constructs the triangulation of a mesh with its own points. For the complexity, see the class.
-  /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
+  /// Constructs the triangulation of a mesh with the metric that the points of the mesh define. Constant time for a
+  /// `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
+  /// \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
   explicit Intrinsic_triangulation(const TriangleMesh& mesh, const Traits& traits = Traits())
     : Intrinsic_triangulation(mesh, Metric(get(CGAL::vertex_point, mesh)), traits)
   {
   }
 
-  /// Constructs the triangulation of a mesh with a metric. For the complexity, see the class.
-  /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
+  /// Constructs the triangulation of a mesh with a metric. Constant time for a `Surface_mesh`, and \cgalBigO{n \log n}
+  /// for other meshes.
+  /// \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
   /// \throws Input_mismatch_error if the metric detects that it was made for another mesh
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
     : Elements(checked_input(mesh, metric), metric, traits)
@@ -478,15 +482,15 @@ public:
   /*!
    * Constructs the triangulation of a mesh with a metric, and rejects or contracts degenerate edges.
    *
-   * If edges are contracted, the input of the triangulation is the contracted surface. Of several coincident vertices,
-   * one represents all of them, and the others are isolated; the edges on both sides of degenerate faces become one
-   * edge. `index()` returns the corresponding elements, or `null_index` for a halfedge that has vanished, and
-   * `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the surface meet only at a
-   * point, each has its own vertex, and no curve leads from one of these vertices to another. If the mesh has no
+   * If edges are contracted, the input of the triangulation is the contracted surface. One of the vertices that are
+   * merged represents all of them, and the others become isolated; the edges on both sides of degenerate faces become
+   * one edge. `index()` returns the corresponding elements, or `null_index` for a halfedge that has vanished, and
+   * `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the contracted surface meet only
+   * at a point, each has its own vertex at this point, and these vertices are not connected there. If the mesh has no
    * degenerate edges, the result is the same as without contraction. Contraction takes time linear in the size of the
    * mesh.
    *
-   * \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` contains removed vertices or edges
+   * \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
    * \throws Degenerate_face_error if a face has one zero-length edge and two edges of different lengths
    * \throws Input_mismatch_error if the metric detects that it was made for another mesh
    */
@@ -497,31 +501,31 @@ public:
   }
 
   /*!
-   * Moves a triangulation in constant time. Networks, walkers, trees and shorteners that refer to `other` still refer
-   * to it afterwards and can only be destroyed. A network with curves cannot even be destroyed, but a constructor of
-   * `Edge_path_network` can move it to the new triangulation. `other` can be assigned to and destroyed.
+   * Moves a triangulation in constant time. Networks, walkers, trees and shorteners in `other` still refer to `other`
+   * afterwards, and must not be used again, except that they can be destroyed. A network with curves must not be
+   * destroyed either: the constructor of `Edge_path_network` from a network and a triangulation moves it to the new
+   * triangulation. After the move, `other` can only be assigned to and destroyed.
    */
   Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
-  /// Moves a triangulation as the move constructor does.
-  /// \pre no network has curves in the triangulation that is assigned to
+  /// Replaces this triangulation by `other`, as the move constructor does.
+  /// \pre no network has curves in this triangulation
   Intrinsic_triangulation& operator=(Intrinsic_triangulation&& other) noexcept = default;
 
   /// @}
   /// \name Geometry
   /// @{
 
-  /// Replaces the vectors of the face on the left of `h`, starting with that of `h`, by more accurate ones. The log
-  /// records the old vectors.
+  /// Replaces the geometry of the face on the left of `h` by a more accurate one, given in order starting with `h`. The
+  /// log records the old geometry.
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
     m_log.lay_out(store(), h, geometry);
   }
 
   /*!
-   * Returns whether a turn, which leads clockwise around a vertex from halfedge `from` to halfedge `to`, is at least
-   * \f$\pi\f$.
-   * \pre the turn has at least one corner, and was below \f$\pi\f$ before its last corner was added; `from == to` means
-   * a full turn
+   * Returns whether `turn`, the angle clockwise around a vertex from halfedge `from` to halfedge `to`, is at least
+   * \f$\pi\f$. `from == to` means a full turn.
+   * \pre the turn has at least one corner, and was below \f$\pi\f$ before its last corner was added
    */
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const
   {
@@ -535,11 +539,11 @@ public:
   /// Returns statistics of the filter failures of the traits since construction, and of how they were resolved.
   Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
 
-  /// Returns whether the angle at the head of `h`, in the two faces of its edge, is at least \f$\pi\f$. \pre both faces
-  /// exist
+  /// Returns whether the two faces of the edge of `h` together have an angle of at least \f$\pi\f$ at the head of `h`.
+  /// \pre both faces exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
-  /// Returns whether the angle at the head of the halfedge of a walker, in the two faces of its edge, is at least
-  /// \f$\pi\f$. \pre both faces exist
+  /// Returns whether the two faces of the edge of a walker together have an angle of at least \f$\pi\f$ at the head of
+  /// the halfedge. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const
   {
     Turn turn;
@@ -552,9 +556,9 @@ public:
    * at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped unless it is held, and is locally Delaunay
    * after the flip.
    *
-   * The result is exact if the predicates of the traits are exact. Otherwise, points that are cocircular up to the
-   * tolerance of the traits count as Delaunay, so a process that flips non-Delaunay edges in any order terminates as
-   * long as the drift stays below the tolerance.
+   * The result is exact if the predicates of the traits are exact. Otherwise, an edge also counts as Delaunay if the
+   * sum exceeds \f$\pi\f$ by less than the tolerance of the traits. Flipping edges that are not Delaunay, in any order,
+   * therefore terminates as long as the drift stays below the tolerance.
    */
   bool is_locally_delaunay(Halfedge_index h) const
   {
@@ -591,11 +595,12 @@ public:
   }
 
   /*!
-   * Flips the edge of `h`. Afterwards, `h` leads from the apex of the former face of its twin to the apex of its own
-   * former face.
+   * Flips the edge of `h`. Afterwards, `h` leads from the third vertex of the former face of its twin to the third
+   * vertex of its own former face.
    *
-   * Four flips of one halfedge restore the connectivity. Constant time. If anything is thrown, in particular
-   * `std::bad_alloc`, the triangulation is unchanged.
+   * Four flips of one edge restore the connectivity. A flip takes constant time, unless the traits require that a face
+   * be recomputed from the input. If an exception is thrown, in particular `std::bad_alloc`, the triangulation is
+   * unchanged.
    * \pre `is_flippable(h)`
    */
   void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
@@ -610,8 +615,8 @@ public:
    * The records consist of the flip log, the inserted points, and the data derived from the log about crossings and,
    * for exact predicates, about vectors. With `Certified_intrinsic_triangulation_traits` a flip takes about 165 bytes,
    * and at most 200, in addition to a fixed cost of a few megabytes; with doubles, a flip takes about 100 bytes. Heap
-   * memory owned by numbers, such as the digits of rationals, is not included. `rollback()` frees the memory of all
-   * entries that it undoes, except for a few megabytes that are kept for reuse.
+   * memory owned by numbers, such as the digits of rational numbers, is not included. `rollback()` frees the memory of
+   * all entries that it undoes, except for a few megabytes that are kept for reuse.
    */
   std::size_t memory_of_records() const
   {
@@ -634,14 +639,14 @@ public:
     }
   }
 
-  /// Returns entry `i` of the flip log.
+  /// Returns entry `i` of the flip log. \pre `i < log_position()`
   const Flip_record& flip_record(Log_position i) const { return m_log[i]; }
 
   /// @}
   /// \name Points of the surface as vertices
   /// @{
 
-  /// Returns whether vertex `v` was inserted rather than being a vertex of the input.
+  /// Returns whether vertex `v` was inserted, that is, is not a vertex of the input.
   bool is_inserted(Vertex_index v) const { return v.idx() >= input().number_of_vertices(); }
 
   /*!
@@ -660,22 +665,21 @@ public:
   /*!
    * Inserts a point of the surface as a vertex by splitting the face or edge that contains it.
    *
-   * The position of the point with respect to the input faces and the edge sequences is determined exactly. The point
-   * lies in the face or on the edge that is split, and the edge sequences of the new edges are correct, even if the
-   * geometry is rounded. If predicates are inexact, it can happen that no face contains the point; the point is then
-   * inserted on the nearest edge, provided that rounding errors can explain its distance from this edge. `rollback()`
-   * removes the vertex again.
+   * The face or edge that contains the point is determined exactly, and the edge sequences of the new edges are
+   * correct, even if the geometry is rounded. If inexact predicates have caused incorrect flips, it can happen that no
+   * face contains the point. The point is then inserted on the nearest edge, provided that rounding errors can explain
+   * its distance from this edge. `rollback()` removes the vertex again.
    *
    * \param location any point of the surface
    * \return the new vertex, or the existing one at the point
    * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Insertion_error if rounding errors have caused incorrect flips around the point, the point is too close to
-   *         a vertex to be distinguished from it, or an exact number type cannot represent it; in this case the
-   *         triangulation is unchanged
+   * \throws Insertion_error if rounding errors have caused incorrect flips around the point, if the point is too close
+   *         to a vertex to be distinguished from it, or if the exact number type cannot represent the point; in this
+   *         case the triangulation is unchanged
    * \throws Occupied_triangulation_error if a curve lies on the edge that contains the point; in this case the
    *         triangulation is unchanged. `Edge_path_network::insert()` can split such an edge
-   * \throws Degenerate_face_error if a face that is visited is degenerate
-   * \throws Invalid_coordinate_error if a face that is visited is not finite
+   * \throws Degenerate_face_error if a visited face has a zero-length edge
+   * \throws Invalid_coordinate_error if a visited face has a coordinate or length that is not finite or is out of range
    *
    * Complexity: linear in the total length of the edge sequences of the edges that cross the input face of the point;
    * these are usually only the edges of the face that contains the point.
@@ -691,10 +695,11 @@ public:
   }
 
   /*!
-   * Inserts a point of the surface as a vertex, and calls `on_split` if this splits an edge.
+   * Inserts a point of the surface as a vertex as `insert(location)` does, and calls `on_split` if this splits an edge.
+   * The edge may be held, so `Occupied_triangulation_error` is not thrown.
    *
-   * The arguments of `on_split` are two halfedges: `first`, which has become shorter, and `second`, which leads from
-   * the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
+   * `on_split` is called with an object that has two members, both halfedges: `first` has become shorter, and `second`
+   * leads from the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
    */
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split)
@@ -704,13 +709,12 @@ public:
   }
 
   /*!
-   * Splits the edge of `h` at a point that lies on it up to rounding errors; from then on, the point counts as a point
-   * of the edge.
+   * Splits the edge of `h` at a point that lies on the edge up to rounding errors. From then on, the point is taken to
+   * lie on the edge exactly.
    *
    * \param h a side of the edge
-   * \param gap the position along the edge of the input face that contains the point: the number of edges in
-   *        `edge_sequence(h)` that are crossed before this face
-   * \param location a point of that face; it may lie on the boundary of the face only if the edge lies on the boundary
+   * \param gap the number of edges in `edge_sequence(h)` that are crossed before the input face that contains the point
+   * \param location a point of that input face; it may lie on the boundary of the face only if the edge does
    * \param on_split as for `insert()`
    * \return the new vertex
    * \throws Insertion_error as `insert()` does
@@ -749,26 +753,27 @@ public:
   /// \name Correspondence with the input
   /// @{
 
-  /// Returns the number of input edges that the edge crosses, or -1 if it lies along an input edge \cgalCite{GSC21}.
+  /// Returns the number of input edges that edge `e` crosses, or -1 if `e` is an input edge or a part of one
+  /// \cgalCite{GSC21}.
   Index crossings(Edge_index e) const { return store().crossings(store().slot(internal::first_side(e))); }
 
   /*!
-   * Returns the sequence of input edges that halfedge `h` crosses, from tail to head. It is exact, since it is computed
-   * with integers only \cgalCite{GSC21,section 3}.
+   * Returns the sequence of input edges that halfedge `h` crosses, from its tail to its head. The sequence is exact,
+   * since it is computed with integers only \cgalCite{GSC21,section 3}.
    *
-   * The sequence is computed when it is first requested, and then stored; the least recently used sequences are dropped
-   * if they take too much memory.
+   * A sequence is computed when it is first requested, and then stored. If the stored sequences take too much memory,
+   * the least recently used ones are discarded.
    *
    * Complexity: linear in the length of a stored sequence. A sequence that is not stored is computed from the crossing
-   * numbers, in time linear in the degree of the tail of the edge and in the number of triangles through which the
-   * crossed edges are followed until each separates from the next. If points have been inserted, or if flips have
-   * replaced all input edges at both ends, the sequence is derived from the flip log instead, in time linear in the
-   * total length of the sequences of all earlier edges from which the edge descends, except for stored sequences.
+   * numbers, in time linear in the degree of the tail and in the number of triangles through which the crossed edges
+   * are followed until each of them separates from the next. If points have been inserted, or if flips have replaced
+   * all input edges at both ends, the sequence is derived from the flip log instead, in time linear in the total length
+   * of the sequences of all earlier edges from which the edge descends, not counting stored sequences.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 
-  /// Returns the version of an edge: 0 for an edge of the input, otherwise one more than the position of its last flip
-  /// in the log.
+  /// Returns the version of an edge: 0 for an input edge that has not been changed, otherwise one more than the
+  /// position of the last entry in the log that changed the edge.
   Index version(Edge_index e) const { return store().version(store().slot(internal::first_side(e))); }
 
   /*!
@@ -905,10 +910,11 @@ struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// Describes a face of the intrinsic triangulation; side `i` leads from vertex `i` to vertex `(i + 1) % 3`.
+/// Describes a face of the intrinsic triangulation; halfedge `i` leads from vertex
+/// `i` to vertex `(i + 1) % 3`.
 struct Intrinsic_face
 {
-  std::array<Vertex_index, 3> vertices;    ///< the tails of the halfedges
+  std::array<Vertex_index, 3> vertices;    ///< the vertices, counterclockwise around the face
   std::array<Halfedge_index, 3> halfedges; ///< counterclockwise around the face
   std::array<double, 3> lengths;           ///< the lengths of the halfedges, in the unit of the mesh, rounded to double
 };
@@ -916,12 +922,13 @@ struct Intrinsic_face
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Writes all faces of a triangulation, whose edges include the curves of its networks.
+ * Writes all faces of an intrinsic triangulation to an output iterator. The segments of the curves of its networks are
+ * edges of these faces.
  *
- * Each face begins with its smallest halfedge, and the faces are ordered by these halfedges. All faces that have not
- * been accessed before are copied from the input. Linear in the size of the mesh.
+ * Each face starts with its halfedge of smallest index, and the faces are ordered by these halfedges. All faces that
+ * have not been accessed before are copied from the input. Linear in the size of the mesh.
  *
- * \param triangulation the triangulation
+ * \param triangulation a model of `IntrinsicTriangulation`
  * \param out an output iterator that receives `Intrinsic_face`s
  * \return the past-the-end output iterator
  */

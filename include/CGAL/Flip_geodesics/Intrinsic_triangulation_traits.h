@@ -48,14 +48,14 @@ using Traits_in_number_type =
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * Computes angles, squared lengths and flips with numbers of type `NT`, by default the number type of the kernel;
- * predicates are as exact as this type. A kernel thus selects the number type:
+ * Computes angles, squared lengths and flips with numbers of type `NT`, by default the number type of the kernel.
+ * Predicates are exact if this type is exact. A kernel thus selects the number type:
  *
  *     const FG::Intrinsic_triangulation_traits<K> traits;
  *     FG::geodesic_path(mesh, source, target, output, CGAL::parameters::geom_traits(traits));
  *
  * For `double`, see `Intrinsic_triangulation_traits<K, double>`. For all other number types, this class has the members
- * and constructors of `Exact_intrinsic_triangulation_traits<NT, K>`, whose header has to be included as well.
+ * and constructors of `Exact_intrinsic_triangulation_traits<NT, K>`, whose header must also be included.
  *
  * \tparam K a kernel with `Point_3` and `FT`
  * \tparam NT a number type as for `Exact_intrinsic_triangulation_traits`
@@ -77,16 +77,16 @@ public:
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * Provides fast arithmetic with doubles for intrinsic triangulations: each halfedge stores its vector, two doubles, in
- * a frame of its own face. A flip costs one complex division and no square root.
+ * Provides fast arithmetic with doubles for intrinsic triangulations. Each halfedge stores its vector, two doubles, in
+ * a frame of its own face. A flip takes one complex division and no square root.
  *
- * Predicates are evaluated up to `angle_tolerance()`: a wedge whose angle is less than \f$\pi\f$ by no more than this
- * tolerance counts as straight, in the wedge test as well as in the flip test. In addition, `shorten()` measures the
- * finished curves on the input.
+ * Predicates have the tolerance `angle_tolerance()`: an angle that is less than \f$\pi\f$ by no more than this
+ * tolerance counts as straight, both at joints that might be shortened and at edges that might be flipped. Since the
+ * errors of vectors grow with the number of flips, `shorten()` measures the finished curves on the input.
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *
- * \tparam K a kernel with `Point_3` and `FT`; coordinates are rounded to double first.
+ * \tparam K a kernel with `Point_3` and `FT`; coordinates are rounded to double first
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -100,8 +100,7 @@ class Intrinsic_triangulation_traits<K, double>
 
 public:
   using FT = double; ///< the type to which squared lengths are rounded
-  /// The errors of vectors grow with the number of flips, so predicates can be wrong, and finished curves must be
-  /// checked.
+  /// predicates can be wrong, since the errors of vectors grow with the number of flips
   using Has_drift = Tag_true;
   using Point_3 = typename K::Point_3; ///< the point type of the mesh
 
@@ -117,21 +116,21 @@ public:
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
   /*!
-   * Lays out a face given by its three points. Each vector is computed from its own differences and dot products. If
-   * the third vector were computed as minus the sum of the other two, the small angles of needles would be lost.
+   * Constructs a face from its three points. The three vectors are computed independently of one another, so small
+   * angles of needle-shaped faces are accurate.
    */
   class Construct_face_3
   {
   public:
-    /// Returns the face with halfedges from `p` to `q`, to `r`, and back.
+    /// Returns the face with halfedges from `p` to `q`, from `q` to `r`, and from `r` to `p`.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const;
     /// Returns the face whose halfedges have the vectors `e` in space.
     Face_geometry operator()(const std::array<std::array<double, 3>, 3>& e) const;
   };
 
   /*!
-   * Lays out a face given by the lengths of its edges.
-   * \pre the triangle inequality holds, as checked by `Edge_length_metric`
+   * Constructs a face from the lengths of its edges.
+   * \pre the lengths satisfy the triangle inequality, which `Edge_length_metric` checks
    */
   class Construct_face_from_lengths
   {
@@ -144,7 +143,7 @@ public:
     Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const;
   };
 
-  /// Lays out a face given by the vectors of its halfedges in one frame, as pairs x, y, and their relative error.
+  /// Constructs a face from the vectors of its halfedges, given as pairs (x, y) in one frame.
   class Construct_face_2
   {
   public:
@@ -156,16 +155,16 @@ public:
   using typename Base::Halfedge_geometry;
 #endif
 
-  /// Stores the rotation over a fan of corners, a complex number of any magnitude, whose angle is meaningful only up to
+  /// Stores the rotation over a fan of corners as a complex number of any magnitude. Its angle is meaningful only up to
   /// \f$\pi\f$.
   struct Turn
   {
-    double x = 1;             ///< the real part; the argument of the number is the angle
+    double x = 1;             ///< the real part; the argument of the complex number is the angle
     double y = 0;             ///< the imaginary part
     bool is_straight = false; ///< whether the angle has reached \f$\pi\f$, up to `angle_tolerance()`
   };
 
-  /// Stores the new geometry of the four halfedges whose vectors change with a flip.
+  /// Stores the new geometry of the four halfedges that a flip changes.
   struct Flipped_geometry
   {
     Halfedge_geometry h;  ///< the geometry of the side `h` of the edge
@@ -174,12 +173,12 @@ public:
     Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
   };
 
-  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight: 1e-9.
+  /// Returns the largest deviation from \f$\pi\f$ at which an angle still counts as straight: 1e-9 radians.
   static constexpr double angle_tolerance() { return internal::straight_angle_tolerance; }
 
   /*!
-   * Adds the corner between two consecutive halfedges of a face, `in` and `out`, to a turn; `opposite` is the third
-   * halfedge. The complex number of the corner is `conj(out) * -in`, which requires no division.
+   * Adds to a turn the corner between two consecutive halfedges of a face, `in` and `out`; `opposite` is the third
+   * halfedge. The complex number of the corner is `conj(out) * -in`.
    */
   class Extend_turn
   {
@@ -226,8 +225,8 @@ public:
     }
   };
 
-  /// Compares the angle of a turn with \f$\pi\f$. The result is `LARGER` if the angle counts as straight or is greater,
-  /// and `SMALLER` otherwise.
+  /// Compares the angle of a turn with \f$\pi\f$. The result is `LARGER` if the angle exceeds \f$\pi\f$ or counts as
+  /// straight, and `SMALLER` otherwise.
   class Compare_turn_with_straight
   {
   public:
@@ -235,17 +234,18 @@ public:
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.is_straight ? LARGER : SMALLER; }
   };
 
-  /// Computes a number in [0, 2] that increases with the angle of a turn below \f$\pi\f$. It is 0 for the rotation by
-  /// zero; otherwise, only rounding can produce 0 or 2.
+  /// Computes a key in [0, 2] that is 0 for the rotation by zero and increases with the angle of the turn, for angles
+  /// below \f$\pi\f$.
   class Turn_key
   {
   public:
-    /// Returns the key, which is 0 for the rotation by zero.
+    /// Returns the key, rounded.
     double operator()(const Turn& turn) const { return 1 - turn.x / (std::abs(turn.x) + turn.y); }
   };
 
   /*!
-   * Computes the geometry after the flip of `h = i->j` with twin `t`, in faces `(h, hn, hp)` and `(t, tn, tp)`.
+   * Computes the geometry after the flip of the edge of `h = i->j` and its twin `t` between the faces `(h, hn, hp)` and
+   * `(t, tn, tp)`.
    *
    *         k                     k
    *       / ^ .                  /|^
@@ -257,7 +257,7 @@ public:
    *       v   /                  v|/
    *         l                     l
    *
-   * Both new faces are laid out in the frame of the old face of `h`, so that `hn` and `hp` keep their vectors.
+   * Both new faces have the frame of the old face of `h`, so `hn` and `hp` keep their vectors.
    */
   class Flip
   {
@@ -287,10 +287,10 @@ public:
   };
 
   /*!
-   * Determines whether the sum of the angles opposite to the edge of `h` and `t` is at most \f$\pi\f$, up to
-   * `angle_tolerance()`. A flip turns the sum into \f$2 \pi\f$ minus the sum, so flipping an edge that is not Delaunay
-   * yields an edge that is Delaunay with the same tolerance. Lawson's algorithm therefore terminates as long as the
-   * drift stays below the tolerance.
+   * Determines whether the sum of the angles opposite to the edge with the sides `h` and `t` is at most \f$\pi\f$, up
+   * to `angle_tolerance()`. If the sum is \f$s\f$ before a flip, it is \f$2 \pi - s\f$ after the flip, so flipping an
+   * edge that is not Delaunay yields an edge that is. Lawson's algorithm therefore terminates as long as the drift
+   * stays below the tolerance.
    */
   class Is_locally_delaunay
   {
@@ -316,8 +316,8 @@ public:
     }
   };
 
-  /// Determines whether a vector is so inaccurate that its face should be recomputed. With these traits, drift is not
-  /// detected here but only in finished curves.
+  /// Determines whether a vector is so inaccurate that its face must be recomputed. These traits do not bound errors;
+  /// `shorten()` detects drift when it measures the finished curves.
   class Is_inaccurate
   {
   public:
