@@ -116,15 +116,15 @@ private:
  * network \cgalCite{SC20,section 6.1 and Figure 22}.
  *
  * Each vertex is assigned a scale factor \f$e^{u}\f$, and edges are assigned the lengths \f$e^{(u_i+u_j)/2}\,l_{ij}\f$,
- * such that the faces fit together in the plane. At the border of the cut surface \f$u = 0\f$: lengths are preserved
- * there, so that both sides of a seam have the same length. At a vertex at which the cut ends, such as a cone point,
- * the sum of the angles is not prescribed.
+ * such that the faces fit together in the plane. At the border of the cut surface, \f$u = 0\f$: lengths are preserved
+ * there, so both sides of a seam have the same length. At a vertex at which the cut ends, such as a cone point, the sum
+ * of the angles is not prescribed.
  *
- * The factors minimize a convex function, whose minimum is found by Newton's method with the cotangent Laplacian. This
- * requires a few sparse factorizations. Faces that violate the triangle inequality during the iteration are treated as
- * degenerate \cgalCite{SSP08}. If such a face remains at the end, the triangulation has no solution, and an exception
- * is thrown. `refine_and_flatten()` splits the edges of such faces in an attempt to obtain a triangulation that has a
- * solution.
+ * The factors minimize a convex function. The minimum is found by Newton's method with the cotangent Laplacian, which
+ * usually requires a few sparse factorizations. Faces that violate the triangle inequality during the iteration are
+ * treated as degenerate \cgalCite{SSP08}. If such a face remains at the end, the triangulation has no solution, and an
+ * exception is thrown. `refine_and_flatten()` then splits edges of such faces, which can lead to a triangulation that
+ * has a solution.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -134,7 +134,7 @@ class Conformal_flattening
 public:
   using Point = std::array<double, 2>; ///< the position in the plane, in the unit of the lengths
 
-  /// Cuts and flattens the surface with a tolerance of 1e-10 radians. The exceptions are those of the
+  /// Cuts and flattens the surface with a tolerance of 1e-10 radians for angle sums. The exceptions are those of the
   /// constructor with a tolerance.
   template <class Network>
   explicit Conformal_flattening(const Network& network)
@@ -145,9 +145,9 @@ public:
   /*!
    * Cuts and flattens the surface.
    * \param network the finished curves, a model of `CurveNetwork`, in a triangulation of a connected surface
-   * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians
+   * \param tolerance the largest deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians
    * \throws Flattening_error if the cut surface is not a disk, a face remains degenerate, or the tolerance is exceeded
-   * \throws Degenerate_face_error if a face is degenerate initially
+   * \throws Degenerate_face_error if a face of the triangulation is degenerate in double precision
    */
   template <class Network>
   Conformal_flattening(const Network& network, double tolerance)
@@ -163,9 +163,10 @@ public:
     lay_out(network);
   }
 
-  /// Returns the number of vertices of the cut surface. A vertex of the triangulation on the cut has several copies.
+  /// Returns the number of vertices of the cut surface. A vertex of the triangulation through which the cut passes has
+  /// several copies.
   Index number_of_copies() const { return m_surface.number_of_copies(); }
-  /// Returns the vertex of the triangulation of which a vertex of the cut surface is a copy.
+  /// Returns the vertex of the triangulation to which a copy belongs.
   Vertex_index vertex(Vertex_copy_index copy) const { return m_surface.vertex(copy); }
   /// Returns the copy to which the corner at the tail of halfedge `h` belongs, in the face on the left of `h`.
   /// \pre `h` is not on the border
@@ -180,13 +181,14 @@ public:
   double log_scale(Vertex_copy_index copy) const { return m_log_scales[copy]; }
 
   /*!
-   * Transfers the flattening to a common subdivision, linearly within the intrinsic faces. The result can be used as
-   * texture coordinates of a mesh.
-   * \pre no edge of the triangulation connects a vertex to itself, as is the case after `refine_and_flatten()`
-   * \param subdivision a `Surface_subdivision` made by `common_subdivision()` of the triangulation in the state in
-   *        which the triangulation was flattened
-   * \param out a writable property map whose keys are the halfedges of the subdivided mesh and whose values can be
-   * constructed from two `double`s. Each halfedge that has a face receives the position of its target in this face
+   * Transfers the flattening to a common subdivision, by linear interpolation within the intrinsic faces. The result
+   * can be used as texture coordinates of the subdivided mesh.
+   * \param subdivision the result of `common_subdivision()` for the triangulation in the state in which it was
+   *        flattened
+   * \param out a model of `WritablePropertyMap` with the halfedges of the subdivided mesh as keys and values that can
+   *        be constructed from two `double`s. Each halfedge that has a face receives the position of its target in this
+   *        face
+   * \pre no edge of the triangulation connects a vertex to itself; this holds after `refine_and_flatten()`
    */
   template <class Subdivision, class HalfedgeMap>
   void carry_to(const Subdivision& subdivision, HalfedgeMap out) const
@@ -200,10 +202,10 @@ public:
       }
   }
 
-  /// Returns the largest deviation of an angle sum in the interior from \f$2\pi\f$, in radians.
+  /// Returns the largest deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians.
   double angle_error() const { return m_angle_error; }
-  /// Returns the largest distance between two positions of one copy that were computed in different faces, divided by
-  /// the size of the result.
+  /// Returns the largest distance between positions of the same copy that were computed in different faces, divided by
+  /// the largest distance of a copy from the origin.
   double layout_error() const { return m_layout_error; }
   /// Returns the number of Newton steps.
   int iterations() const { return m_iterations; }
@@ -689,21 +691,22 @@ bool move_to_near_vertices(Network& network)
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Refines a triangulation and flattens its surface, cut open along the curves of a network.
+ * Refines a triangulation, cuts its surface open along the curves of a network, and flattens the cut surface.
  *
- * First, `refine()` refines the triangulation with its default quality bounds, inserting at most 10 000 vertices plus
- * ten times the number of vertices of the triangulation. Edges that connect a vertex to itself are then split. As long
- * as the scaled lengths violate the triangle inequality in some faces, the longest sides of these faces are split at
- * their midpoints. Curves that pass a vertex at a distance of less than \f$10^{-9}\f$ of an edge are moved onto this
- * vertex first; the order of overlapping curves and the fixed nodes are then lost.
+ * First, the triangulation is flipped to Delaunay, and `refine()` refines it with the default quality bounds, inserting
+ * at most 10 000 vertices plus ten times the number of vertices of the triangulation. Then edges that connect a vertex
+ * to itself are split. As long as the scaled lengths violate the triangle inequality in some faces, the longest sides
+ * of these faces are split near their midpoints. A curve that passes a vertex at a distance of less than about
+ * \f$10^{-9}\f$ times the length of its edge there is moved onto this vertex before; the order of overlapping curves
+ * and the fixed nodes are then lost.
  *
  * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface
- * \param np the named parameter `visitor` of `refine()`, for the refinement
+ * \param np the named parameter `visitor` of `refine()`, whose members are called during flips and the refinement
  * \return the flattening, with a tolerance of 1e-10 radians
- * \throws Flattening_error if the cut surface is not a disk, a scale factor is outside the range from \f$10^{-9}\f$ to
- *         \f$10^9\f$, which makes coordinates in the plane too inaccurate, or splitting edges does not lead to a
- *         solution. In the last two cases, `elements()` contains a vertex to which the surface should be cut, if one is
- *         known
+ * \throws Flattening_error if the cut surface is not a disk, if a scale factor is outside the range from about
+ *         \f$10^{-9}\f$ to \f$10^9\f$, so that coordinates in the plane would be too inaccurate, or if splitting edges
+ *         does not lead to a solution. In the last two cases, `elements()` contains a vertex to which the surface
+ *         should be cut, if one is known
  * \throws Degenerate_face_error if a face is degenerate in double precision
  * \throws Occupied_triangulation_error as `refine()` does
  */

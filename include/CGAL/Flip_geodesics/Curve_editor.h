@@ -27,7 +27,7 @@ namespace CGAL::Flip_geodesics {
 /// Reports the effect of a move of a `Curve_editor`.
 struct Move_report
 {
-  std::size_t legs = 0;              ///< the number of recomputed legs: one or two, or 0 if the point has not moved
+  std::size_t legs = 0;              ///< the number of recomputed legs: 1 or 2, or 0 if the point has not moved
   std::size_t legs_by_flips = 0;     ///< the number of these legs that required edge flips
   Verdict verdict = Verdict::PROVEN; ///< the worst verdict on the recomputed legs
 };
@@ -35,26 +35,27 @@ struct Move_report
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Represents an editable curve through points of the surface: its end points, waypoints or control points can be moved.
+ * Represents a curve through points of the surface that can be moved one at a time, such as end points, waypoints or
+ * control points.
  *
  * Each *leg*, the geodesic from one point to the next, is shortened independently, as by `geodesics_through()`, so legs
  * may cross. When a point moves, each leg at this point is deformed continuously with it: the new leg is obtained by
- * shortening the concatenation of the old leg and the path of the move. The other legs are bitwise unchanged, and
- * `undo()` undoes moves.
+ * shortening the concatenation of the old leg and the path of the move. The other legs are bitwise unchanged. `undo()`
+ * undoes moves.
  *
  * A leg is stored as the sequence of edges that it crosses. The time of a move depends only on the legs at the moved
- * point and not on previous moves; it is roughly the time to extract these legs, multiplied by the number of rows of
- * vertices over which they sweep. The leg is unfolded, shortened with a funnel algorithm, and certified as by
- * `certify()`, regardless of the traits. If this fails, edges are flipped, as by `shorten()`, and the flips are undone
- * afterwards.
+ * point and not on previous moves. It is roughly the time to extract these legs, multiplied by the number of rows of
+ * vertices over which they sweep. A leg is unfolded, shortened with a funnel algorithm, and certified as by
+ * `certify()`, regardless of the traits. If this fails, edges are flipped as by `shorten()`, and the flips are rolled
+ * back afterwards.
  *
  * Guarantee: a leg is a bitwise reproducible function of its end points and its edge sequence, and does not depend on
  * the moves that led to it. If a homotopy class has only one geodesic, as on surfaces whose vertices have angles of
  * \f$2\pi\f$ or more, the moves affect the result only through the class. On other surfaces a class can contain several
  * geodesics, and a leg remains at the geodesic to which it was shortened.
  *
- * The class maintains the invariant that each leg starts at the end of the previous one and is a geodesic if
- * `verdict()` confirms it, and that the triangulation is unchanged.
+ * Each leg starts at the end of the previous leg and is a geodesic if `verdict()` confirms it. The triangulation is
+ * unchanged after each call of a member function.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulationOfMesh`
  */
@@ -70,10 +71,9 @@ public:
   /*!
    * Constructs a curve whose legs are obtained by shortening short edge paths.
    *
-   * \param triangulation a triangulation of the input without flips and curves. It must outlive the editor, and is
-   *        unchanged after each call
+   * \param triangulation a triangulation that has no curves and whose log is empty; it must outlive the editor
    * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts, such
-   *        that no two consecutive points coincide; a closed curve does not repeat the first point
+   *        that no two consecutive points coincide; for a closed curve, the first point is not repeated at the end
    * \param np the named parameter `is_closed`, a `bool`: whether a leg connects the last point to the first; `false` by
    *        default
    * \throws Invalid_curve_error if there are fewer than two points, or two consecutive ones coincide
@@ -117,9 +117,9 @@ public:
   /// Returns the number of legs; leg `i` leads from point `i` to the next one.
   std::size_t number_of_legs() const { return m_points.size() - (m_is_closed ? 0 : 1); }
   /// Returns the points of a leg: its ends, its crossings with edges, and the vertices that it passes. Two consecutive
-  /// points lie in one face. If a leg runs along a degenerate face, the positions of its crossings with edges of this
-  /// face may be ambiguous; consecutive points may then move back and forth along it. The length and the verdict are
-  /// still those of the leg.
+  /// points lie in a common face. If a leg runs along a degenerate face, the positions of its crossings with the edges
+  /// of this face can be ambiguous, and consecutive points can move back and forth along the face. The length and the
+  /// verdict do not depend on these positions.
   const std::vector<Surface_location>& leg(std::size_t i) const { return m_legs[i].points; }
   /// Returns the points of all legs, one leg after the other.
   std::vector<std::vector<Surface_location>> legs() const
@@ -141,7 +141,7 @@ public:
   }
   /// Returns the verdict on a leg, obtained by exact arithmetic on the input coordinates. A leg can fail to be a
   /// geodesic only if it requires flips and crosses itself, or if its computation exceeds the precision of the traits.
-  /// Nothing is certified if coordinates or lengths of the mesh had to be rounded.
+  /// If coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// Returns the verdict on the curve, which is the worst verdict on its legs.
   Verdict verdict() const
@@ -151,7 +151,7 @@ public:
       worst = (std::max)(worst, verdict(leg));
     return worst;
   }
-  /// Returns statistics of the filter failures of predicates in all certificates, and of how they were resolved.
+  /// Returns statistics of the filter failures of the predicates in all certificates, and of how they were resolved.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
   /// @}
@@ -162,9 +162,9 @@ public:
    * Moves a point.
    *
    * If both positions lie in one face, the path of the move is a straight line; otherwise it is a short edge path
-   * between vertices of their faces. The successive positions of a pen thus determine the homotopy class of its path,
-   * provided that they are closer together than the handles and holes that the path passes are wide. If an exception is
-   * thrown, the curve is unchanged.
+   * between vertices of their faces. The successive positions of a pen therefore determine the homotopy class of its
+   * path, provided that their distances are smaller than the widths of the handles and holes that the path passes. If
+   * an exception is thrown, the curve is unchanged.
    *
    * \param i the number of the point
    * \param to the new position
@@ -192,12 +192,12 @@ public:
   /*!
    * Moves a point along a given path, which determines the homotopy classes of the legs at this point.
    * \param i the number of the point
-   * \param way the path: it must start at `point(i)` and end at the new position, and any two consecutive locations
-   *        must lie in one face
+   * \param way a range of points of any type that `surface_location()` accepts: it must start at `point(i)` and end at
+   *        the new position, and any two consecutive points must lie in a common face
    * \return a report on the recomputed legs
    * \pre `i < number_of_points()`
-   * \throws Invalid_curve_error if the path does not start at `point(i)`, or two consecutive locations have no common
-   *         face (`elements()` contains a position in the path); also in the cases listed for `move()`
+   * \throws Invalid_curve_error if the path does not start at `point(i)`, or if two consecutive points have no common
+   *         face (`elements()` then contains the position of the second one in the path), or as `move()` does
    * \throws Invalid_location_error as `move()` does
    * \throws Occupied_triangulation_error as `move()` does
    * \throws Crossing_curves_error as `move()` does
@@ -221,8 +221,8 @@ public:
   /// Returns the number of moves that `undo()` can undo.
   std::size_t number_of_moves() const { return m_moves.size(); }
 
-  /// Undoes the last move and restores the previous legs bitwise, in the time needed to swap them. Returns `false` if
-  /// there is no move to undo.
+  /// Undoes the last move. The previous legs are restored bitwise and are not recomputed. Returns `false` if there is
+  /// no move to undo.
   bool undo()
   {
     if(m_moves.empty())
@@ -235,7 +235,8 @@ public:
     return true;
   }
 
-  /// Discards the history of moves, which frees the memory of the previous legs.
+  /// Discards the history of moves, which frees the memory of the previous legs. These moves can then no longer be
+  /// undone.
   void forget_moves() { m_moves.clear(); }
 
   /// @}

@@ -24,7 +24,7 @@ template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric;
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// Stores the position of a point of a curve on the mesh, in descriptors of the mesh.
+/// Stores the position of a point of a curve on the mesh by descriptors of the mesh.
 template <class TriangleMesh>
 struct Curve_place
 {
@@ -32,13 +32,14 @@ struct Curve_place
   /// The halfedge type of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  /// A face that contains the point, and barycentric coordinates, as a `CGAL::Polygon_mesh_processing::Face_location`.
-  /// The coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`.
+  /// A face that contains the point, and the barycentric coordinates of the point, as a
+  /// `CGAL::Polygon_mesh_processing::Face_location`. The coordinates belong to the source, the target and the third
+  /// vertex of `halfedge(face, mesh)`.
   std::pair<face_descriptor, std::array<double, 3>> location;
 
-  /// The halfedge that the curve crosses at this point, as a side of the face that the curve leaves. If the curve does
-  /// not cross the edge, a halfedge of the edge that contains the point; at a vertex or inside a face, the null
-  /// halfedge.
+  /// The halfedge that the curve crosses at this point, as a side of the face that the curve leaves. At an end of the
+  /// curve or an inserted vertex inside an edge, this is one of the two halfedges of the edge; at a vertex of the mesh
+  /// or inside a face, it is the null halfedge.
   halfedge_descriptor halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
 };
 
@@ -51,8 +52,8 @@ struct Curve_point : Curve_place<TriangleMesh>
   using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3; ///< the vector type of the kernel of `Point_3`
 
   Point_3 point; ///< the position in space
-  /// The unit vector in space in the direction in which the curve continues, or at its end in the direction in which it
-  /// arrives. Zero if the curve is a point.
+  /// The unit vector in space in the direction in which the curve continues or, at the end of the curve, in which it
+  /// arrives. It is zero if the curve is a single point.
   Vector_3 tangent;
 };
 
@@ -60,7 +61,7 @@ struct Curve_point : Curve_place<TriangleMesh>
  * \ingroup PkgFlipGeodesicsExtraction
  *
  * Converts a surface point to a `CGAL::Polygon_mesh_processing::Face_location`: a pair of a face and barycentric
- * coordinates, which belong to the source, target and third vertex of `halfedge(face, mesh)`.
+ * coordinates, which belong to the source, the target and the third vertex of `halfedge(face, mesh)`.
  */
 template <class Triangulation>
 auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
@@ -102,8 +103,8 @@ auto face_location_of(const Triangulation& triangulation, const TriangleMesh& me
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The coordinates are the weights, which are
- * divided by their sum unless the sum is one within 1e-6, which `surface_location()` accepts.
+ * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The barycentric coordinates are the weights;
+ * unless the sum of the weights is one up to 1e-6, as `surface_location()` requires, they are divided by it.
  */
 template <class Triangulation>
 auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,

@@ -20,30 +20,30 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// The type of the numbers of elements.
+/// The integer type of the numbers of elements.
 using Index = std::int32_t;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// The type of `null_index`.
 struct Null_index
 {
-  /// Returns a number that no element has.
+  /// Returns -1, a number that no element has.
   constexpr operator Index() const { return -1; }
 };
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Represents no element; every descriptor can be compared with it and constructed from it.
+/// The null value of all descriptors, which can be compared with it and constructed from it.
 inline constexpr Null_index null_index{};
 
 /*!
  * \ingroup PkgFlipGeodesicsDescriptors
  *
- * Identifies one element of a triangulation or of a network by its number. Each kind of element has its own type, so
- * that a halfedge cannot be passed instead of a vertex.
+ * Identifies one element of a triangulation or of a network by its number. Each kind of element has its own type, so a
+ * halfedge cannot be passed by mistake instead of a vertex.
  *
- * Descriptors are ordered by their numbers, can be hashed, and are printed as a letter and the number.
+ * Descriptors are ordered by their numbers, can be hashed, and are printed as a prefix, such as `v`, and the number.
  *
- * \tparam Element the kind of element, a value of `Element_kind`
+ * \tparam Element the kind of element, a class in `Element_kind`
  */
 template <class Element>
 class Descriptor
@@ -67,7 +67,7 @@ public:
   /// Returns whether the descriptor is not null.
   constexpr bool is_valid() const { return m_number >= 0; }
 
-  /// Returns the text that is printed before the number.
+  /// Returns the prefix that is printed before the number.
   static constexpr const char* letter() { return Element::letter; }
 
   /// Increments the number.
@@ -93,7 +93,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Lists the kinds of elements that a `Descriptor` identifies, each with the letter that is printed before the number.
+/// Lists the kinds of elements that a `Descriptor` identifies, each with the prefix that is printed before the number.
 struct Element_kind
 {
   // clang-format off
@@ -122,10 +122,10 @@ using Vertex_index = Descriptor<Element_kind::Vertex>;
 using Halfedge_index = Descriptor<Element_kind::Halfedge>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// Identifies a face of a triangulation by the smallest number of its halfedges. A flip replaces two faces by two
-/// others.
+/// others, whose numbers can differ.
 using Face_index = Descriptor<Element_kind::Face>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Identifies a halfedge of the input of a triangulation, which flips do not change.
+/// Identifies a halfedge of the input of a triangulation. Flips do not change the input.
 using Input_halfedge_index = Descriptor<Element_kind::Input_halfedge>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// Identifies a segment of a curve of a network.
@@ -283,12 +283,12 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Describes the input edges that an intrinsic edge crosses, from its tail to its head. Together with its end points,
- * this edge sequence determines the edge: the edge is the straight line in the unfolded faces.
+ * Describes the input edges that an intrinsic edge crosses, from its tail to its head. This edge sequence and the end
+ * points determine the edge, which is the straight line between the end points in the unfolded faces.
  *
- * Three cases are possible. If the edge lies along the input halfedge `along`, or along a part of it, it crosses
- * nothing. If it lies inside the input face of the halfedge `face`, it crosses nothing either; such an edge has an
- * inserted vertex as an end. Otherwise, `crossed` contains the crossed input halfedges, each as a side of the face that
+ * Three cases are possible. If the edge is the input edge of the halfedge `along`, or a part of it, it crosses nothing.
+ * If the edge lies inside the input face of the halfedge `face`, it crosses nothing either; at least one of its ends is
+ * then an inserted vertex. Otherwise, `crossed` contains the crossed input halfedges, each as a side of the face that
  * the edge leaves there, and `along` and `face` are `null_index`.
  */
 struct Edge_sequence
@@ -299,7 +299,7 @@ struct Edge_sequence
   Vertex_index tail = null_index;            ///< the vertex at which the edge starts
   Vertex_index head = null_index;            ///< the vertex at which the edge ends
 
-  /// Reverses the direction of the edge.
+  /// Reverses the edge sequence, and thus the direction of the edge.
   void reverse()
   {
     along = along == null_index ? null_index : internal::twin_index(along);
@@ -317,14 +317,14 @@ struct Edge_sequence
     return result;
   }
 
-  /// Returns a halfedge of the input face at the tail. \pre the edge does not lie along an input edge
+  /// Returns a halfedge of the input face in which the edge starts. \pre the edge does not lie along an input edge
   Input_halfedge_index first_face() const { return crossed.empty() ? face : crossed.front(); }
-  /// Returns a halfedge of the input face at the head. \pre the edge does not lie along an input edge
+  /// Returns a halfedge of the input face in which the edge ends. \pre the edge does not lie along an input edge
   Input_halfedge_index last_face() const { return crossed.empty() ? face : internal::twin_index(crossed.back()); }
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Specifies the side of a curve, as seen along it.
+/// Specifies a side of a curve, as seen in its direction.
 enum class Side { LEFT, RIGHT };
 
 /// \ingroup PkgFlipGeodesicsCurves
@@ -332,7 +332,7 @@ enum class Side { LEFT, RIGHT };
 inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Identifies one side of the joint between a segment and the next one of its curve.
+/// Identifies one side of the joint between a segment and the next segment of its curve.
 struct Joint
 {
   Segment_index incoming; ///< the segment that arrives at the node
@@ -340,14 +340,14 @@ struct Joint
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Identifies the end of a segment at a node by the segment and an outgoing halfedge; the halfedge distinguishes the
-/// two ends of a loop edge.
+/// Identifies the end of a segment at a node by the segment and an outgoing halfedge. The halfedge distinguishes the
+/// two ends of a segment that starts and ends at the same vertex.
 struct Segment_end
 {
-  Halfedge_index halfedge = null_index; ///< the halfedge of the end, outgoing at the node; null if this is not an end
+  Halfedge_index halfedge = null_index; ///< the halfedge of the end, which starts at the node; null for a null end
   Segment_index segment = null_index;   ///< the segment that starts or ends at the node along `halfedge`
 
-  /// Returns whether the object does not identify an end.
+  /// Returns whether this is a null end, which does not identify an end of a segment.
   bool is_none() const { return halfedge == null_index; }
   /// Returns whether the ends are the same.
   bool operator==(const Segment_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
@@ -356,7 +356,7 @@ struct Segment_end
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Describes the content of the wedge at one side of a joint.
+/// Describes the wedge on one side of a joint.
 enum class Wedge_state {
   FREE,     ///< the wedge is empty, and its angle is below \f$\pi\f$: the joint can be shortened
   STRAIGHT, ///< the angle is at least \f$\pi\f$

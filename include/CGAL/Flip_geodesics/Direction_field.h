@@ -31,8 +31,8 @@ namespace CGAL::Flip_geodesics {
  *
  * The field is stored at vertices, as the `symmetry`-th power of a complex number in the tangent space of the vertex
  * (`Tangent_spaces`). It minimizes \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$ with the cotangent weights \f$w\f$ and
- * the transport \f$r\f$ along edges, among all fields of unit norm or, if directions are prescribed, for instance along
- * curves, among the fields that are aligned to them \cgalCite{SC20,section 6.4 and Figure 26}. Edges that are not
+ * the transport \f$r\f$ along edges: among all fields of unit norm or, if directions are prescribed, for instance along
+ * curves, among the fields that have these directions \cgalCite{SC20,section 6.4 and Figure 26}. Edges that are not
  * Delaunay have negative weights, which can make the minimal energy meaningless; flip the triangulation to Delaunay
  * first.
  *
@@ -48,7 +48,7 @@ class Direction_field
 public:
   using Vector = Eigen::VectorXcd; ///< a complex number per vertex
 
-  /// Describes a singularity: a face around which the field makes `index / symmetry` full turns.
+  /// Describes a singularity: a face along whose boundary the field makes `index / symmetry` full turns.
   struct Singularity
   {
     std::size_t face; ///< the number of the face in `operators().faces()`
@@ -58,7 +58,7 @@ public:
   /*!
    * Prepares the computation.
    *
-   * \param triangulation the triangulation
+   * \param triangulation a triangulation, which must outlive the field and must not be changed
    * \param symmetry the number of directions at a point, at least 1
    * \throws Degenerate_face_error as `Operators` does
    * \throws Invalid_mesh_error as `Tangent_spaces` does
@@ -76,22 +76,24 @@ public:
 
   /// Returns the operators of the discretization, which define the numbers of the faces.
   const Operators<Triangulation>& operators() const { return m_operators; }
-  /// Returns the tangent spaces used.
+  /// Returns the tangent spaces in which the field is given.
   const Tangent_spaces<Triangulation>& tangent_spaces() const { return m_spaces; }
 
   /// \name Alignment
-  /// Several directions prescribed at one vertex are averaged; if they cancel each other out, the vertex is free.
+  /// If several directions are prescribed at one vertex, they are averaged; if they cancel each other out, the vertex
+  /// is free.
   /// @{
 
-  /// Prescribes a direction at vertex `v`, as an angle in its tangent space. \throws Vertex_out_of_range_error if `v`
-  /// is not a vertex of the triangulation
+  /// Prescribes a direction at vertex `v`, as an angle in its tangent space, in radians. \throws
+  /// Vertex_out_of_range_error if `v` is not a vertex of the triangulation
   void align(Vertex_index v, double angle)
   {
     internal::check_vertex(v, static_cast<Index>(m_operators.number_of_vertices()));
     m_aligned[v.idx()] += power(angle);
   }
 
-  /// Prescribes the tangents of all curves of a network, at every vertex that the curves pass through or end at.
+  /// Prescribes the directions of all curves of a network in the triangulation, at every vertex that the curves pass
+  /// through and at their ends.
   template <class Network>
   void align(const Network& network)
   {
@@ -107,9 +109,9 @@ public:
   /// @}
 
   /*!
-   * Computes the field. This takes one sparse Cholesky factorization and, without alignment, tens to hundreds of
-   * solves, until the relative change of the energy is less than 1e-12.
-   * \throws Singular_problem_error if directions are prescribed but not in every component that has faces, or the
+   * Computes the field. This takes one sparse Cholesky factorization and, if no directions are prescribed, tens to
+   * hundreds of solves, until the relative change of the energy is at most 1e-12.
+   * \throws Singular_problem_error if directions are prescribed, but not in every component that has faces, or if the
    *         matrix cannot be factorized
    */
   void compute()
@@ -133,7 +135,7 @@ public:
   }
 
   /// Returns the `symmetry`-th powers of the field at the vertices, which are not normalized; 0 at isolated vertices.
-  /// \throws Invalid_parameter_error before `compute()`, as all following functions do
+  /// \throws Invalid_parameter_error if `compute()` has not been called, as all following functions do
   const Vector& values() const
   {
     if(!m_is_computed)
@@ -141,13 +143,13 @@ public:
     return m_values;
   }
 
-  /// Returns one of the directions at vertex `v`, as an angle in its tangent space. The others follow in steps of
-  /// \f$2\pi\f$ divided by the symmetry.
+  /// Returns one of the directions at vertex `v`, as an angle in its tangent space, in radians. The angles of the other
+  /// directions differ from it by multiples of \f$2\pi\f$ divided by the symmetry.
   double angle(Vertex_index v) const { return std::arg(values()[v.idx()]) / m_symmetry; }
 
   /*!
-   * Returns the faces around which the field turns. On a closed surface, the sum of the indices is `symmetry` times the
-   * Euler characteristic. Takes time linear in the size of the mesh.
+   * Returns the singularities of the field. On a closed surface, the sum of their indices is `symmetry` times the Euler
+   * characteristic. Linear in the size of the mesh.
    */
   std::vector<Singularity> singularities() const
   {
@@ -165,7 +167,7 @@ public:
     return result;
   }
 
-  /// Returns the energy of the field, the minimized sum.
+  /// Returns the energy of the field, that is, the sum that the field minimizes.
   double energy() const { return std::real(values().dot(connection_laplacian() * m_values)); }
 
 private:

@@ -41,7 +41,7 @@ namespace Flip_geodesics {
 /// Specifies where a distance field can be evaluated.
 enum class Distance_field_extent {
   EVERYWHERE,   ///< at any location
-  VERTICES_ONLY ///< at vertices only, which takes little memory because windows are freed once they have been used
+  VERTICES_ONLY ///< at vertices only, which requires less memory because windows are freed once they have been used
 };
 
 /// \ingroup PkgFlipGeodesicsDistances
@@ -50,10 +50,10 @@ enum class Distance_field_status {
   COMPLETE,        ///< all distances are known
   RADIUS_REACHED,  ///< the distances up to the radius are known
   TARGETS_REACHED, ///< the distances of the targets are known
-  /// the distances up to `Geodesic_distance_field::reach()` are known; also returned if rays circulate in degenerate
-  /// faces
+  /// the limit on windows was reached, or rays circulate in degenerate faces; the distances up to
+  /// `Geodesic_distance_field::reach()` are known
   WINDOW_LIMIT_REACHED,
-  /// the distances up to `Geodesic_distance_field::reach()` are known; `go_further()` of the visitor returned `false`
+  /// `go_further()` of the visitor returned `false`; the distances up to `Geodesic_distance_field::reach()` are known
   STOPPED_BY_VISITOR
 };
 
@@ -122,8 +122,8 @@ struct Distance_field_report
  *
  * Windows of straight rays are propagated from face to face, and each edge keeps the lower envelope of the windows that
  * reach it \cgalCite{MMP87}. Sources are vertices, points anywhere on the surface, and curves. Each source has an
- * offset, which is added to all distances from this source. A computed field can be queried for the distance at any
- * location, the shortest path from this location, the nearest source and the gradient.
+ * offset, by default 0, which is added to all distances from this source. A computed field can be queried for the
+ * distance at any location, the shortest path from this location, the nearest source and the gradient.
  *
  * \code
  * Geodesic_distance_field<Triangulation> field(triangulation, mesh);
@@ -154,7 +154,7 @@ public:
   {
     /// The distance from the nearest source, including the offset of the source.
     double distance = std::numeric_limits<double>::infinity();
-    std::size_t source = 0; ///< the number of that source, in the order of insertion; 0 if the distance is infinite
+    std::size_t source = 0; ///< the number of that source, counted from 0; 0 if the distance is infinite
   };
 
   /*!
@@ -190,8 +190,8 @@ public:
   Geodesic_distance_field(const Triangulation&, const Triangle_mesh&&, const NamedParameters&...) = delete;
 
   /*!
-   * Adds a point of the surface as a source and returns the number of the source. Constant time, unless the point is
-   * in space.
+   * Adds a point of the surface as a source and returns the number of the source. Constant time, unless `point` is a
+   * point in space, which has to be located.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \param offset the number that is added to all distances from this source
@@ -222,20 +222,20 @@ public:
 
   /*!
    * Adds a curve as a source and returns the number of the source. The curve is straight between consecutive locations,
-   * so a curve of edges is given by its vertices; a single location is a point. `Curve_extractor::surface_locations()`
-   * returns the locations of a curve of a network.
+   * so a curve along edges is given by its vertices; a single location is a point source.
+   * `Curve_extractor::surface_locations()` returns the locations of a curve of a network.
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
-   *        consecutive ones lie in one face or on its boundary
+   *        consecutive ones lie in a common face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
-   * \throws Invalid_parameter_error as for points
-   * \throws Invalid_location_error as for points
-   * \throws Invalid_coordinate_error as for points
-   * \throws Degenerate_face_error as for points
-   * \throws Invalid_mesh_error as for points
+   * \throws Invalid_parameter_error as `add_source()` does
+   * \throws Invalid_location_error as `add_source()` does
+   * \throws Invalid_coordinate_error as `add_source()` does
+   * \throws Degenerate_face_error as `add_source()` does
+   * \throws Invalid_mesh_error as `add_source()` does
    *
-   * Complexity: linear in the number of locations and the degrees of the vertices among them.
+   * Complexity: linear in the number of locations and the sum of the degrees of the vertices among them.
    */
   template <class LocationRange>
   std::size_t add_curve(const LocationRange& locations, double offset = 0)
@@ -290,12 +290,12 @@ public:
    *
    * \return a report on the distances that are known
    *
-   * \pre the extent is `EVERYWHERE` if a target lies inside a face or on an edge
    * \throws Invalid_coordinate_error if a face within reach has an invalid coordinate
    * \throws Degenerate_face_error if a face within reach is degenerate
    * \throws Invalid_mesh_error if a face within reach is invalid
    * \throws Invalid_location_error if a target is not a point of the surface
-   * \throws Invalid_parameter_error if the radius is negative or not a number
+   * \throws Invalid_parameter_error if the radius is negative or not a number, or if the extent is `VERTICES_ONLY` and
+   *         a target is not a vertex
    *
    * Complexity: linear in the number of windows, plus the number of edges of the front in each round. On smooth meshes
    * of up to some ten thousand faces, the field has 10 to 25 windows per face; this number grows like \f$\sqrt{n}\f$
@@ -339,12 +339,12 @@ public:
     return report;
   }
 
-  /// Returns the distance up to which all distances are known, which is 0 before `compute()`. Greater distances are
+  /// Returns the distance up to which the field has been computed, or 0 before `compute()`. Greater distances are
   /// returned as infinity.
   double reach() const { return m_reach; }
 
-  /// Returns the distance of a point, with the preconditions and exceptions of `answer()`. Constant time for a
-  /// `Vertex_index`.
+  /// Returns the distance of a point from its nearest source. The parameter and the exceptions are those of `answer()`.
+  /// Constant time for a `Vertex_index`.
   template <class Point = Surface_location>
   double distance(const Point& point) const
   {
@@ -355,13 +355,14 @@ public:
   }
 
   /*!
-   * Returns the distance of a point and its nearest source. Linear in the number of windows on the sides of its face
-   * or, for a vertex, in the number of bends of its path.
+   * Returns the distance of a point and its nearest source. Linear in the number of windows on the sides of the face
+   * or, for a vertex, in the number of vertices at which the shortest path bends.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or before `compute()`
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
+   *         has not been called
    */
   template <class Point = Surface_location>
   Answer answer(const Point& point) const
@@ -380,16 +381,16 @@ public:
   }
 
   /// Returns the distance and nearest source of a point with given barycentric weights in a face of the mesh. The
-  /// weights belong to the source, the target and the third vertex of `halfedge(face, mesh)`; they need not be
-  /// normalized.
+  /// weights belong to the source, the target and the third vertex of `halfedge(face, mesh)`; their sum need not be 1.
+  /// The exceptions are those of `answer()`.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const
   {
     return answer({m_triangulation.input().index(internal::graph_halfedge(face, m_mesh)), weights});
   }
 
-  /// Returns whether one source is known to be the nearest at all points of a face that have a finite distance. The
-  /// result is `false` unless the field is complete. Linear in the number of windows on the sides of the face. \pre the
-  /// extent is `EVERYWHERE`
+  /// Returns whether the same source is known to be the nearest at all points of a face that have a finite distance.
+  /// The result is `false` unless the field is complete. Linear in the number of windows on the sides of the face. \pre
+  /// the extent is `EVERYWHERE`
   bool has_one_source(face_descriptor face) const
   {
     CGAL_precondition(m_extent == Distance_field_extent::EVERYWHERE);
@@ -404,7 +405,8 @@ public:
    *
    * \param point a point of any type that `surface_location()` accepts
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or before `compute()`
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
+   *         has not been called
    */
   template <class Point = Surface_location>
   std::vector<Surface_point> surface_points(const Point& point) const
@@ -432,7 +434,8 @@ public:
    * \param out the output iterator
    * \return the past-the-end output iterator
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or before `compute()`
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
+   *         has not been called
    */
   template <class Point = Surface_location, class OutputIterator>
   OutputIterator path(const Point& point, OutputIterator out) const
@@ -445,13 +448,13 @@ public:
    * Returns the gradient of the distance at a location, a unit vector in the face of `location.halfedge` that points
    * away from the source.
    *
-   * The coordinates refer to the frame of the face in which `location.halfedge` lies on the x-axis and the face lies
-   * above it. The gradient is zero at a source, at every vertex, and at points with infinite distance. If several
-   * shortest paths end at the location, the gradient belongs to one of them.
+   * The coordinates refer to a frame of the face in which `location.halfedge` points in the direction of the positive
+   * x-axis and the face lies above this axis. The gradient is zero at a source, at every vertex, and at points with
+   * infinite distance. If several shortest paths end at the location, the gradient belongs to one of them.
    *
    * \pre `location.halfedge` is not a border halfedge
    * \throws Invalid_location_error if `location` is not a point of the surface
-   * \throws Invalid_parameter_error if the extent is `VERTICES_ONLY`, or before `compute()`
+   * \throws Invalid_parameter_error if the extent is `VERTICES_ONLY`, or if `compute()` has not been called
    *
    * Complexity: that of `answer()`.
    */
@@ -467,7 +470,7 @@ public:
   }
 
   /// Returns the gradient of the distance at a location as a vector in space, of the kernel of the points of the mesh.
-  /// Only available if the metric has points. The requirements are those of `gradient()`.
+  /// Only available if the metric has points. The precondition and the exceptions are those of `gradient()`.
   auto gradient_in_space(const Surface_location& location) const
   {
     using Vector_3 = typename Triangulation::Metric::Kernel::Vector_3;

@@ -50,7 +50,7 @@ void check_is_grown(const Tree& tree)
 namespace parameters {
 
 /// \ingroup PkgFlipGeodesicsParameters
-/// Sets the length up to which a tree of geodesics contains paths.
+/// Sets the length up to which a `Geodesic_tree` contains paths.
 inline auto max_distance(double distance)
 {
   return Named_function_parameters<double, Flip_geodesics::internal::Distance_parameter>(distance);
@@ -71,8 +71,8 @@ struct Geodesic_tree_report
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
   std::size_t reopened = 0;  ///< the number of times a vertex was reached again by a shorter path
-  /// The smallest angle, in radians, on a side of a path at a vertex that the path passes, measured from the input. It
-  /// is infinite if no path passes a vertex, and also for traits without drift, for which the measurement is
+  /// The smallest angle, in radians, on either side of a path at a vertex that the path passes, measured on the input.
+  /// It is infinite if no path passes a vertex, and also for traits without drift, for which the measurement is
   /// unnecessary.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
@@ -85,9 +85,8 @@ struct Geodesic_tree_report
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
  * forms an angle of at least \f$\pi\f$ on both sides at the preceding vertex, its parent in the tree. Otherwise the
- * edges inside the wedge with the smaller angle are flipped, which makes a shorter path possible, and the search
- * continues. Such a wedge never contains an edge of the tree, since the paths through its apex are straight. In
- * contrast to
+ * edges inside the wedge with the smaller angle are flipped, which yields a shorter path, and the search continues.
+ * Such a wedge never contains an edge of the tree, since the paths through its apex are straight. In contrast to
  * \cgalCite{SC20}, an accepted vertex is reopened if a new edge gives a shorter path to it. The finished tree is
  * therefore a shortest path tree of the edge graph of the final triangulation.
  *
@@ -98,7 +97,8 @@ struct Geodesic_tree_report
  * that of its parent plus the length of the edge between them, and no edge between reached vertices gives a shorter
  * path.
  *
- * \tparam Triangulation_ a model of `IntrinsicTriangulation`; a network in it must be empty while the tree is grown
+ * \tparam Triangulation_ a model of `IntrinsicTriangulation`; networks in it must not have curves while the tree is
+ *         grown
  */
 template <class Triangulation_>
 class Geodesic_tree
@@ -124,8 +124,8 @@ public:
    * index.
    *
    * \param source a vertex of the triangulation, as a `Vertex_index`, or a point of any type that `surface_location()`
-   *        accepts, which becomes a vertex as by `Intrinsic_triangulation::insert()`. Other points to which paths are
-   *        required must be inserted before the call
+   *        accepts, which `Intrinsic_triangulation::insert()` makes a vertex. Other points to which paths are required
+   *        must be inserted before the call
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
@@ -178,7 +178,7 @@ public:
   /// Returns the report on the growth of the tree, including the growth in `replace_paths()`.
   const Geodesic_tree_report& report() const { return m_report; }
 
-  /// Returns the length of the longest path that was requested.
+  /// Returns the value of `max_distance` that was passed to `grow()`, or infinity.
   double max_distance() const { return m_max_distance; }
 
   /// Returns whether the tree has a path to vertex `v`. \pre `v` existed when the tree was grown
@@ -205,8 +205,8 @@ public:
     return result;
   }
 
-  /// Detaches vertices from the tree and attaches them elsewhere; `replace_paths()` calls the given
-  /// function with an object of this type.
+  /// Detaches vertices from the tree and attaches them elsewhere. `replace_paths()` calls the given function with an
+  /// object of this type.
   class Grafts
   {
   public:
@@ -239,16 +239,16 @@ public:
   };
 
   /*!
-   * Replaces paths by other paths, as `make_shortest()` does.
+   * Replaces paths by other paths. `make_shortest()` uses this function.
    *
-   * The tree then grows to the vertices that were detached and not attached again, and to vertices to which new edges
-   * give shorter paths.
+   * After the replacement, the tree grows to the vertices that were detached and not attached again, and to vertices to
+   * which new edges give shorter paths.
    *
    * \param function the function object that is called with a `Grafts&`; it may flip edges that are not in the tree at
    *        that time
    * \return the report on the growth of the tree so far, including `grow()`; flips of `function` are not counted
    * \pre `grow()` was not stopped
-   * \throws Invalid_parameter_error before `grow()`
+   * \throws Invalid_parameter_error if `grow()` has not been called
    *
    * Complexity: linear in the size of the mesh, plus the time of the growth.
    */
@@ -590,8 +590,8 @@ private:
 class Vertex_logarithmic_map
 {
 public:
-  /// Constructs a map for a given number of vertices, none of which has a path yet, from the sum of the face angles
-  /// around the source and whether the source lies on the border.
+  /// Constructs a map in which no vertex has coordinates yet, given the number of vertices, the sum of the face angles
+  /// around the source, and whether the source lies on the border.
   Vertex_logarithmic_map(Index number_of_vertices, double total_angle, bool is_on_border)
     : m_coordinates(static_cast<std::size_t>(number_of_vertices))
     , m_total_angle(total_angle)
@@ -599,7 +599,7 @@ public:
   {
   }
 
-  /// Returns the sum of the face angles around the source, \f$2\pi\f$ if the surface is flat there.
+  /// Returns the sum of the face angles around the source, in radians.
   double total_angle() const { return m_total_angle; }
   bool is_on_border() const { return m_is_on_border; } ///< returns whether the source lies on the border
 
@@ -608,13 +608,13 @@ public:
   {
     return m_coordinates[v];
   }                                                    ///< returns the coordinates of a vertex
-  auto begin() const { return m_coordinates.begin(); } ///< returns an iterator to the first vertex
+  auto begin() const { return m_coordinates.begin(); } ///< returns an iterator to the coordinates of the first vertex
   auto end() const { return m_coordinates.end(); }     ///< returns the past-the-end iterator
 
   /*!
-   * Returns the coordinates of vertex `v` in the plane. The angles around an interior source are scaled to a sum of
-   * \f$2\pi\f$, as usual; the angles around a source on the border are not scaled. The result is the origin if `v` is
-   * the source, and NaN if no path to `v` exists.
+   * Returns the coordinates of vertex `v` in the plane, with the source at the origin. The angles around an interior
+   * source are scaled to a sum of \f$2\pi\f$; those around a source on the border are not scaled. If no path to `v`
+   * exists, the coordinates are NaN.
    */
   std::array<double, 2> in_plane(Vertex_index v) const
   {
@@ -655,8 +655,7 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
                                     : directions(leg.start.halfedge));
 }
 
-/* Implements `logarithmic_map()`, with a visitor to whose `on_progress()`, if it has one, the finished fraction is passed.
- */
+/* Implements `logarithmic_map()`. The finished fraction is passed to `on_progress()` of the visitor, if it has one. */
 template <class Triangulation, class Visitor>
 Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero,
                                                Visitor& visitor)
@@ -712,19 +711,20 @@ Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation
  * Computes the logarithmic map of the source of a tree \cgalCite{SC20,section 6.5}, that is, the length and the initial
  * direction of the path to each vertex.
  *
- * The directions are angles on the surface, counterclockwise from an input edge, in \f$[0, \mathtt{total\_angle})\f$.
- * They are measured with the input coordinates, so errors do not accumulate over flips. If a path passes a vertex whose
- * angles sum to more than \f$2\pi\f$, all vertices whose paths pass that vertex have the same angle. The map is
- * discontinuous across the cut locus, that is, the set of points that shortest paths reach from two sides. It is also
- * discontinuous at paths of the tree that are not shortest, which `make_shortest()` replaces.
+ * The directions are angles on the surface in radians, counterclockwise from an input edge, in
+ * \f$[0, \mathtt{total\_angle})\f$. They are measured on the input, so errors do not accumulate with the flips. If a
+ * path passes a vertex whose angles sum to more than \f$2\pi\f$, all vertices whose paths pass that vertex have the
+ * same angle. The map is discontinuous across the cut locus, that is, the set of points that several shortest paths
+ * reach from different sides. It can also be discontinuous at paths of the tree that are not shortest, which
+ * `make_shortest()` replaces.
  *
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it must start at the source. By default it is the first input
  *        halfedge of the vertex. The parameter is ignored for a source on the border, where angles are measured from
  *        the border, and for an inserted source, where they are measured from the halfedge of its `location()`
  * \return the polar coordinates of all vertices
- * \throws Invalid_location_error if `zero` does not start at the source
- * \throws Invalid_parameter_error before `grow()`
+ * \throws Invalid_location_error if `zero` is not a halfedge of the mesh or does not start at the source
+ * \throws Invalid_parameter_error if `grow()` has not been called
  *
  * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \cgalBigO{n}
  * for the result.

@@ -86,17 +86,17 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes a basis of the closed curves on a surface, along edges of the input mesh, and the homology class of any
- * closed curve in this basis.
+ * Computes a basis of the first homology group of a surface, which consists of loops along edges of the input mesh, and
+ * the homology class of any closed curve in this basis.
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
  * otherwise. All loops of a component pass through its base point. They are the shortest edge loops through the base
- * point that generate the fundamental group. They are also the shortest ones that generate the homology, since a greedy
- * choice is optimal for both \cgalCite{EW05}. A different base point leads to a different basis. Lengths are those of
- * the metric.
+ * point that generate the fundamental group. They are also the shortest such loops that generate the homology group,
+ * since a greedy choice is optimal for both groups \cgalCite{EW05}. The basis depends on the base points. Lengths are
+ * those of the metric.
  *
- * The class reads only the input, so it remains valid when the triangulation is flipped, and does not change the
- * triangulation. Construction takes \cgalBigO{n \log n} time and linear memory.
+ * The class reads only the input of the triangulation, so flips do not affect it. Construction takes
+ * \cgalBigO{n \log n} time and linear memory.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -113,7 +113,7 @@ public:
     Vertex_index base_point; ///< the vertex through which all loops of the component pass
     Index genus;             ///< the number of handles
     Index number_of_borders; ///< the number of borders of the component
-    Index first_loop;        ///< the first loop of the component
+    Index first_loop;        ///< the index of the first loop of the component
     Index number_of_loops;   ///< the number of loops of the component, which are numbered consecutively
   };
 
@@ -129,9 +129,10 @@ public:
   }
 
   /*!
-   * Constructs a basis with given base points, unless a visitor stops the construction.
+   * Constructs a basis with given base points.
    * \param triangulation a triangulation of the surface, which must outlive the basis
-   * \param base_points vertices, at most one in each component; in a component without one, the first vertex is chosen
+   * \param base_points a range of `Vertex_index`, at most one for each component; in a component without one, the first
+   *        vertex is chosen
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
@@ -169,7 +170,7 @@ public:
   /// Returns the number of loops of all components.
   Index number_of_loops() const { return static_cast<Index>(m_cotree.generators().size()); }
 
-  /// Returns the halfedges of a loop, from its base point back to it. They can be passed to
+  /// Returns the halfedges of a loop, from the base point back to the base point. They can be passed to
   /// `Edge_path_network::add_curve()` before any edge is flipped. The loops of one component, as open curves with fixed
   /// ends, do not cross each other.
   std::vector<Halfedge_index> loop(Index i) const
@@ -177,8 +178,8 @@ public:
     return m_forest.loop(m_triangulation->input(), generator(i).halfedge).whole();
   }
 
-  /// Returns the simple cycle obtained from a loop by removing the part that the loop traverses back and forth; the
-  /// cycle passes no vertex twice.
+  /// Returns the simple cycle obtained from a loop by removing the part that the loop traverses back and forth. The
+  /// cycle passes no vertex twice, and need not contain the base point.
   std::vector<Halfedge_index> cycle(Index i) const
   {
     return m_forest.loop(m_triangulation->input(), generator(i).halfedge).cycle();
@@ -191,8 +192,8 @@ public:
   /// \name Components
   /// @{
 
-  /// Returns the components that have faces: first those of the given base points, in the order of the base points,
-  /// then the others in the order of their first vertices.
+  /// Returns the components that have faces: first those of the given base points, in the order of these points, and
+  /// then the others, in the order of their first vertices.
   const std::vector<Component>& components() const { return m_components; }
 
   /// Returns the position of the component of a vertex in `components()`, or -1 for an isolated vertex. \pre `v` is an
@@ -210,7 +211,7 @@ public:
    *
    * \param halfedges a range of `Input_halfedge_index` that forms a closed chain; an empty one has class zero. A
    *        halfedge `h` of the mesh corresponds to `triangulation.input().index(h)`. A `Halfedge_index` refers to the
-   *        intrinsic triangulation and cannot be converted; a curve of such halfedges must be passed as a curve of a
+   *        intrinsic triangulation and is not accepted; a curve of such halfedges must be passed as a curve of a
    *        network
    * \throws Invalid_curve_error if the chain is not closed
    *
@@ -230,8 +231,8 @@ public:
   }
 
   /*!
-   * Returns the homology class of a curve of a network over this input, regardless of flips and insertions; zero if the
-   * curve has contracted.
+   * Returns the homology class of a closed curve of a network, regardless of flips and insertions. The class is zero if
+   * the curve has contracted.
    * \throws Invalid_curve_error if the curve does not end where it starts
    * \pre the triangulation of the network has the same input as this basis
    */
@@ -245,9 +246,8 @@ public:
    * Returns whether a closed chain of input halfedges can be contracted to a point on the surface.
    *
    * The problem is solved exactly in the fundamental group: by reduction in the free group if the component has a
-   * border, by counting on a torus, and by Dehn's algorithm \cgalCite{LS77} on other closed surfaces. A curve of
-   * homology class zero need not be contractible: a curve that separates two handles has class zero, but is not
-   * contractible.
+   * border, by exponent sums on a torus, and by Dehn's algorithm \cgalCite{LS77} on other closed surfaces. A curve of
+   * homology class zero need not be contractible: for example, a curve that separates two handles is not.
    *
    * \param halfedges a range of `Input_halfedge_index` that forms a closed chain, as for `homology_class()`
    * \throws Invalid_curve_error if the chain is not closed
@@ -267,8 +267,8 @@ public:
     return component < 0 || m_groups[static_cast<std::size_t>(component)].is_neutral(std::move(word));
   }
 
-  /// Returns whether a curve of a network can be contracted to a point on the surface. Preconditions and exceptions are
-  /// those of `homology_class()` of a network.
+  /// Returns whether a closed curve of a network can be contracted to a point on the surface. The preconditions and
+  /// exceptions are those of `homology_class()` for a curve of a network.
   template <class Network>
   bool is_contractible(const Network& network, Curve_index curve) const
   {
@@ -403,7 +403,7 @@ private:
  * \ingroup PkgFlipGeodesicsLoops
  *
  * Writes each border of a surface as a closed chain of halfedges with the surface on the left. Each chain begins with
- * its smallest edge, and the chains are sorted by these edges. Linear in the size of the mesh.
+ * its edge of smallest index, and the chains are sorted by these edges. Linear in the size of the mesh.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose edges are those of the input
  * \param out an output iterator that receives one `std::vector<Halfedge_index>` per border
@@ -420,7 +420,7 @@ OutputIterator border_loops(const Triangulation& triangulation, OutputIterator o
 
 /// \ingroup PkgFlipGeodesicsLoops
 /// Contains the result of `handle_and_tunnel_loops()`. Each loop is a closed chain of halfedges, which can be passed to
-/// `Edge_path_network::add_curve()` as long as no edge has been flipped.
+/// `Edge_path_network::add_curve()` before any edge is flipped.
 struct Handle_and_tunnel_loops
 {
   std::vector<std::vector<Halfedge_index>> handles; ///< loops that bound a surface inside the solid
@@ -447,16 +447,16 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  *
  * A handle loop, such as the meridian of a torus, bounds a surface inside the solid; a tunnel loop bounds a surface
  * outside. Each component of genus \f$g\f$ has \f$g\f$ loops of each kind, independently of the other components. All
- * loops together form a basis of the homology with integer coefficients.
+ * loops together form a basis of the first homology group with integer coefficients.
  *
- * Which classes bound a surface inside or outside is decided exactly, from the linking numbers of loops that are pushed
- * off the surface; these numbers are computed by counting crossings in a projection. Each candidate consists of an edge
- * and the two paths to its ends in a tree of shortest paths, which starts at a base point or at a point near a handle.
- * The candidates that bound such a surface are considered in the order of their lengths, and a candidate is chosen if
- * it and the loops already chosen can be extended to a basis. If the candidates do not suffice, as on a knotted tube,
+ * Which classes bound a surface inside or outside is decided exactly from linking numbers of loops that are pushed off
+ * the surface. These numbers are computed by counting crossings in a projection. Each candidate consists of an edge and
+ * the two paths to its ends in a tree of shortest paths, which starts at a base point or at a point near a handle. The
+ * candidates that bound such a surface are considered in the order of their lengths, and a candidate is chosen if it
+ * and the loops already chosen can be extended to a basis. If the candidates do not suffice, as on a knotted tube,
  * several loops of a `Loop_basis` are combined, and the resulting loops may pass edges more than once and cross
- * themselves. Since the points near the handles depend on the numbering of the mesh, the same mesh with a different
- * numbering can have different loops, whose lengths differ by a few percent.
+ * themselves. Since the points near the handles depend on the numbering of the mesh, a different numbering of the same
+ * mesh can lead to different loops, whose lengths differ by a few percent.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; only its input is read
  * \param np an optional sequence of named parameters among those listed below
@@ -476,8 +476,8 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * \throws Degenerate_face_error if degenerate faces prevent the computation
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  *
- * Complexity: \cgalBigO{n \log n}, plus the cube of the genus times the size of the numbers. For loops of \f$m\f$
- * edges, up to \f$m^2\f$ pairs of edges that are close in the projection are processed in addition.
+ * Complexity: \cgalBigO{n \log n}, plus the cube of the genus times the length of the integers. For loops of \f$m\f$
+ * edges, up to \f$m^2\f$ pairs of edges that are close to each other in the projection are processed in addition.
  */
 template <class Triangulation, class... NamedParameters>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, const NamedParameters&... np)

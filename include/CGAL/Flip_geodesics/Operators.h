@@ -31,19 +31,19 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Assembles the differential operators of linear finite elements on an intrinsic triangulation, as sparse matrices over
- * `double`. The Laplacian of intrinsic triangulations is that of \cgalCite{BS07}.
+ * Assembles the differential operators of linear finite elements on an intrinsic triangulation as sparse matrices over
+ * `double`. The Laplacian is that of \cgalCite{BS07}.
  *
  * The operators depend only on edge lengths. Flips change the discretization but not the continuous operators, and a
  * Delaunay triangulation improves the approximation.
  *
- * The rows and columns of the matrices are numbered as follows. Vertex \f$v\f$ of the triangulation has number \f$v\f$;
- * face \f$f\f$ is the \f$f\f$-th face that `intrinsic_faces()` writes, that is, `faces()[f]`. A vector in face \f$f\f$
- * has the coordinates \f$2f\f$ and \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of
- * the face and whose second axis points to its left.
+ * The rows and columns of the matrices are numbered as follows. The vertex with index \f$v\f$ has number \f$v\f$; face
+ * \f$f\f$ is `faces()[f]`, in the order of `intrinsic_faces()`. A vector in face \f$f\f$ has the coordinates with
+ * numbers \f$2f\f$ and \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of the face and
+ * whose second axis points to the left of this halfedge.
  *
- * With \f$n\f$ vertices and \f$m\f$ faces, the matrices take \cgalBigO{m} time and space. They are snapshots: later
- * flips of the triangulation do not affect them.
+ * Let \f$n\f$ be the number of vertices and \f$m\f$ the number of faces. Assembling a matrix takes \cgalBigO{n + m}
+ * time and space. The object is a snapshot: later flips of the triangulation do not affect it.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked; the results are the same
@@ -52,7 +52,7 @@ template <class Triangulation, class ConcurrencyTag = CGAL::Sequential_tag>
 class Operators
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>; ///< a sparse matrix, with rows and columns as described for the class
+  using Matrix = Eigen::SparseMatrix<double>; ///< a sparse matrix
   using Vector = Eigen::VectorXd;             ///< a number per vertex or face, or two per face
 
   /*!
@@ -88,7 +88,8 @@ public:
 
   /*!
    * Returns the weak (integrated) Laplacian, \f$n \times n\f$, symmetric and positive semi-definite: \f$u^T L u\f$ is
-   * the Dirichlet energy \f$\int |\nabla u|^2\f$. Its entries are the cotangent weights \f$L_{ij} = -(\cot\alpha_{ij} +
+   * the Dirichlet energy \f$\int |\nabla u|^2\f$. Its off-diagonal entries are the cotangent weights \f$L_{ij} =
+   * -(\cot\alpha_{ij} +
    * \cot\beta_{ij})/2\f$.
    */
   Matrix weak_laplacian() const
@@ -102,8 +103,8 @@ public:
   }
 
   /*!
-   * Returns the Laplacian \f$\Delta = -M^{-1} L\f$ with the lumped mass matrix, \f$n \times n\f$, which maps values to
-   * values and is negative semi-definite. Rows of isolated vertices are zero.
+   * Returns the pointwise Laplacian \f$\Delta = -M^{-1} L\f$, \f$n \times n\f$, where \f$M\f$ is the lumped mass matrix
+   * and \f$L\f$ the weak Laplacian. Rows of isolated vertices are zero.
    */
   Matrix laplacian() const
   {
@@ -115,7 +116,8 @@ public:
     return result;
   }
 
-  /// Returns a third of the area of the faces around each vertex, \f$n\f$ numbers: the diagonal of `lumped_mass()`.
+  /// Returns, for each of the \f$n\f$ vertices, a third of the total area of the incident faces: the diagonal of
+  /// `lumped_mass()`.
   Vector vertex_areas() const
   {
     Vector result = Vector::Zero(static_cast<Eigen::Index>(m_number_of_vertices));
@@ -137,24 +139,24 @@ public:
     return result;
   }
 
-  /// Returns the consistent mass matrix, \f$n \times n\f$: \f$u^T M w\f$ is \f$\int u\,w\f$ of the piecewise linear
-  /// functions.
+  /// Returns the consistent mass matrix \f$M\f$, \f$n \times n\f$: \f$u^T M w = \int u\,w\f$ for piecewise linear
+  /// functions \f$u\f$ and \f$w\f$.
   Matrix consistent_mass() const
   {
     return m_pattern.vertex_matrix(
         m_faces, [this](std::size_t f, int i, int j) { return m_triangles[f].area / (i == j ? 6 : 12); });
   }
 
-  /// Returns the gradient of piecewise linear functions, \f$2m \times n\f$.
+  /// Returns the matrix of the gradient of piecewise linear functions, \f$2m \times n\f$.
   Matrix gradient() const
   {
     return m_pattern.face_matrix([this](std::size_t f, int i) { return m_triangles[f].hat_gradient(i); });
   }
 
   /*!
-   * Returns the weak (integrated) divergence of vector fields that are constant on each face, \f$n \times 2m\f$: entry
-   * \f$i\f$ of the result is \f$-\int \nabla\varphi_i \cdot X\f$ with the hat function \f$\varphi_i\f$. Therefore
-   * \f$-\mathrm{div}\,\nabla = L\f$.
+   * Returns the matrix of the weak (integrated) divergence of vector fields that are constant on each face,
+   * \f$n \times 2m\f$: it maps a field \f$X\f$ to the numbers \f$-\int \nabla\varphi_i \cdot X\f$, where
+   * \f$\varphi_i\f$ is the hat function of vertex \f$i\f$. Therefore \f$-\mathrm{div}\,\nabla = L\f$.
    */
   Matrix divergence() const
   {
@@ -183,8 +185,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsOperators
  *
- * Defines directions at the vertices of an intrinsic triangulation: each halfedge has an angle, in radians, which is
- * measured counterclockwise from the reference direction at the tail of the halfedge.
+ * Defines the directions at the vertices of an intrinsic triangulation: each halfedge has an angle, in radians,
+ * counterclockwise from the reference direction at the tail of the halfedge.
  *
  * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}. At
  * the border they are not scaled, and the reference is the first halfedge counterclockwise from the border. The object
@@ -199,7 +201,7 @@ class Tangent_spaces
 public:
   /// Computes the angles in the tangent plane of each vertex.
   /// \param triangulation the triangulation
-  /// \param faces all faces, from `intrinsic_faces()`
+  /// \param faces all faces of the triangulation, as written by `intrinsic_faces()`
   /// \throws Invalid_mesh_error if a vertex is non-manifold, that is, several umbrellas meet there
   Tangent_spaces(const Triangulation& triangulation, const std::vector<Intrinsic_face>& faces)
     : m_angles(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0)
@@ -226,8 +228,8 @@ public:
   /// Returns the angle of the corner at the tail of `h` in the face on its left, with the same scaling.
   double corner(Halfedge_index h) const { return m_corners[h]; }
 
-  /// Returns the angle by which a direction is rotated when it is transported along `h`, from the reference of the tail
-  /// to that of the head.
+  /// Returns the angle that must be added to the angle of a direction at the tail of `h` to obtain its angle at the
+  /// head after parallel transport along `h`.
   double transport(Halfedge_index h) const
   {
     return m_angles[Triangulation::twin(h)] + boost::math::constants::pi<double>() - m_angles[h];
@@ -292,11 +294,11 @@ private:
  * \ingroup PkgFlipGeodesicsOperators
  *
  * Solves the Poisson problem \f$-\Delta u = \rho\f$, where \f$u\f$ is given at some vertices, for instance along
- * geodesics \cgalCite{SC20,section 6.4 and Figure 26}, and the derivative of \f$u\f$ across the rest of the border is
- * zero.
+ * geodesics \cgalCite{SC20,section 6.4 and Figure 26}. Across the border, where \f$u\f$ is not given, its normal
+ * derivative is zero.
  *
- * The problem is discretized by linear finite elements with the cotangent Laplacian. The matrix is factorized once
- * (sparse Cholesky) for any number of right-hand sides.
+ * The problem is discretized by linear finite elements with the cotangent Laplacian. The constructor factorizes the
+ * matrix once (sparse Cholesky), for any number of calls of `solve()`.
  *
  * \tparam Operators_ an instance of `Operators`
  */
@@ -312,8 +314,8 @@ public:
    * \param operators the operators of the triangulation, which are used only during construction
    * \param given the vertices at which values are given, in any order and possibly repeated
    * \throws Vertex_out_of_range_error if an index is not that of a vertex
-   * \throws Singular_problem_error if a component with faces has no vertex in `given`; `elements()` contains a vertex
-   *         of the component
+   * \throws Singular_problem_error if a component with faces has no vertex in `given`, in which case `elements()`
+   *         contains a vertex of the component, or if the matrix cannot be factorized
    */
   Dirichlet_problem(const Operators_& operators, const std::vector<Vertex_index>& given)
     : m_is_given(internal::marked_vertices(operators.number_of_vertices(), given))
@@ -337,7 +339,7 @@ public:
    * \param density \f$\rho\f$, a value per vertex, or empty for zero density
    * \param values a number per vertex, of which only those at the given vertices are read
    * \return the solution, a value per vertex; NaN at isolated vertices that are not given
-   * \throws Invalid_coordinate_error if a number that is read is not finite
+   * \throws Invalid_coordinate_error if a density or a given value is not finite
    */
   Vector solve(const Vector& density, const Vector& values) const
   {

@@ -26,8 +26,8 @@ enum class Repair {
   DUPLICATES_DROPPED,       ///< triangles removed because another triangle has the same corners
   POLYGONS_REVERSED,        ///< polygons reversed to match the orientation of their neighbors
   EDGES_CUT,                ///< edges with more than two faces, along which the faces were cut apart
-  VERTICES_SPLIT,           ///< vertices duplicated to take over some of the faces of another vertex
-  POINTS_MERGED,            ///< points merged with a coincident point, at stitched borders or removed corners
+  VERTICES_SPLIT,           ///< copies of vertices that were added to take over some of their faces
+  POINTS_MERGED,            ///< points merged with a coincident point when borders were stitched or corners removed
   DEGENERATE_FACES_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
   DEGENERATE_FACES_DROPPED, ///< triangles deleted because their corners are collinear or two corners coincide
   POINTS_LEFT               ///< points without faces, because other repairs removed all their polygons
@@ -107,9 +107,9 @@ struct Repair_record
  * Reports the repairs made by `polygon_soup_to_triangle_mesh()`, and the correspondence between elements of the mesh
  * and of the soup.
  *
- * Vertices and faces are identified by their positions in `vertices(mesh)` and `faces(mesh)`, points and polygons by
- * their positions in the soup. If no repair was necessary, the vertex at position i comes from point i, for every i
- * below the number of points. Duplicated vertices follow.
+ * Vertices and faces are identified by their positions in `vertices(mesh)` and `faces(mesh)`, and points and polygons
+ * by their positions in the soup. The vertex at position `i` comes from point `i`; copies of split vertices come after
+ * the vertices of all points.
  */
 class Repair_report
 {
@@ -119,10 +119,10 @@ public:
 
   Repair_report() = default;
 
-  /// Returns how often a repair was made.
+  /// Returns how often a repair of a given kind was made.
   std::size_t number_of(Repair repair) const { return m_record.counts[static_cast<std::size_t>(repair)]; }
 
-  /// Returns whether no repair was made, in which case the mesh is identical to the soup.
+  /// Returns whether no repair was made. The mesh then has the same elements as the soup, in the same order.
   bool is_empty() const
   {
     return std::all_of(m_record.counts.begin(), m_record.counts.end(), [](std::size_t count) { return count == 0; });
@@ -133,11 +133,11 @@ public:
   std::size_t number_of_near_border_edges() const { return m_record.near_border_edges; }
 
   /// Returns the largest distance between nearly coincident border edges, relative to the longest side of the bounding
-  /// box of the borders. With a weld tolerance larger than this distance, such edges coincide.
+  /// box of the borders. A weld tolerance larger than this distance makes such edges coincide.
   double distance_of_near_border_edges() const { return m_record.near_border_distance; }
 
-  /// Returns the repairs in words: one line for each repair, and one for border edges that nearly coincide, without
-  /// line ends.
+  /// Returns the report as text: one line for each kind of repair that was made, and one for border edges that nearly
+  /// coincide. The lines do not contain line ends.
   std::vector<std::string> lines() const
   {
     std::vector<std::string> result;
@@ -161,11 +161,12 @@ public:
   /// Returns the number of the polygon from which a face of the mesh comes.
   std::size_t polygon_of_face(std::size_t face) const { return m_record.polygon_of_face[face]; }
 
-  /// Returns the vertices that come from a point and have faces: several vertices if the point was split, the vertex of
-  /// another point if the point was merged into it, and none if the point has no faces.
+  /// Returns the vertices with faces that come from a point: several vertices if the vertex of the point was split, the
+  /// vertex of another point if the two points were merged, and none if the point has no faces.
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
-  /// Returns the triangles that come from a polygon; none if it was removed, or became part of a neighbor by flips.
+  /// Returns the triangles that come from a polygon. The result is empty if the polygon was removed, or if flips have
+  /// made it a part of its neighbors.
   Elements faces_of_polygon(std::size_t polygon) const { return elements(m_record.faces_of_polygons, polygon); }
 
 private:

@@ -131,15 +131,15 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * sides. Paths can run along slits but cannot cross them. The view stores lists of its vertices and edges, but no copy
  * of the mesh.
  *
- * A vertex has several copies, one for each sector of faces, if it lies inside a slit, or if several slits or a slit
- * and the border meet there. The end of a slit inside the surface is a single vertex. An edge of a slit becomes two
- * edges. Faces are those of the mesh.
+ * A vertex has several copies, one for each sector of faces, if a slit passes through it, or if several slits, or a
+ * slit and the border, meet there. If a slit ends inside the surface, its end is a single vertex. An edge of a slit
+ * becomes two edges. Faces are those of the mesh.
  *
- * A descriptor stores the corresponding descriptor of the mesh and converts to it. A vertex of the mesh converts to its
- * first copy.
+ * A descriptor stores the corresponding descriptor of the mesh and can be converted to it. A vertex descriptor of the
+ * mesh can be converted to its first copy.
  *
  * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh, and can be passed to
- * all functions of this package.
+ * the functions of this package as a mesh.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */
@@ -191,7 +191,7 @@ public:
       : halfedge(Graph::null_halfedge())
     {
     }
-    /// Constructs the descriptor of a halfedge of the mesh, or of the border of a slit along it.
+    /// Constructs the descriptor of a halfedge of the mesh, or of the border halfedge of a slit along it.
     explicit Halfedge(Mesh_halfedge halfedge, bool is_outer = false)
       : halfedge(halfedge)
       , is_outer(is_outer)
@@ -228,11 +228,11 @@ public:
   };
 
   /*!
-   * Slits a mesh.
+   * Constructs a view of a mesh that is slit along given edges.
    *
    * \param mesh a triangle mesh, which must outlive the slit mesh and must not be changed
    * \param slits a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value type, which is
-   *        read once; edges of the border need not be marked
+   *        read only by the constructor; marks of border edges have no effect
    *
    * Complexity: linear in the size of the mesh, plus \cgalBigO{n \log n} for \f$n\f$ edges at slits.
    */
@@ -271,14 +271,14 @@ public:
     return {source(h, *m_mesh), found == m_copy.end() ? 0 : found->second};
   }
 
-  /// Returns all vertices: those of the mesh, followed by further copies.
+  /// Returns all vertices: those of the mesh, followed by their further copies.
   const std::vector<Vertex>& all_vertices() const { return m_vertices; }
   /// Returns all edges in the order of those of the mesh; the two edges of a slit are consecutive.
   const std::vector<Edge>& all_edges() const { return m_edges; }
   /// Returns all halfedges; the two halfedges of an edge are consecutive.
   const std::vector<Halfedge>& all_halfedges() const { return m_halfedges; }
 
-  /// Returns the edge of a halfedge of the mesh, on this side of a slit.
+  /// Returns the edge of a halfedge of the mesh; at a slit, the edge on the side of this halfedge.
   Edge edge_of(Mesh_halfedge h) const { return make_edge(internal::graph_edge(h, *m_mesh), h, is_slit(h)); }
 
 private:

@@ -21,8 +21,8 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Represents a point of the input surface by a halfedge and barycentric weights. The point lies in the face of
- * `halfedge` or on its boundary.
+ * Represents a point of the input surface by a halfedge and barycentric weights. The point lies in the face on the left
+ * of `halfedge`, or on the boundary of this face.
  *
  * The `weights` belong to the tail of `halfedge`, its head, and the third vertex of the face. Only their ratio matters:
  * the point is exactly \f$(w_0 p_0 + w_1 p_1 + w_2 p_2) / (w_0 + w_1 + w_2)\f$. If one weight is exactly zero, the
@@ -41,19 +41,19 @@ struct Surface_location
  *
  * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from it.
  *
- * All functions that take or return angles of directions obey one rule. An angle refers to a halfedge, which is either
- * a side of a face that contains the location, or starts at the location. The free functions take and return a
- * direction as a `std::pair` of a halfedge of the mesh and an angle. A function that chooses the halfedge itself uses
- * the halfedge of the location, or its twin if that halfedge is on the border. For a `Face_location`, the halfedge of
- * the location is `halfedge(face, mesh)`; for a vertex, it starts there. There are only two exceptions: a
- * `Trace_report` refers to the side through which the geodesic has entered its last face, and `logarithmic_map()` of a
- * tree refers, if the source lies on the border or was inserted, to a direction that its documentation specifies.
+ * All functions that take or return angles of directions follow one rule: an angle refers to a halfedge, which is a
+ * side of a face that contains the location or starts at the location. The free functions take and return a direction
+ * as a `std::pair` of a halfedge of the mesh and an angle. A function that chooses the halfedge itself uses the
+ * halfedge of the location, or its twin if that halfedge is on the border. For a `Face_location`, the halfedge of the
+ * location is `halfedge(face, mesh)`; for a vertex, it starts there. There are only two exceptions: a `Trace_report`
+ * refers to the side through which the geodesic has entered its last face, and `logarithmic_map()` of a tree refers, if
+ * the source lies on the border or was inserted, to a direction that its documentation specifies.
  */
 struct Surface_direction
 {
   Input_halfedge_index halfedge =
       null_index;   ///< a side of a face that contains the location, or a halfedge that starts there
-  double angle = 0; ///< measured counterclockwise from the halfedge, in radians; at a vertex over all incident faces
+  double angle = 0; ///< counterclockwise from the halfedge, in radians; at a vertex, over all incident faces
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
@@ -61,7 +61,7 @@ struct Surface_direction
 enum class Location_kind { VERTEX, EDGE, FACE };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Returns the kind of a location, which is determined by the weights that are zero.
+/// Returns the kind of a location, which depends on how many of the weights are zero.
 inline Location_kind kind(const Surface_location& location)
 {
   const auto zeros = std::count(location.weights.begin(), location.weights.end(), 0.0);
@@ -169,13 +169,13 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
  * Represents a point of the surface by vertices of the input: \f$(1-t-u)\,a + t\,b + u\,c\f$.
  *
  * At a vertex, `a == b`, and `t` is 0. On an edge, `a` is the nearer end, so `t` lies in (0, 1/2] and has a small
- * relative error close to vertices; `u` is 0, and `c` is null. Inside a face, which occurs only for inserted points,
- * `a` is the vertex with the largest weight.
+ * relative error close to vertices; `u` is 0, and `c` is null. Inside a face, where only inserted points and ends of
+ * paths lie, `a` is the vertex with the largest weight.
  *
  * Whether the point is a vertex, on an edge or inside a face is determined exactly: `t` inside an edge, and `t` and `u`
  * inside a face, are at least 1e-100, even if they would be rounded to 0. If degenerate edges were contracted, `a`, `b`
- * and `c` are still the ends of an edge of the mesh or the corners of a face; at a vertex they are one of the
- * coincident vertices.
+ * and `c` are still the ends of an edge of the mesh or the corners of a face; at a vertex, `a` and `b` are one of the
+ * vertices that were merged.
  */
 struct Surface_point
 {
@@ -187,7 +187,7 @@ struct Surface_point
   Input_halfedge_index halfedge;
   Vertex_index c = null_index;      ///< inside a face: the third vertex of the face; otherwise null
   double u = 0;                     ///< the weight of `c`; 0 unless inside a face
-  Vertex_index vertex = null_index; ///< the vertex of the triangulation at this point; null if an edge is crossed here
+  Vertex_index vertex = null_index; ///< the vertex of the triangulation at this point, or null
 
   /// Returns whether the point is at a vertex of the input.
   bool is_vertex() const { return a == b; }
@@ -216,7 +216,7 @@ inline Surface_point surface_point(const std::array<Vertex_index, 3>& corners, c
 
 /// \ingroup PkgFlipGeodesicsExtraction
 /// Converts a location to a point given by vertices of the input. `Surface_point::vertex` is null unless the location
-/// is a vertex of the input.
+/// is a vertex of the input. \throws Invalid_location_error if the location is not a point of the surface
 template <class Triangulation>
 Surface_point surface_point(const Triangulation& triangulation, const Surface_location& location)
 {
