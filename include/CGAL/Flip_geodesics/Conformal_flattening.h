@@ -573,7 +573,6 @@ struct Internals<Conformal_flattening<Triangulation>>
     return {};
   }
 
-  /* Throws unless the cut surface is a disk. \throws Flattening_error */
   template <class Network>
   static void check_disk(const Network& network)
   {

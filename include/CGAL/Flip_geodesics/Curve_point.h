@@ -144,7 +144,6 @@ struct Points_if<Metric, true>
   using Point = typename Metric::Point_3;
 };
 
-/* The point and number types of a metric. */
 template <class Metric>
 struct Points_of_metric : Points_if<Metric, Has_points<Metric>::value>
 {
@@ -213,7 +212,6 @@ struct Curve_form_of
 template <class Triangulation, class Output, template <class> class Container = Itself>
 using Curve_form = typename Curve_form_of<Curve_forms<Triangulation>, Output, Container>::type;
 
-/* Sets the tangent of a point to the direction of a vector, if the form has a tangent. */
 template <class Mesh, class Point>
 void set_tangent(Curve_point<Mesh, Point>& p, const std::array<double, 3>& direction)
 {
@@ -231,7 +229,6 @@ void set_tangent(Curve_point<Mesh, Point>& p, const Point& from, const Point& to
                                         CGAL::to_double(to.z()) - CGAL::to_double(from.z())}});
 }
 
-/* Converts surface points to one of these forms. */
 template <class Triangulation, class Form>
 class Form_converter
 {

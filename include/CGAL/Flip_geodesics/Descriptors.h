@@ -186,14 +186,12 @@ private:
 
 namespace internal {
 
-/* Returns the other side of the edge. */
 template <class Halfedge_element>
 Descriptor<Halfedge_element> twin_index(Descriptor<Halfedge_element> h)
 {
   return Descriptor<Halfedge_element>(h.idx() ^ 1);
 }
 
-/* Return the edge of a halfedge, and its two sides. */
 inline Edge_index edge_of(Halfedge_index h) { return Edge_index(h); }
 inline Halfedge_index first_side(Edge_index e) { return Halfedge_index(e.halfedge().idx() & ~1); }
 template <class Halfedge_element>
@@ -211,7 +209,6 @@ bool is_first_side(Descriptor<Halfedge_element> h)
 inline Input_halfedge_index as_input(Halfedge_index h) { return Input_halfedge_index(h.idx()); }
 inline Halfedge_index as_intrinsic(Input_halfedge_index h) { return Halfedge_index(h.idx()); }
 
-/* An array whose subscripts are descriptors. */
 template <class Key, class Array>
 class Indexed_by : public Array
 {
@@ -223,7 +220,6 @@ public:
   decltype(auto) operator[](Key key) const { return Array::operator[](static_cast<std::size_t>(key.idx())); }
 };
 
-/* Iterates over descriptors. */
 template <class Key>
 class Descriptor_iterator
   : public boost::iterator_facade<Descriptor_iterator<Key>, Key, std::random_access_iterator_tag, Key>
@@ -248,7 +244,6 @@ private:
   Index m_number = 0;
 };
 
-/* Returns the descriptors with numbers below `end`. */
 template <class Key>
 Iterator_range<Descriptor_iterator<Key>> descriptors(Index end)
 {

@@ -125,7 +125,7 @@ public:
    * \param halfedges a chain: the head of each halfedge is the tail of the next, and that of the last is the tail of
    *        the first if the curve is closed
    * \param np the named parameter `is_closed`, a `bool`: whether the curve is a closed loop; `false` by default
-   * \return the index of the curve; curves are numbered from 0
+   * \return the index of the curve
    * \throws Invalid_curve_error if there are no halfedges, or they do not form a chain
    *
    * Complexity: linear in the number of halfedges.
@@ -141,7 +141,7 @@ public:
   }
 
   /// Fixes every node that a curve currently has at vertex `v`: the node keeps its position, and other curves cannot
-  /// move across it. Linear in the number of segments that have ever been created.
+  /// move across it. Linear in the number of all segments created so far.
   void fix_nodes_at(Vertex_index v)
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
@@ -175,11 +175,10 @@ public:
     }
   }
 
-  /// Sets the initial length of a curve, to which stop predicates refer, to its current length.
+  /// Sets the initial length of a curve to its current length.
   void reset_initial_length(Curve_index curve) { set_initial_length(curve, length(curve)); }
 
-  /// Sets the initial length of a curve, to which stop predicates refer, for instance if the curve had already been
-  /// shortened when it was added.
+  /// Sets the initial length of a curve, for instance if the curve had already been shortened when it was added.
   void set_initial_length(Curve_index curve, double length) { m_segments.set_initial_length(curve, length); }
 
   /// Reorders the segments on edge `e`. \pre `order` is a permutation of `bundle(e)`
@@ -261,7 +260,7 @@ public:
   /// \name Segments
   /// @{
 
-  /// Returns whether `s` is currently a segment of a curve. The indices of removed segments are not reused.
+  /// Returns whether `s` is currently a segment of a curve.
   bool is_alive(Segment_index s) const { return m_segments.is_alive(s); }
   /// Returns the halfedge of segment `s`, or `null_index` if the segment no longer exists.
   Halfedge_index halfedge(Segment_index s) const { return m_segments.halfedge(s); }
@@ -405,7 +404,6 @@ private:
 
   static constexpr Segment_index no_segment{0};
 
-  // Returns the function to be called for the halves of a split edge.
   auto divide_bundles()
   {
     return [this](const auto& halves) { m_segments.divide_bundle(halves); };
@@ -467,7 +465,6 @@ struct Internals<Edge_path_network<Triangulation>>
 {
   using Network = Edge_path_network<Triangulation>;
 
-  /* Returns the function that divides the segments on an edge, for points that are inserted into its triangulation. */
   static auto divide_bundles(Network& network) { return network.divide_bundles(); }
 
   /*
@@ -590,10 +587,8 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
 
 namespace internal {
 
-/* A set of edges of a triangulation, as one flag per edge. */
 using Edge_marks = Indexed_by<Edge_index, std::vector<char>>;
 
-/* Returns the number of edges of a set that end at each vertex. */
 template <class Triangulation>
 Indexed_by<Vertex_index, std::vector<Index>> degrees(const Triangulation& triangulation, const Edge_marks& is_marked)
 {

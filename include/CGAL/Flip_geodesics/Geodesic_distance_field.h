@@ -561,7 +561,6 @@ private:
     return query().turned(internal::normalized(at.weights), at.halfedge, face);
   }
 
-  // Returns the distance of the farthest target as far as it is known, or infinity if there are no targets.
   double farthest(const std::vector<Surface_location>& targets) const
   {
     double result = targets.empty() ? std::numeric_limits<double>::infinity() : 0;
@@ -617,11 +616,9 @@ namespace internal {
 template <class Triangulation>
 struct Internals<Geodesic_distance_field<Triangulation>>
 {
-  /* Returns an object for queries of the windows. */
   static auto query(const Geodesic_distance_field<Triangulation>& field) { return field.query(); }
 };
 
-/* Returns an object for queries of the windows of a field. */
 template <class Field>
 auto query_of(const Field& field)
 {

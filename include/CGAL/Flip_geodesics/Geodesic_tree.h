@@ -510,7 +510,6 @@ private:
         relax_forward(Triangulation::twin(outgoing_halfedge));
   }
 
-  // Relaxes h if its head is not accepted.
   void relax_forward(Halfedge_index h)
   {
     const Vertex_index v = m_triangulation->head(h);

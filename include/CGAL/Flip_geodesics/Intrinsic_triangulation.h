@@ -345,7 +345,6 @@ public:
 protected:
   using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
 
-  // Constructs the elements of an input before any of it has been accessed.
   Intrinsic_triangulation_elements(const Input_mesh& input, const Metric& metric, const Traits& traits)
     : m_halfedges(input, metric, traits)
   {
@@ -877,13 +876,11 @@ struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
   static constexpr bool has_exact_faces = true;
   static constexpr bool has_precise_numbers = true;
 
-  /* Returns the input face on the left of h. */
   static const Exact_face& exact_face(const Triangulation& t, Input_halfedge_index h)
   {
     return t.m_history.exact_face(t, h);
   }
 
-  /* Returns an input halfedge in double-double arithmetic. */
   static const Precise_halfedge& precise_halfedge(const Triangulation& t, Input_halfedge_index h)
   {
     return t.m_history.input_halfedge(t, h);

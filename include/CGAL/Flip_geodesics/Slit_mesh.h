@@ -26,7 +26,6 @@ class Slit_mesh;
 
 namespace internal {
 
-/* Defines `boost::graph_traits` of a slit mesh. */
 template <class TriangleMesh>
 struct Slit_mesh_graph_traits
 {
@@ -58,7 +57,6 @@ struct Slit_mesh_graph_traits
   static face_descriptor null_face() { return boost::graph_traits<TriangleMesh>::null_face(); }
 };
 
-/* The points of a slit mesh, which are those of the mesh. */
 template <class TriangleMesh, class Map>
 struct Slit_mesh_point_map
 {

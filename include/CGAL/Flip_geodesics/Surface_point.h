@@ -94,7 +94,6 @@ Halfedge least_in_face(const Mesh& mesh, Halfedge h)
   return (std::min)({h, hn, mesh.next(hn)});
 }
 
-/* Returns weights that sum to one. */
 inline std::array<double, 3> divided_by_sum(const std::array<double, 3>& weights)
 {
   const double sum = weights[0] + weights[1] + weights[2];
@@ -233,7 +232,6 @@ Surface_point surface_point(const Triangulation& triangulation, const Surface_lo
 
 namespace internal {
 
-/* Returns the surface point of a vertex of the triangulation. */
 template <class Triangulation>
 Surface_point surface_point_at_vertex(const Triangulation& triangulation, Vertex_index v)
 {
@@ -244,7 +242,6 @@ Surface_point surface_point_at_vertex(const Triangulation& triangulation, Vertex
   return result;
 }
 
-/* Returns the location of a point of a curve. */
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const Surface_point& p)
 {
@@ -292,7 +289,6 @@ struct Metric_point<Metric, std::void_t<typename Metric::Point_3>>
   using type = typename Metric::Point_3;
 };
 
-/* Whether a metric has points in space. */
 template <class Metric>
 using Has_points = std::negation<std::is_void<typename Metric_point<Metric>::type>>;
 
