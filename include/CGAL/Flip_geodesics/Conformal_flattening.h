@@ -123,8 +123,8 @@ private:
  * The factors minimize a convex function. The minimum is found by Newton's method with the cotangent Laplacian, which
  * usually requires a few sparse factorizations. Faces that violate the triangle inequality during the iteration are
  * treated as degenerate \cgalCite{SSP08}. If such a face remains at the end, the triangulation has no solution, and an
- * exception is thrown. `refine_and_flatten()` then splits edges of such faces, which can lead to a triangulation that
- * has a solution.
+ * exception is thrown. `refine_and_flatten()` instead splits edges of such faces, which can lead to a triangulation
+ * that has a solution.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -695,9 +695,9 @@ bool move_to_near_vertices(Network& network)
  * First, the triangulation is flipped to Delaunay, and `refine()` refines it with the default quality bounds, inserting
  * at most 10 000 vertices plus ten times the number of vertices of the triangulation. Then edges that connect a vertex
  * to itself are split. As long as the scaled lengths violate the triangle inequality in some faces, the longest sides
- * of these faces are split near their midpoints. A curve that passes a vertex at a distance of less than about
- * \f$10^{-9}\f$ times the length of its edge there is moved onto this vertex before; the order of overlapping curves
- * and the fixed nodes are then lost.
+ * of these faces are split near their midpoints. Before the surface is cut, a curve that passes a vertex at a distance
+ * of less than about \f$10^{-9}\f$ times the length of its edge there is moved onto this vertex; the order of
+ * overlapping curves and the fixed nodes are then lost.
  *
  * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface
  * \param np the named parameter `visitor` of `refine()`, whose members are called during flips and the refinement

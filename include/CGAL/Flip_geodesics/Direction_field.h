@@ -84,8 +84,8 @@ public:
   /// is free.
   /// @{
 
-  /// Prescribes a direction at vertex `v`, as an angle in its tangent space, in radians. \throws
-  /// Vertex_out_of_range_error if `v` is not a vertex of the triangulation
+  /// Prescribes a direction at vertex `v`, as an angle in its tangent space, in radians.
+  /// \throws Vertex_out_of_range_error if `v` is not a vertex of the triangulation
   void align(Vertex_index v, double angle)
   {
     internal::check_vertex(v, static_cast<Index>(m_operators.number_of_vertices()));

@@ -70,7 +70,7 @@ public:
   using Triangulation = Triangulation_;      ///< the type of the triangulation
   using Turn = typename Triangulation::Turn; ///< a rotation around a vertex, of the traits of the triangulation
 
-  /// Describes the wedge of a joint, up to the next segment end.
+  /// Describes the wedge of a joint.
   struct Wedge
   {
     Wedge_state state; ///< what the wedge contains
@@ -362,6 +362,7 @@ public:
    * Replaces the only segment of a loop by two segments \cgalCite{SC20,Appendix B}, which lie on the other two edges of
    * the face on the left of `h`, where `h` is the halfedge of the segment or its twin.
    * \return the new segment that arrives at the old node
+   * \pre these two edges carry no segments
    */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }
 
@@ -742,15 +743,15 @@ Order_conflict order_if_possible(Network& network)
  * undetermined at both ends of the chain follows from the orders of other segments on the same edges, if these
  * determine it. Otherwise it is chosen: the segment that was added first lies on the left, as seen in its direction, or
  * against its direction if its curve has turned back an odd number of times before. Copies of a curve that does not
- * turn back therefore lie to the right of the curve.
+ * turn back therefore lie to the right of the curve. If an exception is thrown, the curves are unchanged, but the order
+ * of their segments can have changed.
  *
  * \param network an `Edge_path_network`
  * \throws Crossing_curves_error if curves cross in every order. `elements()` contains a vertex at which they cross, or
  *         one of several vertices that together make an order impossible
  * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
  *         repeatedly and the choices of their orders depend on each other; `elements()` contains the vertices of an
- *         edge that they share. After either exception, the curves are unchanged, but the order of their segments can
- *         differ from the order before the call
+ *         edge that they share
  *
  * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the sum of the degrees of the vertices that they pass. If
  * edges have several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time

@@ -105,13 +105,13 @@ struct Distance_field_report
   /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, so distances can be
   /// too long.
   bool has_flat_face = false;
-  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of its value. The errors grow
+  /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of this distance. Errors grow
   /// with the number of faces that paths cross, and with the number of crossed edges that are long compared with the
-  /// distance. The bound is conservative: most errors are far smaller.
+  /// distance. They are estimated by a conservative bound: most errors are far smaller.
   bool has_inaccurate_distance = false;
-  /// `WITHIN_TOLERANCE` if each distance up to `Geodesic_distance_field::reach()` exceeds the length of a shortest path
-  /// by at most 1e-10 of the distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or if
-  /// coordinates or lengths of the mesh had to be rounded.
+  /// `WITHIN_TOLERANCE` if every distance up to `Geodesic_distance_field::reach()` exceeds the length of a shortest
+  /// path by at most 1e-10 of the distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or
+  /// if coordinates or lengths of the mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
 };
 
@@ -281,8 +281,8 @@ public:
    *     \cgalParamDefault{no limits}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{visitor}
-   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals and from the calling
-   *       thread. If it returns `false`, the status is `Distance_field_status::STOPPED_BY_VISITOR`}
+   *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals from the calling thread. If
+   *       it returns `false`, the status is `Distance_field_status::STOPPED_BY_VISITOR`}
    *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
    *     \cgalParamDefault{no visitor}
    *   \cgalParamNEnd
@@ -388,9 +388,9 @@ public:
     return answer({m_triangulation.input().index(internal::graph_halfedge(face, m_mesh)), weights});
   }
 
-  /// Returns whether the same source is known to be the nearest at all points of a face that have a finite distance.
-  /// The result is `false` unless the field is complete. Linear in the number of windows on the sides of the face. \pre
-  /// the extent is `EVERYWHERE`
+  /// Returns whether all points of a face that have a finite distance are known to have the same nearest source. The
+  /// result is `false` unless the field is complete. Linear in the number of windows on the sides of the face. \pre the
+  /// extent is `EVERYWHERE`
   bool has_one_source(face_descriptor face) const
   {
     CGAL_precondition(m_extent == Distance_field_extent::EVERYWHERE);

@@ -159,8 +159,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Provides read access to the elements of an intrinsic triangulation: their connectivity, their geometry, and the holds
- * on edges. This is the base class of `Intrinsic_triangulation`, which flips edges and inserts points.
+ * Provides the elements of an intrinsic triangulation, with their connectivity, their geometry, and the holds on edges.
+ * This is the base class of `Intrinsic_triangulation`, which flips edges and inserts points.
  *
  * The template parameters are those of `Intrinsic_triangulation`.
  */
@@ -174,7 +174,7 @@ public:
   using Triangle_mesh = TriangleMesh;                           ///< the type of the input
   using Traits = Traits_;                                       ///< the type of the traits
   using Metric = Metric_;                                       ///< the type of the metric
-  using Input_mesh = Numbered_mesh<TriangleMesh>;               ///< the numbered input
+  using Input_mesh = Numbered_mesh<TriangleMesh>;               ///< the type of the numbered input
   using vertex_descriptor = Vertex_index;                       ///< the vertex type of the intrinsic triangulation
   using halfedge_descriptor = Halfedge_index;                   ///< the halfedge type of the intrinsic triangulation
   using edge_descriptor = Edge_index;                           ///< the edge type of the intrinsic triangulation
@@ -213,8 +213,8 @@ public:
   /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if the argument is not a vertex
   /// of the mesh.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
-  /// Returns the halfedge with the number of a halfedge of the input mesh, or `null_index` if the argument is not a
-  /// halfedge of the mesh. The two halfedges coincide as long as the edge has not been flipped.
+  /// Returns the halfedge that corresponds to a halfedge of the input mesh as long as its edge has not been flipped, or
+  /// `null_index` if the argument is not a halfedge of the mesh.
   Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
   /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted
@@ -375,9 +375,8 @@ using Default_metric =
 
 #ifdef DOXYGEN_RUNNING
 /// \ingroup PkgFlipGeodesicsTraits
-/// The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the
-/// kernel of the metric, or, for a user-defined metric without `squared_length()`, `Intrinsic_triangulation_traits` in
-/// double.
+/// The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the kernel of the metric, or, for a
+/// user-defined metric without `squared_length()`, `Intrinsic_triangulation_traits` in double.
 template <class Metric>
 using Default_traits = unspecified_type;
 #else
@@ -405,8 +404,8 @@ enum class Zero_length_edges {
  * The triangulation is a \f$\Delta\f$-complex: an edge may be a loop, two edges may have the same two end points, a
  * vertex may have degree 1, and a face may be glued to itself. Elements are therefore identified by their indices,
  * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`.
- * Flips do not change these numbers; before the first flip, each number refers to the element of the input that has it.
- * Points of the surface can be inserted as further vertices, which receive the next indices.
+ * These are initially the elements of the input with the same numbers, which flips do not change. Points of the surface
+ * can be inserted as further vertices, which receive the next indices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
  * `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, whose elements are indexed first.
@@ -427,7 +426,7 @@ enum class Zero_length_edges {
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
  *         `Surface_mesh` must not contain removed vertices or edges
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`; by default `Certified_intrinsic_triangulation_traits` of
- *         the kernel of the points. With another metric, see `Default_traits`
+ *         the kernel of the points. With another metric, use `Default_traits<Metric_>`
  * \tparam Metric_ a model of `IntrinsicMetric`; by default the metric defined by the points of the mesh
  */
 template <class TriangleMesh, class Traits_ = Default_traits<Default_metric<TriangleMesh>>,
@@ -440,7 +439,7 @@ class Intrinsic_triangulation : public Intrinsic_triangulation_elements<Triangle
 public:
   using Traits = Traits_;                                       ///< the type of the traits
   using Metric = Metric_;                                       ///< the type of the metric
-  using Input_mesh = typename Elements::Input_mesh;             ///< the numbered input
+  using Input_mesh = typename Elements::Input_mesh;             ///< the type of the numbered input
   using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< the data that the traits store for a halfedge
   using Turn = typename Traits::Turn;                           ///< a rotation around a vertex, of the traits
   using Walker = typename Elements::Walker;                     ///< a model of `IntrinsicTriangulationWalker`
@@ -501,9 +500,9 @@ public:
 
   /*!
    * Moves a triangulation in constant time. Networks, walkers, trees and shorteners in `other` still refer to `other`
-   * afterwards, and must not be used again, except that they can be destroyed. A network with curves must not be
-   * destroyed either: the constructor of `Edge_path_network` from a network and a triangulation moves it to the new
-   * triangulation. After the move, `other` can only be assigned to and destroyed.
+   * afterwards and can only be destroyed. A network with curves must not even be destroyed: the constructor of
+   * `Edge_path_network` from a network and a triangulation moves it to the new triangulation. After the move, `other`
+   * can only be assigned to and destroyed.
    */
   Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
   /// Replaces this triangulation by `other`, as the move constructor does.
@@ -598,14 +597,13 @@ public:
    * vertex of its own former face.
    *
    * Four flips of one edge restore the connectivity. A flip takes constant time, unless the traits require that a face
-   * be recomputed from the input. If an exception is thrown, in particular `std::bad_alloc`, the triangulation is
-   * unchanged.
+   * be recomputed from the input. If an exception is thrown, such as `std::bad_alloc`, the triangulation is unchanged.
    * \pre `is_flippable(h)`
    */
   void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
 
-  /// Returns the end of the flip log: the number of flips, insertions and recomputed faces that have
-  /// not been rolled back.
+  /// Returns the end of the flip log, that is, the number of flips, insertions and recomputed faces that have not been
+  /// rolled back.
   Log_position log_position() const { return m_log.size(); }
 
   /*!
@@ -907,8 +905,7 @@ struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// Describes a face of the intrinsic triangulation; halfedge `i` leads from vertex
-/// `i` to vertex `(i + 1) % 3`.
+/// Describes a face of an intrinsic triangulation; halfedge `i` leads from vertex `i` to vertex `(i + 1) % 3`.
 struct Intrinsic_face
 {
   std::array<Vertex_index, 3> vertices;    ///< the vertices, counterclockwise around the face
@@ -919,8 +916,7 @@ struct Intrinsic_face
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Writes all faces of an intrinsic triangulation to an output iterator. The segments of the curves of its networks are
- * edges of these faces.
+ * Writes all faces of an intrinsic triangulation. The curves of its networks consist of edges of these faces.
  *
  * Each face starts with its halfedge of smallest index, and the faces are ordered by these halfedges. All faces that
  * have not been accessed before are copied from the input. Linear in the size of the mesh.

@@ -160,8 +160,8 @@ public:
       forget_all();
   }
 
-  /// Returns whether the construction was completed. If a visitor stopped it, the numbers of loops and components are
-  /// zero, and the other functions throw `Invalid_parameter_error`.
+  /// Returns whether the construction was completed. If a visitor stopped it, there are no loops and no components, and
+  /// functions for a loop, a vertex or a curve throw `Invalid_parameter_error`.
   bool is_complete() const { return m_is_complete; }
 
   /// \name Loops

@@ -88,9 +88,8 @@ public:
 
   /*!
    * Returns the weak (integrated) Laplacian, \f$n \times n\f$, symmetric and positive semi-definite: \f$u^T L u\f$ is
-   * the Dirichlet energy \f$\int |\nabla u|^2\f$. Its off-diagonal entries are the cotangent weights \f$L_{ij} =
-   * -(\cot\alpha_{ij} +
-   * \cot\beta_{ij})/2\f$.
+   * the Dirichlet energy \f$\int |\nabla u|^2\f$. Its off-diagonal entries are the cotangent weights
+   * \f$L_{ij} = -(\cot\alpha_{ij} + \cot\beta_{ij})/2\f$.
    */
   Matrix weak_laplacian() const
   {
@@ -294,8 +293,8 @@ private:
  * \ingroup PkgFlipGeodesicsOperators
  *
  * Solves the Poisson problem \f$-\Delta u = \rho\f$, where \f$u\f$ is given at some vertices, for instance along
- * geodesics \cgalCite{SC20,section 6.4 and Figure 26}. Across the border, where \f$u\f$ is not given, its normal
- * derivative is zero.
+ * geodesics \cgalCite{SC20,section 6.4 and Figure 26}. At border points at which \f$u\f$ is not given, the derivative
+ * of \f$u\f$ across the border is zero.
  *
  * The problem is discretized by linear finite elements with the cotangent Laplacian. The constructor factorizes the
  * matrix once (sparse Cholesky), for any number of calls of `solve()`.

@@ -16,7 +16,7 @@ namespace CGAL::Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsRepair
 /// Lists the kinds of repairs made by `polygon_soup_to_triangle_mesh()`, which a `Repair_report` counts.
 enum class Repair {
-  POINTS_NOT_FINITE,        ///< points with a NaN or infinite coordinate, which do not become vertices
+  POINTS_NOT_FINITE,        ///< points with a NaN or infinite coordinate, whose polygons are removed
   POINTS_WELDED,            ///< points moved to another point within the tolerance
   POLYGONS_WITHOUT_POINTS,  ///< polygons removed because of an invalid index or a point that is not finite
   POLYGONS_COLLAPSED,       ///< polygons removed because they have fewer than three distinct corners
@@ -109,7 +109,8 @@ struct Repair_record
  *
  * Vertices and faces are identified by their positions in `vertices(mesh)` and `faces(mesh)`, and points and polygons
  * by their positions in the soup. The vertex at position `i` comes from point `i`; copies of split vertices come after
- * the vertices of all points.
+ * the vertices of all points. Vertices of points that were merged, have lost their polygons, or are not finite are
+ * isolated.
  */
 class Repair_report
 {
@@ -155,7 +156,7 @@ public:
   /// Returns the number of polygons of the soup.
   std::size_t number_of_polygons() const { return m_record.number_of_polygons; }
 
-  /// Returns the number of the point at which a vertex of the mesh lies.
+  /// Returns the number of the point from which a vertex of the mesh comes.
   std::size_t point_of_vertex(std::size_t vertex) const { return m_record.point_of_vertex[vertex]; }
 
   /// Returns the number of the polygon from which a face of the mesh comes.
