@@ -48,7 +48,7 @@ public:
   /// shortening ends, and the curves that could still be shortened have the status
   /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls it before each pair of end points.
   /// Searches, distance fields and computations of loops, landmarks and isolines call it at regular intervals, about
-  /// once per thousand steps, each of which takes at most a microsecond.
+  /// once per thousand steps, each of which takes at most a microsecond on average.
   bool go_further();
 
   /// Optional. Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of rows

@@ -102,11 +102,11 @@ public:
 
   /// `Uncertain<Comparison_result> operator()(const Turn& turn) const`: compares the angle of `turn` with \f$\pi\f$. If
   /// the result is not `SMALLER`, a joint with this angle is not shortened, and an edge at whose end its two faces have
-  /// this angle is not flipped. If the result is uncertain and `Has_drift` is `CGAL::Tag_false`, the triangulation
-  /// determines the result by exact arithmetic on the input. Otherwise `CGAL::Uncertain_conversion_exception` is
-  /// thrown; a model may also throw this exception itself. The functor is called after each corner, and a turn that is
-  /// not `SMALLER` is not extended further. The functor therefore need not distinguish angles above \f$2\pi\f$ from
-  /// small angles.
+  /// this angle is not flipped. If the result is uncertain, the triangulation determines it by exact arithmetic on the
+  /// input, provided that `Has_drift` is `CGAL::Tag_false`, and otherwise throws
+  /// `CGAL::Uncertain_conversion_exception`. A model may also throw this exception itself. The functor is called after
+  /// each corner, and a turn that is not `SMALLER` is not extended further. The functor therefore need not distinguish
+  /// angles above \f$2\pi\f$ from small angles.
   typedef unspecified_type Compare_turn_with_straight;
 
   /// `double operator()(const Turn& turn) const`: returns a key that is 0 for the rotation by zero and increases with

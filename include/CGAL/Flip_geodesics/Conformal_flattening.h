@@ -57,11 +57,10 @@ public:
   }
 
   Index number_of_copies() const { return static_cast<Index>(m_vertices.size()); }
-  /* Returns the copy to which the corner at the tail of h belongs, in the face on the left of h. */
   Vertex_copy_index copy_at(Halfedge_index h) const { return m_copy_at[h]; }
   Vertex_index vertex(Vertex_copy_index copy) const { return m_vertices[copy]; }
   bool is_on_border(Vertex_copy_index copy) const { return m_is_on_border[copy] != 0; }
-  /* Returns the Euler characteristic of the cut surface; among connected surfaces, only a disk has 1. */
+  /* Among connected surfaces, only a disk has 1. */
   std::ptrdiff_t euler_characteristic() const { return m_euler_characteristic; }
 
 private:
@@ -358,7 +357,6 @@ private:
     return result;
   }
 
-  // Returns the factors after the first step of Newton's method, undamped.
   Values first_estimate() const
   {
     Vector step;

@@ -235,8 +235,7 @@ public:
     return true;
   }
 
-  /// Discards the history of moves, which frees the memory of the previous legs. These moves can then no longer be
-  /// undone.
+  /// Discards the history of moves, which frees the memory of the previous legs.
   void forget_moves() { m_moves.clear(); }
 
   /// @}

@@ -84,7 +84,6 @@ auto face_location(const Triangulation& triangulation, const typename Triangulat
 
 namespace internal {
 
-/* Returns the location by a face and unchanged weights. */
 template <class Triangulation, class TriangleMesh>
 auto face_location_of(const Triangulation& triangulation, const TriangleMesh& mesh, Surface_location location)
 {
@@ -104,8 +103,8 @@ auto face_location_of(const Triangulation& triangulation, const TriangleMesh& me
  * \ingroup PkgFlipGeodesicsExtraction
  *
  * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The barycentric coordinates are the weights;
- * unless the sum of the weights is one up to 1e-6, as `surface_location()` requires, they are divided by it. \throws
- * Invalid_location_error if the location is not a point of the surface
+ * unless the sum of the weights is one up to 1e-6, as `surface_location()` requires, they are divided by it.
+ * \throws Invalid_location_error if the location is not a point of the surface
  */
 template <class Triangulation>
 auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,

@@ -92,8 +92,7 @@ public:
     m_aligned[v.idx()] += power(angle);
   }
 
-  /// Prescribes the directions of all curves of a network in the triangulation, at every vertex that the curves pass
-  /// through and at their ends.
+  /// Prescribes the directions of all curves of a network, at their ends and at every vertex that they pass.
   template <class Network>
   void align(const Network& network)
   {
@@ -143,8 +142,8 @@ public:
     return m_values;
   }
 
-  /// Returns one of the directions at vertex `v`, as an angle in its tangent space, in radians. The angles of the other
-  /// directions differ from it by multiples of \f$2\pi\f$ divided by the symmetry.
+  /// Returns one of the directions at vertex `v`, as an angle in its tangent space, in radians. The other directions
+  /// follow in steps of \f$2\pi\f$ divided by the symmetry.
   double angle(Vertex_index v) const { return std::arg(values()[v.idx()]) / m_symmetry; }
 
   /*!

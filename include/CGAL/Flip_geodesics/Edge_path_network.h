@@ -46,7 +46,7 @@ namespace CGAL::Flip_geodesics {
  * segments on its edge. Around each vertex, the ends connected by free joints form a non-crossing matching; all other
  * ends, and the border, lie in one region of the matching.
  *
- * The indices of segments are never reused, even after segments have been removed.
+ * Indices of removed segments are never reused.
  *
  * Several networks can have curves in one triangulation. A network holds the edges under its curves, and a held edge is
  * not flipped. Curves of other networks are therefore obstacles: they do not move, and a wedge that contains one of
@@ -625,7 +625,6 @@ template <class Network, class IsNode>
 Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
 {
   const auto& triangulation = network.triangulation();
-  // Returns the next halfedge after the head of h, or null_index at a node.
   const auto next_open = [&](Halfedge_index h) -> Halfedge_index {
     if(is_node(triangulation.head(h)))
       return null_index;

@@ -48,8 +48,7 @@ namespace CGAL::Flip_geodesics {
  * thrown when a face is accessed whose area is not such a multiple.
  *
  * With exact numbers, faces store squared lengths and areas. Only one root per input face is then required, that of its
- * squared area, and flips do not require roots. With rounded numbers and intervals, faces store vectors instead,
- * because squared lengths and areas would become inconsistent.
+ * squared area, and flips do not require roots. With rounded numbers and intervals, faces store vectors instead.
  *
  * With a number type that allocates heap memory, the construction of a triangulation takes time linear in the size of
  * the mesh. The representations of exact numbers grow with the number of flips; Section \ref Flip_geodesicsKernelTimes
@@ -132,8 +131,8 @@ public:
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
   /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. It is 0 for
-  /// exact numbers and intervals. For rounded numbers, about half of the digits are reserved for errors, so the result
-  /// is about 1e-9 for `double` and 1e-51 for 100 digits.
+  /// exact numbers and intervals. For rounded numbers, about half of the digits are reserved for errors: the result is
+  /// about 1e-9 for `double` and 1e-51 for 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
   /// Constructs a face from points. \throws Inexact_root_error if the area is not a rational multiple of the square
@@ -297,7 +296,7 @@ public:
       return Operations::sign(turn.y);
     }
 
-    // The other number types have exponents enough. A quarter of those of floats leaves room for a product.
+    // The exponents of other number types suffice. A quarter of those of floats leaves room for a product.
     static void rescale(Turn& turn)
     {
       if constexpr(is_interval || std::is_floating_point<NT>::value) {
@@ -410,7 +409,7 @@ public:
   class Is_inaccurate
   {
   public:
-    /// Returns whether the geometry is too inaccurate; the result is `false` for exact numbers.
+    /// Returns whether the face must be recomputed.
     bool operator()(const Halfedge_geometry& h) const
     {
       if constexpr(is_exact)

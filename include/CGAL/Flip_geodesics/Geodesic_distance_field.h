@@ -504,8 +504,6 @@ private:
 
   Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
 
-  // Throws unless the offset is valid for a source in the face of a halfedge; the halfedge is null if the source has
-  // none.
   void check_addition(double offset, Input_halfedge_index h) const
   {
     if(m_reach > 0)
@@ -584,7 +582,6 @@ private:
     return bound > limits.radius ? Distance_field_status::RADIUS_REACHED : Distance_field_status::TARGETS_REACHED;
   }
 
-  // Is called by all queries. \throws Invalid_parameter_error before compute()
   bool is_known(double distance) const
   {
     if(!m_is_computed)

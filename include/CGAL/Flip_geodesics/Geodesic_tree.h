@@ -239,7 +239,7 @@ public:
   };
 
   /*!
-   * Replaces paths by other paths. `make_shortest()` uses this function.
+   * Replaces paths by other paths, for `make_shortest()`.
    *
    * After the replacement, the tree grows to the vertices that were detached and not attached again, and to vertices to
    * which new edges give shorter paths.
@@ -421,7 +421,6 @@ private:
       m_labels.offer(v, distance, last);
   }
 
-  // Searches for new paths to vertices that have lost theirs, but not along `edge`.
   void adopt_orphans(Edge_index edge)
   {
     for(Vertex_index v : m_orphans)
@@ -477,7 +476,6 @@ private:
     return distance < needed ? distance : infinity;
   }
 
-  // Grows paths to vertices that were detached and not attached again.
   Geodesic_tree_report regrow(const std::vector<Vertex_index>& taken_off)
   {
     Default_shortening_visitor visitor;
@@ -589,8 +587,8 @@ private:
 class Vertex_logarithmic_map
 {
 public:
-  /// Constructs a map in which no vertex has coordinates yet, given the number of vertices, the sum of the face angles
-  /// around the source, and whether the source lies on the border.
+  /// Constructs a map without coordinates, for the given number of vertices and the sum of the face angles around the
+  /// source, which lies on the border if `is_on_border` is `true`.
   Vertex_logarithmic_map(Index number_of_vertices, double total_angle, bool is_on_border)
     : m_coordinates(static_cast<std::size_t>(number_of_vertices))
     , m_total_angle(total_angle)
@@ -654,7 +652,6 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
                                     : directions(leg.start.halfedge));
 }
 
-/* Implements `logarithmic_map()`. The finished fraction is passed to `on_progress()` of the visitor, if it has one. */
 template <class Triangulation, class Visitor>
 Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero,
                                                Visitor& visitor)
@@ -718,12 +715,13 @@ Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation
  * `make_shortest()` replaces.
  *
  * \param tree a tree that has been grown
- * \param zero the input halfedge whose direction is 0; it must start at the source. By default it is the first input
- *        halfedge of the vertex. The parameter is ignored for a source on the border, where angles are measured from
- *        the border, and for an inserted source, where they are measured from the halfedge of its `location()`
+ * \param zero the input halfedge whose direction is 0; it must start at the source. By default, it is the halfedge of
+ *        the `location()` of the source. The parameter is ignored for an inserted source, and for a source on the
+ *        border, where angles are measured from the border
  * \return the polar coordinates of all vertices
  * \throws Invalid_location_error if `zero` is not a halfedge of the mesh or does not start at the source
  * \throws Invalid_parameter_error if `grow()` has not been called
+ * \throws Invalid_mesh_error if several umbrellas meet at the source, so that directions cannot be compared
  *
  * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \cgalBigO{n}
  * for the result.

@@ -52,10 +52,8 @@ bool is_valid_halfedge(const Triangulation& triangulation, Halfedge_index h, dou
 }
 
 /*
- * A halfedge of a triangulation, represented by its position in the storage of the triangulation. Walks use it to avoid
- * the look-up in the table of slots that every access by index needs.
- *
- * The functions are those of `Intrinsic_triangulation`, and copy faces of the input as they do.
+ * A halfedge of a triangulation, represented by its position in the storage of the triangulation, which saves walks the
+ * look-up in the table of slots. The functions copy faces of the input, as those of `Intrinsic_triangulation` do.
  */
 template <class Store>
 class Placed_halfedge
@@ -64,7 +62,6 @@ class Placed_halfedge
   using Turn = typename Store::Traits::Turn;
 
 public:
-  /* The storage of a halfedge and its slot; default constructed, it refers to no halfedge. */
   using Place = Slot;
 
   Placed_halfedge(Store& store, Slot slot)
@@ -81,7 +78,6 @@ public:
   void hold() const { store().hold(m_slot); }
   void release() const { store().release(m_slot); }
 
-  /* Returns whether this refers to no halfedge, as the results of clockwise() and counterclockwise() at the border. */
   bool is_none() const { return m_slot == Slot::NONE; }
   bool operator==(const Placed_halfedge& other) const { return m_slot == other.m_slot; }
   bool operator!=(const Placed_halfedge& other) const { return m_slot != other.m_slot; }
@@ -143,7 +139,6 @@ private:
   Store& store() const { return *m_store; }
   Placed_halfedge at(Slot slot) const { return Placed_halfedge(*m_store, slot); }
 
-  // Adds the corner at the head of a halfedge whose face is known.
   void extend_turn_over(Turn& turn, const Record& in) const
   {
     const Record& out = store()[in.next()];
@@ -353,8 +348,6 @@ protected:
   Intrinsic_triangulation_elements(Intrinsic_triangulation_elements&&) noexcept = default;
   Intrinsic_triangulation_elements& operator=(Intrinsic_triangulation_elements&&) noexcept = default;
 
-  // Returns the storage of the elements for functions that change them; faces of the input are copied when they are
-  // first read.
   Store& store() const { return m_halfedges; }
 #endif
 
@@ -405,7 +398,7 @@ enum class Zero_length_edges {
  * vertex may have degree 1, and a face may be glued to itself. Elements are therefore identified by their indices,
  * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`.
  * These are initially the elements of the input with the same numbers, which flips do not change. Points of the surface
- * can be inserted as further vertices, which receive the next indices.
+ * can be inserted as further vertices, with the next indices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
  * `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, whose elements are indexed first.
@@ -609,11 +602,11 @@ public:
   /*!
    * Returns the number of bytes used by the records of changes. Constant time.
    *
-   * The records consist of the flip log, the inserted points, and the data derived from the log about crossings and,
-   * for exact predicates, about vectors. With `Certified_intrinsic_triangulation_traits` a flip takes about 165 bytes,
-   * and at most 200, in addition to a fixed cost of a few megabytes; with doubles, a flip takes about 100 bytes. Heap
-   * memory owned by numbers, such as the digits of rational numbers, is not included. `rollback()` frees the memory of
-   * all entries that it undoes, except for a few megabytes that are kept for reuse.
+   * The records consist of the flip log, the inserted points, and cached data about crossings and vectors. With
+   * `Certified_intrinsic_triangulation_traits`, a flip takes about 165 bytes, and at most 200, in addition to a fixed
+   * cost of a few megabytes; with doubles, a flip takes about 100 bytes. Heap memory owned by numbers, such as the
+   * digits of rational numbers, is not included. `rollback()` frees the memory of all entries that it undoes, except
+   * for a few megabytes that are kept for reuse.
    */
   std::size_t memory_of_records() const
   {
@@ -813,7 +806,6 @@ private:
     return internal::contracted(input, internal::Contracted_metric<Metric>{metric, input});
   }
 
-  // Decides a filter failure of the traits for a wedge.
   Comparison_result compare_with_straight(Halfedge_index from, Halfedge_index to) const
   {
     const internal::Side_version a = {from, version(edge(from))}, b = {to, version(edge(to))};

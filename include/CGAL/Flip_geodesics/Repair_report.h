@@ -137,8 +137,8 @@ public:
   /// box of the borders. A weld tolerance larger than this distance makes such edges coincide.
   double distance_of_near_border_edges() const { return m_record.near_border_distance; }
 
-  /// Returns the report as text: one line for each kind of repair that was made, and one for border edges that nearly
-  /// coincide. The lines do not contain line ends.
+  /// Returns the report as text, without line ends: one line for each kind of repair that was made, and one for border
+  /// edges that nearly coincide.
   std::vector<std::string> lines() const
   {
     std::vector<std::string> result;

@@ -276,7 +276,6 @@ Surface_point surface_point_on_edge(const Triangulation& triangulation, Input_ha
   return {left, right, (std::max)(least_weight, 1 - from_right), crossed};
 }
 
-/* The point type of a metric, `void` if it has no points. */
 template <class Metric, class = void>
 struct Metric_point
 {
@@ -346,8 +345,7 @@ std::vector<Input_halfedge_index> faces_of_location(const Input_mesh& input, con
 
 /*
  * Thrown if the edge sequence of an edge does not lead to its end. Refinement and the reader of networks catch this,
- * since they undo the flips and continue without the point. It is detected in the innermost loops of flips, insertions
- * and predicates, whose results are edge sequences, positions and signs; their other callers cannot undo anything.
+ * since they undo the flips and continue without the point.
  */
 [[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
 {
@@ -368,7 +366,6 @@ Input_halfedge_index location_anchor(const Input_mesh& input, const Surface_loca
   throw_wrong_flips(location.halfedge);
 }
 
-/* Returns the number of a side of the face of h, counted from h. */
 template <class Input_mesh>
 int side_number(const Input_mesh& input, Input_halfedge_index h, Input_halfedge_index side)
 {
