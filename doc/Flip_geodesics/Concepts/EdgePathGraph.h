@@ -69,9 +69,9 @@ public:
   /// Replaces the two segments of a joint by segments along `arc`.
   ///
   /// `arc` is a chain of halfedges from the far node of the first end to the far node of the second. The wedge lies on
-  /// its right; for the right side of a joint, the arc therefore leads against the direction of the curve. Each new
-  /// segment becomes the outermost one on its edge, on the side of the wedge. The arc is empty if and only if the joint
-  /// turns back. A closed curve that consists of these two segments contracts if the arc is empty.
+  /// the right of the arc; for the right side of a joint, the arc therefore leads against the direction of the curve.
+  /// Each new segment becomes the outermost one on its edge, on the side of the wedge. The arc is empty if and only if
+  /// the joint turns back. A closed curve that consists of these two segments contracts if the arc is empty.
   ///
   /// The function appends to `affected` both sides of each new joint. A joint is new if it contains a new segment, or
   /// if its two segments have become consecutive because the arc is empty. The function also appends each joint whose

@@ -77,7 +77,7 @@ public:
   Halfedge_index counterclockwise(Halfedge_index h) const;
   /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Halfedge_index outgoing(Vertex_index v) const;
-  /// Prefetches the face on the left of `h` because it will be read soon. The function may be empty.
+  /// Prefetches the face on the left of `h`, which will be read soon. The function may be empty.
   void prefetch_face(Halfedge_index h) const;
 
   /// @}

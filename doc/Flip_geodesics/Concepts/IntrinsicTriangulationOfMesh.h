@@ -7,7 +7,8 @@
  * The concept `IntrinsicTriangulationOfMesh` refines `IntrinsicTriangulation` by the correspondence with the mesh from
  * which the triangulation was constructed: the sequence of input edges that each edge crosses, and the positions of
  * inserted vertices. Certification, measuring, extraction, subdivision, searches, drawn polylines, splines, refinement,
- * `logarithmic_map()` and saving require it, as does `shorten()` if `Traits::Has_drift` is `CGAL::Tag_true`.
+ * `logarithmic_map()` and saving require it, as do `shorten()`, `Geodesic_tree` and `flip_to_delaunay()` if
+ * `Traits::Has_drift` is `CGAL::Tag_true`.
  *
  * Edge sequences are exact. Since an edge is straight across the faces that its sequence connects, the sequence and the
  * input determine the edge, regardless of the rounding errors that the triangulation has accumulated.
@@ -88,7 +89,7 @@ public:
   /// Returns whether the vertex was inserted. The numbers of inserted vertices follow those of the input.
   bool is_inserted(Vertex_index v) const;
 
-  /// Returns the position of a vertex on the input in the unique form of `Intrinsic_triangulation::location()`.
+  /// Returns the position of a vertex on the input in the canonical form of `Intrinsic_triangulation::location()`.
   Surface_location location(Vertex_index v) const;
 
   /// Inserts a point as a vertex, unless a vertex already lies there. The face or edge that contains the point is

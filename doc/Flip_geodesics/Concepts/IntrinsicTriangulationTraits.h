@@ -74,7 +74,7 @@ public:
   typedef unspecified_type Construct_face_3;
 
   /// `Face_geometry operator()(double a, double b, double c) const`: constructs the face whose halfedges have these
-  /// lengths, in the order of the face. `Edge_length_metric` calls it once for each input face that is used.
+  /// lengths, in counterclockwise order. `Edge_length_metric` calls it once for each input face that is used.
   /// \pre the lengths are positive and satisfy the triangle inequality; equality is allowed
   ///
   /// A further overload, `Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator)

@@ -36,7 +36,7 @@ public:
 
   /// Returns the length of the edge.
   double length() const;
-  /// Prefetches the face on the left because it will be read soon.
+  /// Prefetches the face on the left, which will be read soon.
   void prefetch_face() const;
   /// Adds to `turn` the corner on the right at the tail, and returns `clockwise()`. At the border, `turn` is unchanged.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;

@@ -115,11 +115,11 @@ public:
     Uncertain<Comparison_result> comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$
   };
 
-  /// Constructs traits for any mesh, or for meshes with radicand 1 if the number type has no roots.
+  /// Constructs traits for any mesh or, if `NT` is rational or a `Sqrt_extension`, for meshes with radicand 1.
   Exact_intrinsic_triangulation_traits() = default;
 
-  /// Constructs traits for meshes with the radicand `d`, a positive number. Only available for number types without
-  /// roots.
+  /// Constructs traits for meshes with the radicand `d`, a positive number. Only available if `NT` is rational or a
+  /// `Sqrt_extension`.
   explicit Exact_intrinsic_triangulation_traits(const Radicand& d)
     : m_unit(d)
   {
@@ -322,8 +322,8 @@ public:
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.comparison.make_certain(); }
   };
 
-  /// Computes a key that increases with the angle of a turn, for angles below \f$\pi\f$. For number types without
-  /// roots, equal angles have equal keys.
+  /// Computes a key that increases with the angle of a turn, for angles below \f$\pi\f$. For rational numbers and
+  /// `Sqrt_extension`, equal angles have equal keys.
   class Turn_key : Functor_with_unit
   {
   public:
@@ -438,20 +438,20 @@ public:
     }
   };
 
-  Construct_face_3 construct_face_3_object() const { return Construct_face_3(m_unit); } ///< a functor of this type
-  /// Returns a functor of this type.
+  Construct_face_3 construct_face_3_object() const { return Construct_face_3(m_unit); } ///< returns a functor
+  /// Returns a functor.
   Construct_face_from_lengths construct_face_from_lengths_object() const { return Construct_face_from_lengths(m_unit); }
-  Construct_face_2 construct_face_2_object() const { return {}; }                     ///< a functor of this type
-  Construct_subface construct_subface_object() const { return Construct_subface(); }  ///< a functor of this type
-  Extend_turn extend_turn_object() const { return Extend_turn(m_unit); }              ///< a functor of this type
-  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; } ///< a functor of this type
-  Turn_key turn_key_object() const { return Turn_key(m_unit); }                       ///< a functor of this type
-  Flip flip_object() const { return Flip(m_unit); }                                   ///< a functor of this type
-  /// Returns a functor of this type.
+  Construct_face_2 construct_face_2_object() const { return {}; }                     ///< returns a functor
+  Construct_subface construct_subface_object() const { return Construct_subface(); }  ///< returns a functor
+  Extend_turn extend_turn_object() const { return Extend_turn(m_unit); }              ///< returns a functor
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; } ///< returns a functor
+  Turn_key turn_key_object() const { return Turn_key(m_unit); }                       ///< returns a functor
+  Flip flip_object() const { return Flip(m_unit); }                                   ///< returns a functor
+  /// Returns a functor.
   Is_locally_delaunay is_locally_delaunay_object() const { return Is_locally_delaunay(m_unit); }
-  Is_inaccurate is_inaccurate_object() const { return {}; }                   ///< a functor of this type
-  Compute_squared_length compute_squared_length_object() const { return {}; } ///< a functor of this type
-  Compute_length compute_length_object() const { return {}; }                 ///< a functor of this type
+  Is_inaccurate is_inaccurate_object() const { return {}; }                   ///< returns a functor
+  Compute_squared_length compute_squared_length_object() const { return {}; } ///< returns a functor
+  Compute_length compute_length_object() const { return {}; }                 ///< returns a functor
 
 private:
   Area_unit m_unit;
@@ -461,8 +461,8 @@ private:
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Computes a number \f$d\f$ such that the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
- * `Exact_intrinsic_triangulation_traits` over a number type without roots. The number is an integer that is not
- * divisible by the square of a prime below 1000. If all faces are degenerate, the result is 1.
+ * `Exact_intrinsic_triangulation_traits` over rational numbers or a `Sqrt_extension`. The number is an integer that is
+ * not divisible by the square of a prime below 1000. If all faces are degenerate, the result is 1.
  *
  * \tparam Radicand the type of the result, a number type that can represent integers, such as
  *         `Exact_intrinsic_triangulation_traits::Radicand`

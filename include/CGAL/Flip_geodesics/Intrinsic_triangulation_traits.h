@@ -348,18 +348,18 @@ public:
   };
 
 #ifdef DOXYGEN_RUNNING
-  Construct_face_3 construct_face_3_object() const;                       ///< a functor of this type
-  Construct_face_from_lengths construct_face_from_lengths_object() const; ///< a functor of this type
-  Construct_face_2 construct_face_2_object() const;                       ///< a functor of this type
+  Construct_face_3 construct_face_3_object() const;                       ///< returns a functor
+  Construct_face_from_lengths construct_face_from_lengths_object() const; ///< returns a functor
+  Construct_face_2 construct_face_2_object() const;                       ///< returns a functor
 #endif
-  Extend_turn extend_turn_object() const { return {}; }                               ///< a functor of this type
-  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; } ///< a functor of this type
-  Turn_key turn_key_object() const { return {}; }                                     ///< a functor of this type
-  Flip flip_object() const { return {}; }                                             ///< a functor of this type
-  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }               ///< a functor of this type
-  Is_inaccurate is_inaccurate_object() const { return {}; }                           ///< a functor of this type
-  Compute_squared_length compute_squared_length_object() const { return {}; }         ///< a functor of this type
-  Compute_length compute_length_object() const { return {}; }                         ///< a functor of this type
+  Extend_turn extend_turn_object() const { return {}; }                               ///< returns a functor
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; } ///< returns a functor
+  Turn_key turn_key_object() const { return {}; }                                     ///< returns a functor
+  Flip flip_object() const { return {}; }                                             ///< returns a functor
+  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }               ///< returns a functor
+  Is_inaccurate is_inaccurate_object() const { return {}; }                           ///< returns a functor
+  Compute_squared_length compute_squared_length_object() const { return {}; }         ///< returns a functor
+  Compute_length compute_length_object() const { return {}; }                         ///< returns a functor
 };
 
 } // namespace CGAL::Flip_geodesics
