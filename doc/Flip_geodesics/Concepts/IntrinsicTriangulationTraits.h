@@ -41,8 +41,8 @@ public:
   /// constructs all records at once.
   typedef unspecified_type Halfedge_geometry;
 
-  /// The geometry of a face: a range of three objects of type `Halfedge_geometry`, those of `h`, `hn` and `hp`, with
-  /// `operator[]`.
+  /// The geometry of a face: a range with `operator[]` that contains three objects of type `Halfedge_geometry`, for
+  /// `h`, `hn` and `hp`.
   typedef unspecified_type Face_geometry;
 
   /// A partial sum of the corner angles from one halfedge clockwise to another around a vertex. Copyable; a

@@ -122,8 +122,8 @@ public:
    * Adds a curve along halfedges of the triangulation. Each segment becomes the rightmost one on its edge, as seen
    * along its halfedge.
    *
-   * \param halfedges a chain: the head of each halfedge is the tail of the next, and that of the last is the tail of
-   *        the first if the curve is closed
+   * \param halfedges a range of `Halfedge_index` that forms a chain: each halfedge starts where the previous one ends
+   *        and, if the curve is closed, the first one starts where the last one ends
    * \param np the named parameter `is_closed`, a `bool`: whether the curve is a closed loop; `false` by default
    * \return the index of the curve
    * \throws Invalid_curve_error if there are no halfedges, or they do not form a chain
@@ -496,7 +496,7 @@ struct Internals<Edge_path_network<Triangulation>>
  *        end
  * \param np the named parameter `is_closed`, a `bool`: whether the chain leads back to the first vertex; `false` by
  *        default
- * \throws Vertex_out_of_range_error if an index is not that of a vertex
+ * \throws Vertex_out_of_range_error if an index does not belong to a vertex
  * \throws Invalid_curve_error if the range has fewer than two vertices, or no edge connects two consecutive vertices
  *
  * Complexity: linear in the sum of the degrees of the vertices.
@@ -551,7 +551,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  * \cgalNamedParamsEnd
  *
  * \throws Invalid_curve_error if the range has fewer than two waypoints, or all of them are the same vertex
- * \throws Vertex_out_of_range_error if an index is not that of a vertex
+ * \throws Vertex_out_of_range_error if an index does not belong to a vertex
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive waypoints
  *
  * Complexity: that of the searches of `Shortest_edge_path`.

@@ -86,8 +86,8 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes a basis of the first homology group of a surface, which consists of loops along edges of the input mesh, and
- * the homology class of any closed curve in this basis.
+ * Computes a basis of the first homology group of a surface, and the homology class of any closed curve in this basis.
+ * The basis consists of loops along edges of the input mesh.
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
  * otherwise. All loops of a component pass through its base point. They are the shortest edge loops through the base

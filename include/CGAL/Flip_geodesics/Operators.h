@@ -312,7 +312,7 @@ public:
    *
    * \param operators the operators of the triangulation, which are used only during construction
    * \param given the vertices at which values are given, in any order and possibly repeated
-   * \throws Vertex_out_of_range_error if an index is not that of a vertex
+   * \throws Vertex_out_of_range_error if an index does not belong to a vertex
    * \throws Singular_problem_error if a component with faces has no vertex in `given`, in which case `elements()`
    *         contains a vertex of the component, or if the matrix cannot be factorized
    */
