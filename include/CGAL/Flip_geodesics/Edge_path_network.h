@@ -96,7 +96,7 @@ public:
     m_segments.set_triangulation(moved_to);
   }
 
-  /// Removes all curves, and then replaces this network by `other`, as the move constructor does.
+  /// Removes all curves, and then moves `other` into this network, as the move constructor does.
   Edge_path_network& operator=(Edge_path_network&& other) noexcept
   {
     if(this != &other) {

@@ -397,8 +397,8 @@ enum class Zero_length_edges {
  * The triangulation is a \f$\Delta\f$-complex: an edge may be a loop, two edges may have the same two end points, a
  * vertex may have degree 1, and a face may be glued to itself. Elements are therefore identified by their indices,
  * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`.
- * These are initially the elements of the input with the same numbers, which flips do not change. Points of the surface
- * can be inserted as further vertices, with the next indices.
+ * Before the first flip, edges and halfedges are those of the input with the same indices; flips do not change indices.
+ * Points of the surface can be inserted as further vertices, with the next indices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
  * `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, whose elements are indexed first.
@@ -498,7 +498,7 @@ public:
    * can only be assigned to and destroyed.
    */
   Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
-  /// Replaces this triangulation by `other`, as the move constructor does.
+  /// Moves `other` into this triangulation, with the same consequences for `other` as those of the move constructor.
   /// \pre no network has curves in this triangulation
   Intrinsic_triangulation& operator=(Intrinsic_triangulation&& other) noexcept = default;
 
