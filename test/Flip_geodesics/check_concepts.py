@@ -23,7 +23,7 @@ TEMPLATE = re.compile(r'^template <class (?:Triangulation_?|Network_?|Search)\b[
 
 
 DETECTED = re.compile(r'declval<(?:[^<>]|<[^<>]*>)*>\(\)\.(\w+)|typename (?!std|boost)\w+::(\w+)')
-OPTIONAL = re.compile(r'/// Optional((?:.*\n *///)*.*)\n(?: *template .*\n)?.*?(\w+)(?:\(.*)?;')
+OPTIONAL = re.compile(r'/// \(Optional\)((?:.*\n *///)*.*)\n(?: *template .*\n)?.*?(\w+)(?:\(.*)?;')
 # Members of classes of CGAL and Boost and of the standard library: points and numbers, kernels, pairs, maps.
 FOREIGN = {'x', 'y', 'z', 'approx', 'exact', 'FT', 'Vector_3', 'first', 'second', 'mapped_type'}
 # Required members of a concept, which distinguish its models from those of another concept or from other types.

@@ -32,7 +32,7 @@ public:
   /// to be shortened. All other values except `Stop_decision::CONTINUE` end the shortening.
   Stop_decision operator()(const Shortening_step& step) const;
 
-  /// Optional. Returns a predicate of the same type in its initial state; for example, a restarted
+  /// (Optional) Returns a predicate of the same type in its initial state; for example, a restarted
   /// `Time_stop_predicate` starts its timer again. `geodesic_paths()`, `geodesics_through()` and
   /// `geodesic_path_through()` shorten several curves, one after the other or in several threads. They call this member
   /// before they shorten a curve, and evaluate the returned predicate for this curve. If this member is missing, the

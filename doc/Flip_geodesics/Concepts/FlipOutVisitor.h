@@ -51,7 +51,7 @@ public:
   /// once per thousand steps, each of which takes at most a microsecond on average.
   bool go_further();
 
-  /// Optional. Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of rows
+  /// (Optional) Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of rows
   /// that are complete, from 0 to 1. If this member is missing, progress is not reported.
   void on_progress(double fraction);
 

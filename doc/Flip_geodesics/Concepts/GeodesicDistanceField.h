@@ -34,7 +34,7 @@ public:
   /// an edge, the weight of the opposite vertex is exactly zero.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const;
 
-  /// Optional. Returns `true` only if all points of a face that have a finite distance have the same nearest source.
+  /// (Optional) Returns `true` only if all points of a face that have a finite distance have the same nearest source.
   /// `voronoi_boundaries()` does not search such faces for boundaries. If this member is missing, all faces are
   /// searched.
   bool has_one_source(face_descriptor face) const;

@@ -62,15 +62,15 @@ public:
   /// of the edge.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
-  /// Optional. The type of points, if vertices have points in space; see `point_in_space()`. The type must have the
+  /// (Optional) The type of points, if vertices have points in space; see `point_in_space()`. The type must have the
   /// members `x()`, `y()` and `z()` and must be constructible from three coordinates. If the type is missing or `void`,
   /// the metric does not have points, and functions that write points cannot be used.
   typedef unspecified_type Point_3;
 
-  /// Optional. Returns the point of vertex `v`; required if `Point_3` is present and not `void`.
+  /// (Optional) Returns the point of vertex `v`; required if `Point_3` is present and not `void`.
   Point_3 point(const Mesh& mesh, Vertex_index v) const;
 
-  /// Optional. Returns the exact squared length of the edge of a halfedge, which must be equal for both halfedges of
+  /// (Optional) Returns the exact squared length of the edge of a halfedge, which must be equal for both halfedges of
   /// the edge. The return type must be an exact number type with rational values: `Gmpq`, `mpq_class`,
   /// `Exact_rational`, `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer type of any size. `length()` must
   /// return the square root of this number, rounded. With this member, faces are constructed and all predicates are
@@ -88,12 +88,12 @@ public:
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const;
 
-  /// Optional. Returns whether the metric rounds the numbers that define it, such as coordinates or lengths, to double.
+  /// (Optional) Returns whether the metric rounds the numbers that define it, such as coordinates or lengths, to double.
   /// If it does, curves are not certified and distances are not confirmed, since predicates refer to the rounded
   /// numbers. Without this member, the doubles that `length()` returns define the metric.
   bool is_rounded(const Mesh& mesh) const;
 
-  /// Optional. Throws an exception if it detects, for example from the number of edges, that `mesh` is not the mesh for
+  /// (Optional) Throws an exception if it detects, for example from the number of edges, that `mesh` is not the mesh for
   /// which the metric was made. Triangulations and functions that take a metric call this member first.
   /// \throws Input_mismatch_error if the metric was made for another mesh
   void check_input(const Mesh& mesh) const;

@@ -179,14 +179,14 @@ public:
   /// \name Parts of faces
   /// @{
 
-  /// Optional. `Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& w)
+  /// (Optional) `Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& w)
   /// const`: constructs the triangle formed by three points of a face. Each `w[i]` consists of nonnegative weights of
   /// the tails of `h`, `hn` and `hp`; the sum of the weights need not be 1. The functor is called for each part of an
   /// input face that is divided at points. If the type is missing or `void`, such parts are computed by
   /// `Construct_face_2`, with rounding errors.
   typedef unspecified_type Construct_subface;
 
-  /// Optional. Returns a functor of type `Construct_subface`; required if that type is present and not `void`.
+  /// (Optional) Returns a functor of type `Construct_subface`; required if that type is present and not `void`.
   Construct_subface construct_subface_object() const;
 
   /// @}

@@ -136,8 +136,9 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * A descriptor stores the corresponding descriptor of the mesh and can be converted to it. A vertex descriptor of the
  * mesh can be converted to its first copy.
  *
- * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh, and can be passed to
- * the functions of this package as a mesh.
+ * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh, and can be passed as a
+ * mesh to all functions of this package that only read their mesh. Functions that return a mesh require its type as a
+ * template argument.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */

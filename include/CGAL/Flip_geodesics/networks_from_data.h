@@ -23,7 +23,7 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Specifies the treatment of vertices at which more than two regions, or regions and the border, meet.
+/// Specifies the treatment of vertices at which more than two regions meet.
 enum class Junctions {
   FIXED, ///< these vertices are fixed, and every curve ends there
   FREE   ///< these vertices can move: every region has its own curves, next to those of its neighbors
