@@ -12,13 +12,62 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 using namespace shortest_path_test;
+
+// The bound on the errors of windows rests on these directions. The greatest error that a search for one has found is
+// 9 u, in the third corner of a face.
+BOOST_AUTO_TEST_CASE(directions_of_sides_are_accurate)
+{
+  using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
+                                             boost::multiprecision::et_off>;
+  using Vector = std::array<Real, 3>;
+  const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  std::mt19937 random(1);
+  const auto number = [&](double size) { return size * (2e-9 * (random() % 1000000007) - 1); };
+  Mesh_soup soup;
+  for(int f = 0; f < 4000; ++f) {
+    const double size = std::ldexp(1.0, static_cast<int>(random() % 24) - 12);
+    const double width = std::ldexp(1.0, -static_cast<int>(random() % 20)), along = number(1);
+    std::array<std::array<double, 3>, 3> corners;
+    for(int k = 0; k < 3; ++k) {
+      corners[0][k] = number(size);
+      corners[1][k] = number(size);
+      corners[2][k] = corners[0][k] + along * (corners[1][k] - corners[0][k]) + number(size * width);
+    }
+    soup.points.insert(soup.points.end(), corners.begin(), corners.end());
+    soup.triangles.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+  }
+  Setting setting(soup);
+  FG::internal::Unfolded_faces<Setting::Triangulation> faces(setting.triangulation);
+  double greatest = 0;
+  const auto& input = setting.triangulation.input();
+  for(auto h : descriptors<FG::Input_halfedge_index>(setting.triangulation.number_of_halfedges())) {
+    if(input.is_border(h))
+      continue;
+    const auto to = [&](FG::Input_halfedge_index g) {
+      const auto &from = soup.points[input.tail(h).idx()], &end = soup.points[input.tail(g).idx()];
+      return Vector{Real(end[0]) - from[0], Real(end[1]) - from[1], Real(end[2]) - from[2]};
+    };
+    const Vector a = to(input.next(h)), b = to(input.next(input.next(h)));
+    const Vector n = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    const Real lengths = sqrt(dot(a, a) * dot(b, b));
+    const auto side = faces[faces.number(h)];
+    const Real x = side.cosine - dot(a, b) / lengths, y = side.sine - sqrt(dot(n, n)) / lengths;
+    greatest = (std::max)(greatest, static_cast<double>(sqrt(x * x + y * y)));
+  }
+  BOOST_TEST(greatest > 2 * FG::internal::unit_roundoff);
+  BOOST_TEST(greatest < 12 * FG::internal::unit_roundoff);
+}
 
 // Whatever the mesh, no distance is less than a sweep says; on smooth ones it says nearly all of it.
 BOOST_AUTO_TEST_CASE(sweeps_bound_distances)
