@@ -392,7 +392,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(flatten_spike 0 "1 cut. .*flattened in" flatten spike.off --output flat_spike.obj)
     file(WRITE ${program_dir}/base.txt "1 2\n")
     flip_geodesics_add_program_test(flatten_uncut_spike 2
-                                    "lengths at vertex 0 would be multiplied by about 1e-.*cut the surface to this vertex"
+                                    "lengths at vertex 0 would be multiplied by about 1e-.*extend the cut to this vertex"
                                     flatten spike.off --network base.txt --output x.obj)
     flip_geodesics_add_program_test(flatten_through_corners 0 "1 cut. 4 vertices, flattened in" flatten tetrahedron.off
                                     --network corners.txt --output flat_tetrahedron.obj)

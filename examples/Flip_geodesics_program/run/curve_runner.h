@@ -644,8 +644,7 @@ private:
     namespace FG = CGAL::Flip_geodesics;
     if(!m_options.are_zero_edges_refused && FG::internal::are_curves_folded(m_triangulation, report))
       throw FG::Degenerate_face_error(
-          "a curve is blocked by degenerate faces, which fold several vertices onto one point; "
-          "use --repair or --mollify",
+          "a curve is blocked by vertices that coincide because of degenerate faces; use --repair or --mollify",
           {});
   }
 

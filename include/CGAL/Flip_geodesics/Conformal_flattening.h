@@ -155,8 +155,8 @@ public:
     check_faces();
     minimize(tolerance);
     if(const std::vector<Halfedge_index> sides = overlong_sides(m_log_scales); !sides.empty())
-      throw Flattening_error("the conformal factors violate the triangle inequality in " +
-                                 std::to_string(sides.size()) + " faces; use refine_and_flatten()",
+      throw Flattening_error("scaling by the conformal factors violates the triangle inequality in " +
+                                 std::to_string(sides.size()) + " of the faces; use refine_and_flatten()",
                              {static_cast<std::size_t>(m_triangulation->tail(sides.front()).idx())});
     check_angles(tolerance);
     lay_out(network);
@@ -603,7 +603,7 @@ private:
     throw Flattening_error("the conformal factors are out of range: lengths at vertex " + std::to_string(v) +
                                " would be multiplied by about 1e" +
                                std::to_string(std::lround(log_scales[extreme] / std::log(10))) +
-                               "; cut the surface to this vertex",
+                               "; extend the cut to this vertex",
                            {v});
   }
 };
@@ -739,9 +739,9 @@ Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network
       is_changed = internal::split_in_half(network, h) || is_changed;
     if(!is_changed || round == most_rounds || triangulation.number_of_vertices() > most_vertices)
       throw Flattening_error(
-          "the conformal factors violate the triangle inequality even after faces have been split; " +
+          "scaling by the conformal factors violates the triangle inequality even after faces have been split; " +
               (tip.empty() ? std::string("cut the surface along other curves")
-                           : "cut the surface to vertex " + std::to_string(tip.front())),
+                           : "extend the cut to vertex " + std::to_string(tip.front())),
           tip);
   }
 }

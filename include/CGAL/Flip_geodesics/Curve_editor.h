@@ -96,7 +96,7 @@ public:
     for(const Surface_location& p : internal::located_places(triangulation, points))
       m_points.push_back(placed(p));
     if(m_points.size() < 2)
-      throw Invalid_curve_error("a curve in an editor needs at least two points");
+      throw Invalid_curve_error("a curve to be edited requires at least two points");
     for(std::size_t i = 0; i < number_of_legs(); ++i) {
       const Surface_location &p = m_points[i], &q = m_points[(i + 1) % m_points.size()];
       Leg leg;
@@ -214,7 +214,7 @@ public:
     for(const Surface_location& p : internal::located_places(m_triangulation, way))
       places.push_back(placed(p));
     if(places.empty() || !is_same(places.front(), m_points[i]))
-      throw Invalid_curve_error("the path along which a point is moved must start at this point", {0});
+      throw Invalid_curve_error("the path along which a point is moved does not start at this point", {0});
     return move(i, places.back(), [&] { return steps(places); });
   }
 
@@ -323,7 +323,7 @@ private:
       const Input_halfedge_index face = internal::common_face(m_triangulation.input(), places[k], places[k + 1]);
       if(face == null_index)
         internal::throw_naming<Invalid_curve_error>("point ", internal::Element{k + 1},
-                                                    " of a path does not lie in a common face with the previous point");
+                                                    " of a path and the previous point do not lie in a common face");
       result.push_back({places[k], face});
     }
     return result;

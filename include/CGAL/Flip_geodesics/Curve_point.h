@@ -200,8 +200,8 @@ struct Curve_form_of
 {
   using First = typename First_form<Output, Container, typename Forms::Point, typename Forms::Location,
                                     typename Forms::Exact_location, typename Forms::All>::type;
-  static_assert(is_iterator<Output>,
-                "an output iterator is expected here; the order is mesh, ends or curves, output, named parameters");
+  static_assert(is_iterator<Output>, "an output iterator is expected here; the order of the arguments is mesh, ends or "
+                                     "curves, output, named parameters");
   static_assert(!is_iterator<Output> || !std::is_void<First>::value,
                 "the output accepts neither points in space (a metric of edge lengths has none) nor Face_locations nor "
                 "Curve_points");

@@ -171,7 +171,8 @@ public:
         continue;
       for(Segment_index fixed : freed)
         set_head_fixed(fixed, true);
-      internal::throw_naming<Crossing_curves_error>("nodes of a curve cannot be freed: curves cross at vertex ", v);
+      internal::throw_naming<Crossing_curves_error>(
+          "the nodes of a curve cannot be freed, because curves cross at vertex ", v);
     }
   }
 
@@ -513,7 +514,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
     v.push_back(vertex);
   }
   if(v.size() < 2)
-    throw Invalid_curve_error("a curve needs at least two vertices");
+    throw Invalid_curve_error("a curve requires at least two vertices");
   if(internal::is_closed_of(internal::options_of<internal::Closed_parameter>(np...)))
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
@@ -570,7 +571,7 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
   };
   std::vector<Vertex_index> v(std::begin(way_points), std::end(way_points));
   if(v.size() < 2)
-    throw Invalid_curve_error("a curve needs at least two waypoints");
+    throw Invalid_curve_error("a curve requires at least two waypoints");
   if(internal::is_closed_of(options))
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
@@ -581,8 +582,8 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
     result.insert(result.end(), leg.begin(), leg.end());
   }
   if(result.empty())
-    internal::throw_naming<Invalid_curve_error>("all waypoints of a curve are vertex ", v.front(),
-                                                "; the curve is a single point and has no edges");
+    internal::throw_naming<Invalid_curve_error>("all waypoints of a curve are the same vertex, ", v.front(),
+                                                "; the curve would be a single point");
   return result;
 }
 

@@ -517,7 +517,7 @@ private:
     if(offset > internal::greatest_offset * (side.length + std::abs(side.x) + side.y))
       throw_unusable_offset(
           offset,
-          ", which is so much longer than the sides of its face that it cannot be added without large rounding errors");
+          ", which is so large compared with the sides of its face that adding it would cause large rounding errors");
   }
 
   [[noreturn]] void throw_unusable_offset(double offset, const char* reason) const

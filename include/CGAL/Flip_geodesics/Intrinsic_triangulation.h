@@ -680,7 +680,7 @@ public:
       if(holds(edge(halves.first)) > 0)
         internal::throw_naming<Occupied_triangulation_error>(
             "a point in the face of halfedge ", location.halfedge,
-            " lies on an edge under a curve; use Edge_path_network::insert()");
+            " lies on an edge of a curve; use Edge_path_network::insert()");
     });
   }
 

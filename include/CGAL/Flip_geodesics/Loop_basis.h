@@ -358,9 +358,8 @@ private:
       if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
         throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
       if(end != null_index && input.tail(h) != end)
-        internal::throw_naming<Invalid_curve_error>("halfedge ", internal::Element{position},
-                                                    " of a curve does not start where halfedge ", position - 1,
-                                                    " ends");
+        internal::throw_naming<Invalid_curve_error>("the halfedge at position ", internal::Element{position},
+                                                    " of a curve does not start where the previous one ends");
       start = start == null_index ? input.tail(h) : start;
       end = input.tail(internal::twin_index(h));
       ++position;
@@ -386,7 +385,7 @@ private:
     });
     if(start != end)
       internal::throw_naming<Invalid_curve_error>(
-          "curve ", curve, " does not end where it starts, and has no homology class; pass a closed curve");
+          "curve ", curve, " does not end where it starts, so it has no homology class; pass a closed curve");
     return result;
   }
 

@@ -56,7 +56,7 @@ inline std::string describe(Repair repair, std::size_t count)
   case Repair::CORNERS_REPEATED:
     return counted("corner", "corners", "removed: equal to the previous corner");
   case Repair::POLYGONS_SPLIT:
-    return counted("polygon", "polygons", "split at a point that is passed twice");
+    return counted("polygon", "polygons", "split at a point that occurred twice");
   case Repair::POLYGONS_TRIANGULATED:
     return counted("polygon", "polygons", "triangulated: more than three corners");
   case Repair::DUPLICATES_DROPPED:

@@ -115,8 +115,8 @@ void check_location(const Input_mesh& input, const Surface_location& location)
   if(!input.is_border(h) && (location.weights[1] != 0 || location.weights[2] != 0))
     check_triangle(input, h);
   if(input.is_border(h) && location.weights[2] != 0)
-    throw_naming<Invalid_location_error>("a location lies in the face of halfedge ", h,
-                                         ", which is on the border and has no face");
+    throw_naming<Invalid_location_error>("a location refers to the face of halfedge ", h,
+                                         ", but this border halfedge has no face");
 }
 
 /* Returns the location with its weights beginning at halfedge `next(halfedge)`. */

@@ -118,7 +118,7 @@ public:
     for(const Place& place : places)
       given.push_back(as_given(place));
     if(given.size() < (is_closed ? 1u : 2u))
-      throw Invalid_curve_error(is_closed ? "a closed curve has no points" : "a curve has fewer than two points");
+      throw Invalid_curve_error(is_closed ? "a closed curve has no points" : "a curve requires at least two points");
     for(std::size_t i = 0; i < given.size(); ++i) {
       const bool is_end = !is_closed && (i == 0 || i + 1 == given.size());
       const Crossing* crossing = std::get_if<Crossing>(&given[i]);
@@ -126,7 +126,7 @@ public:
                                       ? Surface_location{halfedge(crossing->first, i), {{1, 1, 0}}}
                                       : location(given[i], i);
       if(is_closed && i == 0 && kind(at) != Location_kind::VERTEX)
-        throw Invalid_curve_error("a closed curve does not start at a vertex; start it at one that it passes", {0});
+        throw Invalid_curve_error("a closed curve does not start at a vertex; start it at a vertex on it", {0});
       if(is_end || kind(at) == Location_kind::VERTEX)
         arrive(m_places.add(at), i, i > 0 && i + 1 == given.size() && !is_closed);
       else if(kind(at) == Location_kind::EDGE)

@@ -362,7 +362,7 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
   const auto& options = internal::surface_options(np...);
   using Surface = internal::Surface_by_name<TriangleMesh, internal::Joined<NamedParameters...>>;
   static_assert(internal::Has_points<typename Surface::Metric>::value,
-                "the metric has no points in space: use Located_curve to obtain locations only");
+                "the metric has no points in space: use Located_curve to obtain the locations");
   if(number < 2)
     throw Invalid_parameter_error("fewer than two samples are requested, but the start and the end are samples");
   const Surface surface = internal::make_surface(mesh, options);

@@ -356,9 +356,8 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
   while(is_closed && way_points.size() > 1 && way_points.front() == way_points.back())
     way_points.pop_back();
   if(way_points.size() < 2)
-    throw Invalid_curve_error(are_several
-                                  ? "all points of a curve coincide; the curve is a single point and has no edges"
-                                  : "a curve needs at least two points");
+    throw Invalid_curve_error(are_several ? "all points of a curve coincide; the curve would be a single point"
+                                          : "a curve requires at least two points");
   std::vector<std::vector<Halfedge_index>> paths;
   internal::Drawn_chain chain;
   double length = 0;
@@ -633,8 +632,8 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
 {
   const auto& options =
       internal::surface_options<internal_np::number_of_iterations_t, internal::Point_distance_parameter>(np...);
-  static_assert(std::is_same<Kind, Spline_kind>::value,
-                "a Spline_kind is expected here; the order is mesh, control points, kind, output, named parameters");
+  static_assert(std::is_same<Kind, Spline_kind>::value, "a Spline_kind is expected here; the order of the arguments is "
+                                                        "mesh, control points, kind, output, named parameters");
   using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   const auto rounds =
@@ -643,7 +642,7 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
                 "number_of_iterations() must be an integer");
   if(rounds < 0 || static_cast<std::uintmax_t>(rounds) > 30)
     throw Invalid_parameter_error("number_of_iterations is " + std::to_string(rounds) +
-                                  ", but the number of subdivisions of a spline must be between 0 and 30");
+                                  ", but must be between 0 and 30 for a spline");
   const auto locate = [&](const auto& triangulation) {
     return internal::located(triangulation, mesh, control_points, options);
   };

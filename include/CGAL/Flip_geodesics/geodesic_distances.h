@@ -658,7 +658,7 @@ Distance_source distance_source(const Triangulation& triangulation, const Triang
     return {false, {}, {find(source)}};
   else {
     static_assert(is_range<Source>, "a vertex of the mesh, another source or a range of sources is expected here; "
-                                    "the order is mesh, source, property map");
+                                    "the order of the arguments is mesh, source, property map");
     Distance_source result = {false, {}, {}};
     if constexpr(is_range<Source>)
       for(const auto& place : source)
@@ -894,7 +894,8 @@ Distances_report logarithmic_map(const TriangleMesh& mesh, const Source& source,
                                  const NamedParameters&... np)
 {
   static_assert(internal::is_mesh_vertex<TriangleMesh, Source>,
-                "a vertex of the mesh is expected here; the order is mesh, source, property map; for other points pass "
+                "a vertex of the mesh is expected here; the order of the arguments is mesh, source, property map; for "
+                "other points pass "
                 "targets and an output, and include tangent_vectors.h");
   const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
   const auto computed = internal::compute_logarithmic_map(mesh, Mesh_vertex<TriangleMesh>(source), options);
@@ -1100,8 +1101,9 @@ Distances_report geodesic_distance_matrix(const TriangleMesh& mesh, const PointR
 {
   using Options = internal::Joined<NamedParameters...>;
   using Triangulation = typename internal::Curve_types<TriangleMesh, Options>::Triangulation;
-  static_assert(internal::is_range<PointRange>,
-                "a range of points is expected here; the order is mesh, points, output, named parameters");
+  static_assert(
+      internal::is_range<PointRange>,
+      "a range of points is expected here; the order of the arguments is mesh, points, output, named parameters");
   const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
   const auto limit = internal::search_limit_of<Window_limit>(options);
   auto visitor = internal::make_visitor(options);

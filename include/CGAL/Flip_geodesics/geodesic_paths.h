@@ -295,9 +295,8 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
   using Form = internal::Form_by_name<TriangleMesh, Options, OutputIterator, Geodesic_path_result>;
   using Workspace = internal::Path_workspace<Form, TriangleMesh, Options>;
   using Pair = internal::Pair_of_ends_in<TriangleMesh, PairRange>;
-  static_assert(
-      !std::is_void<Pair>::value,
-      "a range of std::pairs of end points is expected here; the order is mesh, pairs, output, named parameters");
+  static_assert(!std::is_void<Pair>::value, "a range of std::pairs of end points is expected here; the order of the "
+                                            "arguments is mesh, pairs, output, named parameters");
   if constexpr(std::is_void<Pair>::value) {
     return out; // so that no other message follows
   } else {

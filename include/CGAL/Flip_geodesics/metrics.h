@@ -45,8 +45,8 @@ class Planar_sine;
 inline void check_halfedges(std::size_t of_metric, std::size_t of_mesh)
 {
   if(of_metric != of_mesh)
-    throw Input_mismatch_error("the metric was made for a mesh of " + std::to_string(of_metric / 2) +
-                               " edges, and is used for a mesh of " + std::to_string(of_mesh / 2) + " edges");
+    throw Input_mismatch_error("the metric was constructed for a mesh of " + std::to_string(of_metric / 2) +
+                               " edges, but is used for a mesh of " + std::to_string(of_mesh / 2) + " edges");
 }
 
 /* Throws Input_mismatch_error if a metric detects that it was made for another mesh. */

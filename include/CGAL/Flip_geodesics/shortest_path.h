@@ -168,9 +168,10 @@ public:
   Geodesic_landmarks(const Triangulation& triangulation, const VertexRange& landmarks,
                      ConcurrencyTag tag = ConcurrencyTag(), const NamedParameters&... np)
   {
-    static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                  "a number of landmarks or a range of vertices is expected here; the order is triangulation, "
-                  "landmarks, concurrency tag");
+    static_assert(
+        internal::is_range_of<VertexRange, Vertex_index>,
+        "a number of landmarks or a range of vertices is expected here; the order of the arguments is triangulation, "
+        "landmarks, concurrency tag");
     const std::vector<Vertex_index> given(std::begin(landmarks), std::end(landmarks));
     make(triangulation, tag, internal::options_of<internal_np::visitor_t>(np...),
          [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
@@ -774,7 +775,7 @@ Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& trian
                                                   search_limit_of<Window_limit>(np), visitor.get());
   if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(whole))
     throw Degenerate_face_error(
-        "a shortest path may pass through vertices that degenerate faces fold onto one point; repair the mesh", {});
+        "a shortest path may pass through vertices that coincide because of degenerate faces; repair the mesh", {});
   note_contraction(whole, report.shortening);
   if(network.number_of_curves() != 0) // not stopped by the visitor
     write(network);
@@ -997,9 +998,10 @@ template <
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRange& landmarks,
                                       const NamedParameters&... np)
 {
-  static_assert(internal::is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
-                "a number of landmarks or a range of vertices of the mesh is expected here; the order is mesh, "
-                "landmarks, named parameters");
+  static_assert(
+      internal::is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
+      "a number of landmarks or a range of vertices of the mesh is expected here; the order of the arguments is mesh, "
+      "landmarks, named parameters");
   const auto& options = internal::surface_options<internal_np::visitor_t>(np...);
   const auto triangulation = internal::make_triangulation(mesh, options);
   std::vector<Vertex_index> indices;

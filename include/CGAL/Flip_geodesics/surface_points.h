@@ -47,7 +47,7 @@ std::array<double, 3> snapped_weights(std::array<double, 3> weights, double snap
     weight = weight <= snap ? 0 : weight;
   }
   if(!(std::abs(sum - 1) <= weight_sum_tolerance))
-    refuse("the barycentric coordinates of ", " sum to " + internal::written(sum) + ", not to one");
+    refuse("the barycentric coordinates of ", " sum to " + internal::written(sum) + ", not to 1");
   return weights;
 }
 

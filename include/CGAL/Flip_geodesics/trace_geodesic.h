@@ -470,7 +470,7 @@ private:
     const Vector a = side(h), c = side(input.next(input.next(h))), b = {{-c[0], -c[1], -c[2]}};
     const Vector normal = unit_of(cross(unit_of(a), unit_of(b))), direction = unit_of(v);
     if(normal == Vector{{0, 0, 0}})
-      throw_naming<Degenerate_face_error>("a direction is given in the face of halfedge ", h, ", which is degenerate");
+      throw_naming<Degenerate_face_error>("a direction is given in a degenerate face, that of halfedge ", h);
     return {dot(cross(direction, b), normal), dot(cross(a, direction), normal)};
   }
 

@@ -14,7 +14,7 @@ void check_other_mesh(const Surface& mesh, const Metric& metric)
   const auto np = CGAL::parameters::metric(metric);
   const auto is_clear = [](const FG::Input_mismatch_error& error) {
     return std::string(error.what()) ==
-           "the metric was made for a mesh of 12 edges, and is used for a mesh of 48 edges";
+           "the metric was constructed for a mesh of 12 edges, but is used for a mesh of 48 edges";
   };
   std::vector<Face_location> out;
   std::vector<double> distances(mesh.number_of_vertices());

@@ -40,7 +40,7 @@ public:
       } else
         add(shape);
     if(m_pieces.empty())
-      throw File_write_error("there is nothing to write: no face, no curve with a point, and no point");
+      throw File_write_error("there is nothing to write: no face, no point, and no curve that has a point");
     check_size(m_size);
     set_center();
     for(Piece& piece : m_pieces)

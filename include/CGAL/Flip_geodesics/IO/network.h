@@ -351,7 +351,7 @@ void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
 inline std::string checked_text(std::istream& in)
 {
   if(!in.good())
-    throw File_format_error("a saved network is missing: nothing can be read from the stream");
+    throw File_format_error("nothing can be read from the stream; it should contain a saved network");
   std::istream lines(in.rdbuf()); // has no exceptions of its own
   const std::string first_word = network_magic;
   std::string text, line;
@@ -370,7 +370,7 @@ inline std::string checked_text(std::istream& in)
   std::string magic;
   int version = 0;
   if(!(start >> magic >> version) || magic != first_word)
-    throw File_format_error("this is not a saved network: it does not start with " + first_word, {0});
+    throw File_format_error("the stream does not contain a saved network: its first word is not " + first_word, {0});
   if(version < 1 || version > network_version)
     throw File_format_error("the saved network has version " + std::to_string(version) + ", and only versions 1 to " +
                                 std::to_string(network_version) + " are known",

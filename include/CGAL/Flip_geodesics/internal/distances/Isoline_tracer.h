@@ -47,12 +47,14 @@ constexpr bool is_distance_field<Field, TriangleMesh, true> =
 template <class TriangleMesh, class Field, class Tolerance>
 constexpr bool are_in_order()
 {
-  static_assert(has_faces<TriangleMesh>,
-                "the first argument must be a mesh; the order is mesh, field, levels if any, output, tolerance");
+  static_assert(
+      has_faces<TriangleMesh>,
+      "the first argument must be a mesh; the order of the arguments is mesh, field, levels if any, output, tolerance");
   static_assert(is_distance_field<Field, TriangleMesh>,
                 "the second argument must be a model of GeodesicDistanceField for the mesh");
-  static_assert(std::is_convertible<Tolerance, double>::value,
-                "a tolerance is expected here; the order is mesh, field, levels if any, output, tolerance");
+  static_assert(
+      std::is_convertible<Tolerance, double>::value,
+      "a tolerance is expected here; the order of the arguments is mesh, field, levels if any, output, tolerance");
   return true;
 }
 
@@ -88,8 +90,8 @@ auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const Na
   Surface surface(mesh, point_map(mesh, np), field, interruption);
   if(tolerance < least_curve_tolerance * surface.longest_side())
     throw Invalid_parameter_error("the tolerance is " + written(tolerance) +
-                                  ", too small for a mesh with a side of length " + written(surface.longest_side()) +
-                                  "; rounding errors would exceed it");
+                                  ", which is less than the rounding errors on a mesh with an edge of length " +
+                                  written(surface.longest_side()));
   return surface;
 }
 

@@ -117,13 +117,13 @@ public:
   {
     const auto& input = m_places.input();
     if(input.is_border(h) || input.is_border(twin_index(h)))
-      refuse(number, "is a crossed edge on the border");
+      refuse(number, "lies on a border edge, which a curve cannot cross");
     std::vector<Input_halfedge_index>& crossed = m_segment.sequence.crossed;
     const bool is_as_given = leads_on_through(h);
     h = is_as_given ? h : twin_index(h);
     if(!is_as_given && !leads_on_through(h))
-      refuse(number, crossed.empty() ? "is a crossed edge that is not opposite to the previous point"
-                                     : "is a crossed edge that is not a side of the face beyond the previous one");
+      refuse(number, crossed.empty() ? "lies on an edge that is not opposite to the previous point"
+                                     : "lies on an edge that is not a side of the face that the curve has entered");
     for(Input_halfedge_index side : {h, twin_index(h)})
       check_triangle(input, side);
     crossed.push_back(h);
@@ -138,7 +138,7 @@ public:
     if(sequence.crossed.empty())
       find_common_face(number);
     else if(!is_opposite_vertex(m_places, v, twin_index(sequence.crossed.back())))
-      refuse(number, "is not opposite to the previous crossed edge");
+      refuse(number, "is not opposite to the edge crossed before it");
     m_segments.push_back(m_segment);
   }
 
@@ -176,7 +176,7 @@ private:
         sequence.face = h;
         return;
       }
-    refuse(number, "has no common face with the previous point, and no edge is crossed in between");
+    refuse(number, "and the previous point do not lie in a common face, and no edge is crossed between them");
   }
 
   // Returns a halfedge of each face that contains a point: for a point on an edge both sides, for a vertex its outgoing

@@ -331,7 +331,7 @@ private:
     if(!is_occupied(h))
       return;
     const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
-    throw_naming<Crossing_curves_error>("a leg of the curve crosses another curve at the edge between vertices ", v,
+    throw_naming<Crossing_curves_error>("a segment of the curve crosses another curve at the edge between vertices ", v,
                                         " and ", w);
   }
 

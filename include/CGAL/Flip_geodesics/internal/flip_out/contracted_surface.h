@@ -97,7 +97,7 @@ inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& err
   if(error.remedy() != Degeneracy_remedy::CONTRACT)
     return error;
   return {error.problem() +
-              "; once such edges and degenerate faces have been contracted, no surface connects the ends of the curve",
+              "; after contracting such edges and degenerate faces, no surface connects the ends of the curve",
           error.elements(), Degeneracy_remedy::MOLLIFY};
 }
 
@@ -388,7 +388,7 @@ void note_contraction(const Triangulation& triangulation, Shortening_report& rep
 {
   if(are_curves_folded(triangulation, report))
     throw Degenerate_face_error(
-        "a curve is blocked by degenerate faces, which fold several vertices onto one point; repair the mesh", {});
+        "a curve is blocked by vertices that coincide because of degenerate faces; repair the mesh", {});
   for(Curve_report& curve : report.curves)
     curve.are_zero_edges_contracted = triangulation.input().is_contracted();
 }

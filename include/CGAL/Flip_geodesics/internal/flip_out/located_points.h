@@ -91,7 +91,7 @@ private:
     m_points.distances[i] = distance;
     if(!(distance <= m_greatest_distance))
       throw_naming<Distant_point_error>("point ", Element{i}, " is ", distance,
-                                        " away from the surface, which exceeds the greatest distance of ",
+                                        " away from the surface, more than greatest_point_distance() allows, which is ",
                                         m_greatest_distance);
   }
 

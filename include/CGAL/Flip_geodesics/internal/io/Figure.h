@@ -223,7 +223,7 @@ inline bool is_textured(const Texture_corners& corners)
 inline void check_writable(const Figure& figure)
 {
   if(figure.shapes().empty())
-    throw File_write_error("there is nothing to write: no vertex, no curve with a point, and no point");
+    throw File_write_error("there is nothing to write: no vertex, no point, and no curve that has a point");
   std::for_each(figure.shapes().begin(), figure.shapes().end(), check_finite);
 }
 
@@ -240,11 +240,11 @@ inline void check_values(const Figure& figure, bool is_binary)
   for(std::size_t i = 0; i < kinds.size(); ++i) {
     const std::string& name = kinds[i].name;
     if(name.empty() || !std::all_of(name.begin(), name.end(), is_character_of_name))
-      throw Invalid_parameter_error(
-          "the name \"" + name + "\" of values is empty or has characters other than letters, digits and underscores");
+      throw Invalid_parameter_error("the name \"" + name +
+                                    "\" of values must consist of one or more letters, digits and underscores");
     if(std::any_of(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(i),
                    [&](const Value_kind& kind) { return kind.name == name; }))
-      throw Invalid_parameter_error("two arrays of values have the same name \"" + name + '"');
+      throw Invalid_parameter_error("two arrays of values have the name \"" + name + '"');
     if(!is_binary)
       figure.for_each_value(i, [&](double x) {
         if(!std::isfinite(x))

@@ -880,8 +880,8 @@ void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfed
     if(!h.is_valid() || h.idx() >= triangulation.number_of_halfedges())
       throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
     if(last != null_index && triangulation.head(last) != triangulation.tail(h))
-      throw_naming<Invalid_curve_error>("halfedge ", Element{position}, " of a curve does not start where halfedge ",
-                                        position - 1, " ends");
+      throw_naming<Invalid_curve_error>("the halfedge at position ", Element{position},
+                                        " of a curve does not start where the previous one ends");
     triangulation.length(h); // copies its face, which may throw: before the network changes
     if(first == null_index)
       first = h;

@@ -491,8 +491,8 @@ public:
     if(!std::isfinite(direction[0]) || !std::isfinite(direction[1]) || (direction[0] == 0 && direction[1] == 0))
       throw Invalid_parameter_error("a direction has length zero in its face, or is not finite");
     if(input().is_border(location.halfedge))
-      throw_naming<Invalid_parameter_error>("a direction is given in the face of halfedge ", location.halfedge,
-                                            ", a border halfedge, which has no face");
+      throw_naming<Invalid_parameter_error>("a direction refers to the face of halfedge ", location.halfedge,
+                                            ", but this border halfedge has no face");
     Ray_start start = {location, normalized(direction), false, 0};
     if(kind(location) != Location_kind::VERTEX)
       return start;
@@ -571,7 +571,7 @@ private:
   {
     const auto [length, third] = corners(h);
     if(y != 0 && !(third.imag() > 0))
-      throw_naming<Degenerate_face_error>("a direction is given in the face of halfedge ", h, ", which is degenerate");
+      throw_naming<Degenerate_face_error>("a direction is given in a degenerate face, that of halfedge ", h);
     const double up = y == 0 ? 0 : y / third.imag();
     return normalized({(x - up * third.real()) / length, up});
   }

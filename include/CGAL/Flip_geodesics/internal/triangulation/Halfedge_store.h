@@ -539,7 +539,7 @@ public:
     Halfedge_record &at_h = halfedges.known(s), &at_t = halfedges.known(t); // now both faces are known
     const Slot hn = at_h.next(), tn = at_t.next();
     CGAL_precondition_msg(hn != t && tn != s, "an edge at a vertex of degree 1 cannot be flipped");
-    CGAL_precondition_msg(halfedges.holds(s) == 0, "an edge under a curve cannot be flipped");
+    CGAL_precondition_msg(halfedges.holds(s) == 0, "an edge of a curve cannot be flipped");
     Halfedge_record &at_hn = halfedges[hn], &at_tn = halfedges[tn];
     const Slot hp = at_hn.next(), tp = at_tn.next();
     Halfedge_record &at_hp = halfedges[hp], &at_tp = halfedges[tp];

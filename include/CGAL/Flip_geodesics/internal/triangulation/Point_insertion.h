@@ -389,7 +389,7 @@ private:
     while(m_triangulation.number_of_edges() > number_left) {
       const Edge_index e(m_triangulation.number_of_edges() - 1);
       CGAL_precondition_msg(m_triangulation.holds(e) == 0,
-                            "an edge under a curve cannot be removed together with an inserted point");
+                            "an edge of a curve cannot be removed together with an inserted point");
       m_history.forget(e, m_triangulation.version(e));
       m_halfedges.remove_last_edge();
     }

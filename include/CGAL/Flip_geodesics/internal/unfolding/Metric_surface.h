@@ -110,8 +110,8 @@ struct No_graph
 template <class TriangleMesh>
 struct Vertex_of
 {
-  static_assert(has_faces<TriangleMesh>,
-                "the first argument must be a mesh; the order is mesh, ends or curves, output, named parameters");
+  static_assert(has_faces<TriangleMesh>, "the first argument must be a mesh; the order of the arguments is mesh, ends "
+                                         "or curves, output, named parameters");
   using Graph = std::conditional_t<has_faces<TriangleMesh>, boost::graph_traits<TriangleMesh>, No_graph>;
   using type = typename Graph::vertex_descriptor;
 };
