@@ -60,6 +60,7 @@ public:
     m_app.set_version_flag("--version", "flip_geodesics " FLIP_GEODESICS_VERSION, "Print the version and exit");
     m_app.require_subcommand(1);
     m_app.formatter(std::make_shared<Formatter>());
+    m_app.get_formatter()->label("SUBCOMMAND", "COMMAND");
     m_app.get_formatter()->column_width(28);
     m_app.footer("\nflip_geodesics COMMAND --help lists the options of a command. Examples:\n"
                  "  flip_geodesics path bunny.off --from 0 --to 1000 -o path.glb -o path.json\n"
@@ -125,8 +126,8 @@ private:
   };
 
   static constexpr const char* m_points =
-      "A POINT is a vertex `v`, x,y,z in space (with a decimal point or an exponent in x or y), a,b,t on the edge of "
-      "vertices a and b, or a,b,c,t,u in the face of vertices a, b and c";
+      "A POINT is a vertex `v`; `x,y,z` in space, with a decimal point or an exponent in x or y; `a,b,t`, the point "
+      "(1-t) a + t b of an edge; or `a,b,c,t,u`, the point (1-t-u) a + t b + u c of a face";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 
@@ -194,7 +195,7 @@ private:
     const auto append = [this, number = number_in<double>(positive)](const std::vector<std::string>& texts) {
       for(const std::string& text : texts) {
         if(text.back() == ',')
-          throw CLI::ValidationError("--isolines", "'" + text + "' ends with a comma");
+          throw CLI::ValidationError("--isolines", "'" + text + "' ends with a comma; remove it");
         for(const std::string_view piece : pieces_of(text)) {
           std::string level(piece);
           if(const std::string error = number(level); !error.empty())
@@ -229,13 +230,13 @@ private:
   // A command, with the options that all of them have.
   void begin(const char* name, const char* description, const char* examples)
   {
-    m_command = m_app.add_subcommand(name, description);
+    m_command = m_app.add_subcommand(name, description)->group("Commands");
     m_command->footer(std::string("\nExamples:\n") + examples);
     m_group = "Options";
     add("MESH", "FILE", m_options.mesh, "read an OFF, OBJ, PLY, STL or TS file; - for standard input")
         ->group("Positionals")
         ->required();
-    add("--format", "NAME", m_options.format, "read the format off, obj, ply, stl or ts [by the extension]");
+    add("--format", "NAME", m_options.format, "read MESH in the format off, obj, ply, stl or ts [by the extension]");
     const std::string command = name;
     CLI::Option* const repair = command == "repair" || command == "info"
                                     ? nullptr
@@ -246,17 +247,18 @@ private:
     if(repair != nullptr)
       weld->description(weld->get_description() + "; requires --repair")->needs(repair);
     add("--force", m_options.is_replacing_input, "allow a result to replace an input file");
-    add("-q,--quiet", m_options.is_quiet, "do not print the table or the progress");
-    add("--json", "FILE", m_options.results.json, "write all results as JSON; - for standard output");
+    add("-q,--quiet", m_options.is_quiet, "do not print the summary, remarks or progress");
+    add("--json", "FILE", m_options.results.json,
+        "write curves, distances, properties of the mesh and remarks as JSON; - for standard output");
     add("--output-format", "NAME", m_options.output_format,
-        "write standard output (-o -) in this format, a file extension such as obj");
+        "write a result to standard output (-o -) in the format of this file extension, such as obj");
   }
 
   void add_ends()
   {
     m_group = std::string("Curves (use one of these options). ") + m_points;
-    CLI::Option* const from = add("--from", "POINT", m_options.from, "start a path at this point");
-    CLI::Option* const to = add("--to", "POINT", m_options.to, "end the path at this point");
+    CLI::Option* const from = add("--from", "POINT", m_options.from, "start a path at this point; requires --to");
+    CLI::Option* const to = add("--to", "POINT", m_options.to, "end the path at this point; requires --from");
     from->needs(to);
     to->needs(from);
   }
@@ -264,7 +266,7 @@ private:
   void add_pairs()
   {
     add_ends();
-    add("--pairs", "FILE", m_options.pairs, "read one path per line, `source target`; # starts a comment");
+    add("--pairs", "FILE", m_options.pairs, "read the ends of one path per line, `source target`; # starts a comment");
     add("--random", "NUMBER", m_options.random, {1, 1e7}, "compute this many paths between random vertices");
     add("--seed", "NUMBER", m_options.seed, not_negative, "set the seed of --random [1]");
   }
@@ -274,7 +276,7 @@ private:
     add("--edges", "FILE", m_options.edges, "read one path along edges per line, given by its vertices");
     add("--points", "FILE", m_options.points, "read one path per line, given by points through which it passes");
     add_draw();
-    add("--snap", m_options.is_snapped, "move the polylines of --draw to edges first")
+    add("--snap", m_options.is_snapped, "move the polylines of --draw to edges before shortening")
         ->needs(m_command->get_option("--draw"));
   }
 
@@ -282,7 +284,7 @@ private:
   {
     return add(
         "--draw", "FILE", m_options.draw,
-        "read one polyline per line, given by its points (after `o`, a closed one), or a file NAME.polylines.txt");
+        "read one polyline per line, given by its points (closed if `o` precedes them), or a file NAME.polylines.txt");
   }
 
   CLI::Option* add_loop()
@@ -293,17 +295,17 @@ private:
   void add_network()
   {
     add("--network", "FILE", m_options.network,
-        "read one path per line, given by its vertices; `o v v ...` is a loop, `! v ...` fixes vertices");
+        "read one path per line, given by its vertices; `o v v ...` is a loop, and `! v ...` fixes vertices");
   }
 
-  void add_seams() { add("--seams", m_options.has_seams, "shorten the texture seams of an OBJ file"); }
+  void add_seams() { add("--seams", m_options.has_seams, "use the texture seams of an OBJ file as curves"); }
 
   void add_networks()
   {
     add_network();
     add("--segmentation", "FILE", m_options.segmentation,
-        "read one face label per line, and shorten the boundaries between faces with different labels");
-    add("--free-junctions", m_options.has_free_junctions, "let junctions of boundaries move")
+        "read one face label per line, and use the boundaries between faces with different labels as curves");
+    add("--free-junctions", m_options.has_free_junctions, "allow the junctions of these boundaries to move")
         ->needs(m_command->get_option("--segmentation"));
     add_seams();
   }
@@ -311,7 +313,7 @@ private:
   void add_splines()
   {
     add("--bezier", "FILE", m_options.bezier,
-        "read one Bezier curve per line, given by its control points; `s ...` is a B-spline, `o ...` a closed one");
+        "read one Bezier curve per line, given by its control points; `s ...` is a B-spline, and `o ...` a closed one");
     add("--rounds", "NUMBER", m_options.rounds, {0, 16}, "halve the pieces of splines this many times [5]")
         ->needs(m_command->get_option("--bezier"));
   }
@@ -331,15 +333,16 @@ private:
   void add_mollify()
   {
     add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
-        "lengthen all edges equally until each face satisfies the triangle inequality with a margin of this fraction "
-        "of the mean edge length");
+        "lengthen all edges by the same amount until each face satisfies the triangle inequality with a margin of this "
+        "fraction of the mean edge length");
   }
 
   void add_weights()
   {
     add("--face-weights", "FILE", m_options.face_weights,
-        "read length factors of faces: one per line, or lines `face weight`");
-    add("--edge-weights", "FILE", m_options.edge_weights, "read length factors of edges: lines `v w weight`");
+        "multiply lengths in faces by the weights in this file: one per line, or lines `face weight`");
+    add("--edge-weights", "FILE", m_options.edge_weights,
+        "multiply lengths of edges by the weights in this file: lines `v w weight`");
     exclude("--face-weights", {"--edge-weights"});
     if(m_command->get_option_no_throw("--kernel") != nullptr)
       exclude("--kernel", {"--face-weights", "--edge-weights"}); // certified
@@ -355,13 +358,13 @@ private:
   void add_memory_limit()
   {
     add("--memory-limit", "MEGABYTES", m_options.memory_limit, {0, 1e9, true},
-        "stop when a curve requires more than this much memory [3/4 of the memory of the machine]");
+        "end the computation of a curve that requires more memory than this [3/4 of the memory of the machine]");
   }
 
   void add_search()
   {
     add("--search", "NAME", m_options.search,
-        "search for edge paths by lookback (an any-angle A*), astar or dijkstra [lookback]")
+        "search for initial edge paths by lookback (an any-angle A*), astar or dijkstra [lookback]")
         ->check(one_of({"lookback", "astar", "dijkstra"}));
   }
 
@@ -373,26 +376,30 @@ private:
 
   void add_stop_length()
   {
+    const bool are_joint = m_command->get_name() == "network";
     add("--stop-length", "RATIO", m_options.stop_length, {0, 1},
-        "stop shortening at this fraction of the initial length [0]");
+        are_joint ? "stop before the total length falls below this fraction of the initial total length [0]"
+                  : "stop before the length falls below this fraction of the initial length [0]");
   }
 
   void add_files_of_curves()
   {
     m_group = "Results";
     CLI::Option* const output =
-        add_outputs("-o,--output,--mesh", "write surface and curves (.obj, .ply, .vtp, .glb), curves "
-                                          "(.polylines.txt), or .json, .csv, .html; may be repeated");
+        add_outputs("-o,--output,--mesh", "write surface and curves (.obj, .ply, .vtp, .glb), curves (.polylines.txt), "
+                                          "or what --json, --stats or --page writes (.json, .csv, .html); may be "
+                                          "repeated");
     add("--tubes", "RADIUS", m_options.results.tubes, not_negative,
         "draw curves as tubes of this radius; 0 draws lines [1/500 of the diagonal of the bounding box]")
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
-        "write equally spaced points, at most this far apart, instead of the crossings with edges");
+        "write equally spaced points of the curves, at most this far apart, instead of their crossings with edges");
     add("--page", "FILE", m_options.results.page,
         "write an HTML page that shows the surface, the curves and the flips");
     add("--polylines", "FILE", m_options.results.polylines,
-        "write one line `curve a b t x y z` per point: (1-t) a + t b on edge ab, and its coordinates");
-    add("--stats", "FILE", m_options.results.stats, "write one line per curve as CSV");
+        "write one line per point: `curve a b t x y z` at vertices and crossed edges, `curve a b c t u x y z` "
+        "elsewhere");
+    add("--stats", "FILE", m_options.results.stats, "write lengths, statuses and times of the curves as CSV");
     add("--insert", "FILE", m_options.meshes.insertion,
         "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
     add("--cut", "FILE", m_options.meshes.cut,
@@ -449,7 +456,7 @@ private:
     add_threads();
     add_files_of_curves();
 
-    begin("network", "Shorten curves together: networks, boundaries of regions, seams",
+    begin("network", "Shorten the curves of a network, the boundaries of regions, or texture seams together",
           "  flip_geodesics network bunny.off --network curves.txt --stop-length 0.9 -o curves.ply\n"
           "  flip_geodesics network bunny.off --segmentation labels.seg -o boundaries.ply\n"
           "  flip_geodesics network textured.obj --seams --cut pieces.off");
@@ -460,7 +467,7 @@ private:
     add_weights();
     add_stop_length();
     add("--stop-curve-length", "RATIO", m_options.stop_curve_length, {0, 1},
-        "stop shortening each curve at this fraction of its initial length [0]");
+        "stop before the length of a curve falls below this fraction of its initial length [0]");
     add_files_of_curves();
 
     begin("spline", "Compute geodesic Bezier curves and B-splines",
@@ -489,7 +496,7 @@ private:
         {"--from", "--edges", "--points", "--draw", "--loop", "--network", "--segmentation", "--seams", "--bezier"});
     m_group = "The triangulation";
     add("--delaunay", m_options.meshes.is_delaunay,
-        "flip all edges except those of the curves to obtain a constrained Delaunay triangulation");
+        "flip edges to obtain a Delaunay triangulation that is constrained to the curves");
     CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
                                     "insert vertices until no angle is smaller than this (0 to 30 degrees)");
     add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
@@ -499,7 +506,7 @@ private:
         "insert at most this many vertices [1000000]")
         ->needs(refine);
     add("--subdivision", "FILE", m_options.meshes.subdivision,
-        "write the common subdivision of mesh and triangulation");
+        "write the common subdivision of the mesh and the triangulation");
     require_one_of({"--delaunay", "--refine", "--subdivision"});
     add_arithmetic();
     add_search();
@@ -537,7 +544,8 @@ private:
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
     m_group = m_points;
     add("--trace", "POINT,ANGLE,LENGTH", m_options.traces,
-        "trace a geodesic of this length, at an angle in radians, over at most 1000000 edges; may be repeated")
+        "trace a geodesic of this length from a point at an angle in radians, across at most 1000000 edges; may be "
+        "repeated")
         ->allow_extra_args(false)
         ->required();
     m_group = "Metric and obstacles";
@@ -551,15 +559,16 @@ private:
           "  flip_geodesics distance bunny.off --source 0 --spacing 0.1 --polylines isolines.txt\n"
           "  flip_geodesics distance bunny.off --sources points.txt --map distances.csv --values -o distances.vtp");
     m_group = m_points;
-    add("--source", "POINT", m_options.sources, "measure from a point, or from vertices v,v,...; may be repeated")
+    add("--source", "POINT", m_options.sources,
+        "measure distances from a point, or from vertices `v,v,...`; may be repeated")
         ->allow_extra_args(false);
-    add("--sources", "FILE", m_options.sources_file, "read further sources, separated by blanks");
+    add("--sources", "FILE", m_options.sources_file, "read sources from a file, separated by blanks or line breaks");
     require_one_of({"--source", "--sources"});
     add_isolines();
     add("--spacing", "DISTANCE", m_options.spacing, positive, "compute isolines at all multiples of this distance");
     add("--voronoi", m_options.has_voronoi, "compute the boundaries of the Voronoi diagram of the sources");
     add("--tolerance", "LENGTH", m_options.tolerance, positive,
-        "limit the deviation of isolines and Voronoi boundaries from the true curves [1/1000 of the diagonal of the "
+        "limit the distance of isolines and Voronoi boundaries from the true curves [1/1000 of the diagonal of the "
         "bounding box]");
     m_group = "Metric and obstacles";
     add_avoid();
@@ -567,7 +576,8 @@ private:
     add_weights();
     add_files_of_curves();
     add("--map", "FILE", m_options.results.map, "write one line `vertex,distance,source` per vertex as CSV");
-    add("--values", m_options.results.has_values, "add the distances of vertices to binary .ply and .vtp files")
+    add("--values", m_options.results.has_values,
+        "add the distances of the vertices to .ply and .vtp files, which become binary, and to .json files")
         ->needs(m_command->get_option("--output"));
     add("--matrix", "FILE", m_options.results.matrix, "write the distances between the sources as CSV");
     exclude("--isolines", {"--spacing"});
@@ -615,7 +625,7 @@ private:
           "  flip_geodesics flatten bunny.off --output flat.obj\n"
           "  flip_geodesics flatten bunny.off --network seams.txt --output flat.glb\n"
           "  flip_geodesics flatten textured.obj --seams --output flat.obj");
-    m_group = "Curves along which the mesh is cut, after they have been shortened [the cut graph]";
+    m_group = "Curves along which the mesh is cut after they have been shortened [a cut graph]";
     add_network();
     add_seams();
     exclude("--network", {"--seams"});

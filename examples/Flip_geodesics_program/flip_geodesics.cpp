@@ -171,7 +171,7 @@ int run_engine(Run& run, const Metric& metric)
   Progress& progress = run.progress;
   if(options.mollify) {
     std::ostringstream line;
-    line << metric.added_length() << " added to the length of every edge\n";
+    line << metric.added_length() << " was added to the length of every edge\n";
     run.title += line.str();
   }
   const std::vector<Network_request> requests = requests_of(run);

@@ -117,7 +117,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(shortest_pair 0 " 2.77034 .*1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150)
   flip_geodesics_add_program_test(shortest_pairs 0 "2 WITHIN_ROUNDING.*certificates: 2 PROVEN" shortest torus.off
                                   --pairs pairs.txt --stats shortest_pairs.csv)
-  flip_geodesics_add_program_test(landmarks 0 "4 landmarks, made in.*30 WITHIN_ROUNDING" shortest torus.off --random 30
+  flip_geodesics_add_program_test(landmarks 0 "4 landmarks, computed in.*30 WITHIN_ROUNDING" shortest torus.off --random 30
                                   --seed 7 --landmarks 4 --polylines landmarks.txt)
   flip_geodesics_add_program_test(without_landmarks 0 "30 WITHIN_ROUNDING" shortest torus.off --random 30 --seed 7
                                   --polylines without_landmarks.txt)
@@ -140,7 +140,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   shortest.off)
   flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 curve encountered degenerate edges.*for it\n"
                                   shortest zero_length.off --pairs zero_length.txt)
-  flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; omit them or use --mollify"
+  flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; omit --landmarks or use --mollify"
                                   shortest zero_length.off --pairs zero_length.txt --landmarks 2)
   flip_geodesics_add_program_test(landmarks_mollified 0 "2 WITHIN_ROUNDING" shortest zero_length.off --pairs
                                   zero_length.txt --landmarks 2 --mollify 1e-3)
@@ -175,7 +175,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   no_pair.csv)
   flip_geodesics_add_program_test(no_edge_but_space 2 "--to: '0,100,0.5' names .*write x.0,y.0,z for a point in space"
                                   path torus.off --from 0 --to 0,100,0.5)
-  flip_geodesics_add_program_test(far_end 0 "1 point is not on the mesh, at a distance of 1e.70 .--to" path torus.off
+  flip_geodesics_add_program_test(far_end 0 "1 point is not on the mesh, but at a distance of 1e.70 .--to" path torus.off
                                   --from 0 --to 1e70,0,0)
   flip_geodesics_add_program_test(shortest_tree_from_point 2 "--shortest requires a vertex as the source, and 0,12,0.3 is not one. omit"
                                   log torus.off --source 0,12,0.3 --shortest)
@@ -253,7 +253,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" path repaired.off --from 0 --to 2)
   set_tests_properties(program_repair_again PROPERTIES DEPENDS program_only_repaired)
   flip_geodesics_add_program_test(repair_merged 0 "0  *4 " path pyramid.off --repair --from 0 --to 5)
-  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair, into 0 10; 0 is used" path
+  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair into the vertices 0 10; vertex 0 is used" path
                                   pyramid.off --repair --from 0 --to 2)
   flip_geodesics_add_program_test(repair_dropped 2 "vertex 7 has no faces after the repair" path pyramid.off --repair
                                   --from 0 --to 7)
@@ -365,10 +365,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/collinear.polylines.txt "4 1 1 0 1 0 0 1 0 0 1 -1 0\n")
   flip_geodesics_add_program_test(certify_degenerate_faces 1 "sides of degenerate faces are crossed, so repair the mesh"
                                   certify collinear.off --draw collinear.polylines.txt)
-  flip_geodesics_add_program_test(points_off_the_mesh 0 "3 points are not on the mesh, at a distance of up to 3 .off_surface.polylines.txt line 1"
+  flip_geodesics_add_program_test(points_off_the_mesh 0 "3 points are not on the mesh, but at a distance of up to 3 .off_surface.polylines.txt line 1"
                                   path no_seam.obj --draw off_surface.polylines.txt)
   file(WRITE ${program_dir}/off_surface.polylines.txt "3 0 0 1 1 0 2 1 1 3\n")
-  flip_geodesics_add_program_test(point_off_the_mesh 0 "1 point is not on the mesh, at a distance of 0.5 .--to" path
+  flip_geodesics_add_program_test(point_off_the_mesh 0 "1 point is not on the mesh, but at a distance of 0.5 .--to" path
                                   no_seam.obj --from 0 --to 1.0,1.0,0.5)
   flip_geodesics_add_program_test(output_format_with_extension 0 "^2 0 0 0 1 1 0\n$" path no_seam.obj --from 0 --to 2 -o -
                                   --output-format .polylines.txt --quiet)
@@ -567,11 +567,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(weight_of_edge_repeated 2
                                   "repeated_edge.csv line 2: the edge of vertices 1 and 0 is given two weights" path
                                   torus.off --from 0 --to 150 --edge-weights repeated_edge.csv)
-  flip_geodesics_add_program_test(weights_mixed 2 "mixed_weights.csv line 2: a line has 1 item. write either one weight" path torus.off --from 0
+  flip_geodesics_add_program_test(weights_mixed 2 "mixed_weights.csv line 2: the line has 1 item. write either one weight" path torus.off --from 0
                                   --to 150 --face-weights mixed_weights.csv)
   flip_geodesics_add_program_test(weight_of_no_edge 2 "no_edge.csv line 2: no edge joins vertices 1 and 5. correct the line" path torus.off
                                   --from 0 --to 150 --edge-weights no_edge.csv)
-  flip_geodesics_add_program_test(weight_missing 2 "short_edge.csv line 1: a line has 2 items. write two vertices" path
+  flip_geodesics_add_program_test(weight_missing 2 "short_edge.csv line 1: the line has 2 items. write two vertices" path
                                   torus.off --from 0 --to 150 --edge-weights short_edge.csv)
   flip_geodesics_add_program_test(weights_empty 2 "no_curve.txt: the file has no weights" path torus.off --from 0 --to
                                   150 --edge-weights no_curve.txt)
@@ -737,7 +737,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "OFF\n4 4 0\n0 0 0\n1e60 0 0\n0 1e60 0\n0 0 1e60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
   flip_geodesics_add_program_test(beyond_floats 1 "distant.glb: vertex 0 is too far from the center" path distant.off
                                   --from 0 --to 2 --mesh distant.glb)
-  flip_geodesics_add_program_test(far_point 0 "2 points are not on the mesh, at a distance of up to 1e.308 .far.polylines.txt line 1" path torus.off
+  flip_geodesics_add_program_test(far_point 0 "2 points are not on the mesh, but at a distance of up to 1e.308 .far.polylines.txt line 1" path torus.off
                                   --draw far.polylines.txt)
 
   # The curve passes a vertex at a distance that rounding does not see: it crosses the edges of that vertex inside.
@@ -872,7 +872,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(quad 2 "quad.off: face 0 has 4" path quad.off --random 2)
   flip_geodesics_add_program_test(misoriented 2 "turned.off.*0 and 2.*orient" path turned.off --random 2)
   file(WRITE ${program_dir}/doubled.off "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n3 1 2 0\n")
-  flip_geodesics_add_program_test(doubled_face 2 "doubled.off: face 2 has the same vertices as face 0. remove it, or use --repair"
+  flip_geodesics_add_program_test(doubled_face 2 "doubled.off: face 2 has the same vertices as face 0. remove one of them, or use --repair"
                                   path doubled.off --random 2)
   flip_geodesics_add_program_test(nonmanifold_edge 2 "book.off.*0 and 1 has more than two faces" path book.off --random 2)
   flip_geodesics_add_program_test(nonmanifold_vertex 2 "bow.off: vertex 0" path bow.off --random 2)
@@ -885,7 +885,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
        "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0\n")
   file(WRITE ${program_dir}/no_faces.off "OFF\n1 0 0\n0 0 0\n")
-  flip_geodesics_add_program_test(strips 2 "strips.ply[^\n]*: the file has triangle strips, which are not read" path
+  flip_geodesics_add_program_test(strips 2 "strips.ply[^\n]*: the file has triangle strips, which are not supported" path
                                   strips.ply --random 2)
   flip_geodesics_add_program_test(nothing_to_repair 2 "no_faces.off: the file has no faces" repair no_faces.off --output
                                   x.off)

@@ -449,9 +449,9 @@ def case_progress(folder):
     check(all(0 < one < other for one, other in zip(*figures)), 'the figures do not grow:\n' + ''.join(lines))
     line = tree.stderr.readline()
     check(re.fullmatch(r'flip_geodesics: (reading the mesh|reading curves|growing the tree, [\d ]+ steps(, [\d ]+ flips)?|'
-                       r'searching for shorter paths, [\d ]+ steps, [\d ]+ flips|taking curves from the tree, [\d ]+ of 280 000 vertices, '
+                       r'searching for shorter paths, [\d ]+ steps, [\d ]+ flips|extracting curves from the tree, [\d ]+ of 280 000 vertices, '
                        r'[\d ]+ flips), \d+ s(?:, \d+ %, about \d+ s left)?\n', line), line)
-    slow = ((r'following isolines, [1-9][\d ]* evaluations, \d+ s', 'distance', 'torus.off', '--source', '0', '--spacing',
+    slow = ((r'tracing isolines, [1-9][\d ]* evaluations, \d+ s', 'distance', 'torus.off', '--source', '0', '--spacing',
              '0.001', '--tolerance', '1e-5'),
             (r'searching for homotopy classes, [1-9][\d ]* steps, 0 of 1 curves, \d+ s', 'shortest', 'torus.off', '--from', '0', '--to',
              '150', '--ways', '900'),

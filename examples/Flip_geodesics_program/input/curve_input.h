@@ -88,8 +88,10 @@ inline std::vector<Vertex_index> read_vertices(const Input_mesh& mesh, Text_scan
   const std::string name = words.place();
   std::vector<Vertex_index> vertices;
   for(const std::string_view item : items_of_line(words))
-    vertices.push_back(mesh.vertex(
-        read_number<long long>(words, item, "write 0-based numbers of vertices separated by blanks or commas"), name));
+    vertices.push_back(
+        mesh.vertex(read_number<long long>(
+                        words, item, "write numbers of vertices, counted from 0 and separated by blanks or commas"),
+                    name));
   return vertices;
 }
 

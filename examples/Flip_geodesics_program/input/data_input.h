@@ -142,7 +142,7 @@ inline Network_request read_seams(const Input_mesh& input_mesh, const Input_text
   if(corners.number_of_faces() != input_mesh.number_of_faces_in_file())
     throw Bad_input(
         input.name() +
-        ": the mesh and the texture have different faces; write the file again with lines v, vt and f only");
+        ": the mesh and the texture have different numbers of faces; write the file again with lines v, vt and f only");
   const auto texture = [&](Mesh::Halfedge_index h) { return corners.at(input_mesh, mesh.face(h), mesh.target(h)); };
   data::Triangulation triangulation(mesh, data::Unit_metric(mesh, data::Lengths(1)));
   data::Network network(triangulation);

@@ -104,9 +104,9 @@ public:
       lines.push_back(point_and_line.second);
     if(m_number_of_projections > 0) {
       std::ostringstream line;
-      line << counted(m_number_of_projections, "point is", "points are") << " not on the mesh, at a distance of "
+      line << counted(m_number_of_projections, "point is", "points are") << " not on the mesh, but at a distance of "
            << (m_number_of_projections > 1 ? "up to " : "") << m_farthest.first << " (" << m_farthest.second
-           << "); the nearest points of the mesh are used";
+           << "); the nearest point of the mesh is used" << (m_number_of_projections > 1 ? " for each" : "");
       lines.push_back(line.str());
     }
     return lines;
@@ -128,10 +128,10 @@ public:
 private:
   void note_split(const Repair_report::Elements& parts, const std::string& name, std::size_t point) const
   {
-    std::string line = name + ": vertex " + std::to_string(point) + " was split by the repair, into";
+    std::string line = name + ": vertex " + std::to_string(point) + " was split by the repair into the vertices";
     for(const std::size_t part : parts)
       line += ' ' + std::to_string(part);
-    m_splits.emplace(point, line + "; " + std::to_string(parts.front()) + " is used");
+    m_splits.emplace(point, line + "; " + "vertex " + std::to_string(parts.front()) + " is used");
   }
 
   Mesh m_mesh;

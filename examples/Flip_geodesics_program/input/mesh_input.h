@@ -92,8 +92,9 @@ inline void check_soup(const Soup& soup)
 // Why a mesh is not a manifold at one of its vertices.
 inline std::string message_of_vertex(Mesh::Vertex_index v, std::size_t face)
 {
-  return "vertex " + std::to_string(v) + " joins parts that share no edge of this vertex, one with face " +
-         std::to_string(face) + ", so the mesh is not a manifold; duplicate the vertex";
+  return "vertex " + std::to_string(v) +
+         " is not manifold: parts of the surface meet there without a common edge, and " + "face " +
+         std::to_string(face) + " belongs to one of them; duplicate the vertex";
 }
 
 // Why a mesh, an oriented manifold, cannot have another face with some vertices.
@@ -107,12 +108,12 @@ inline std::string message_of_face(const Mesh& mesh, const std::array<Mesh::Vert
     if(h == Mesh::null_halfedge() || mesh.is_border(h))
       continue;
     if(mesh.target(mesh.next(h)) == face[(i + 2) % 3])
-      return "face " + std::to_string(number) + " has the same vertices as face " + name(h) + "; remove it";
+      return "face " + std::to_string(number) + " has the same vertices as face " + name(h) + "; remove one of them";
     const std::string edge = "the edge between vertices " + std::to_string((std::min)(v, w)) + " and " +
                              std::to_string((std::max)(v, w)) + " has ";
     if(mesh.is_border(mesh.opposite(h)))
       return edge + "faces " + name(h) + " and " + std::to_string(number) +
-             " of opposite orientation; orient the faces alike";
+             " of opposite orientation; orient the faces consistently";
     return edge + "more than two faces, among them " + name(h) + ", " + name(mesh.opposite(h)) + " and " +
            std::to_string(number) + ", so the mesh is not a manifold; remove or separate faces";
   }

@@ -18,7 +18,8 @@ namespace program {
 // The number of a face of the file.
 inline std::size_t read_face(const Input_mesh& mesh, const Text_scanner& words, std::string_view item)
 {
-  const auto f = read_number<long long>(words, item, "write 0-based numbers of faces separated by blanks or commas");
+  const auto f =
+      read_number<long long>(words, item, "write numbers of faces, counted from 0 and separated by blanks or commas");
   const std::size_t number_of_faces = mesh.number_of_faces_in_file();
   if(f < 0 || f >= static_cast<long long>(number_of_faces))
     words.fail("face " + std::to_string(f) + " does not exist; use 0 to " + std::to_string(number_of_faces - 1));
@@ -38,7 +39,7 @@ inline Obstacles read_obstacles(const Input_mesh& input_mesh, const Input_text& 
     if(words.take('f')) {
       const std::vector<std::string_view> items = items_of_line(words);
       if(items.empty())
-        words.fail("the line has no faces; write 0-based numbers of faces after the `f`");
+        words.fail("the line has no faces; write numbers of faces, counted from 0, after the `f`");
       for(const std::string_view item : items)
         is_in_file[read_face(input_mesh, words, item)] = 1;
       return;
@@ -82,7 +83,7 @@ inline Weights read_face_weights(const Input_mesh& mesh, const Input_text& input
     if(number_of_weights == 0)
       number_of_items = items.size();
     if(items.size() != number_of_items || items.size() > 2)
-      words.fail("a line has " + counted(items.size(), "item", "items") +
+      words.fail("the line has " + counted(items.size(), "item", "items") +
                  "; write either one weight in every line, or a face and its weight in every line");
     const std::size_t f = items.size() == 2 ? read_face(mesh, words, items.front()) : number_of_weights;
     const double weight =
@@ -113,7 +114,7 @@ inline Weights read_edge_weights(const Input_mesh& input_mesh, const Input_text&
     are_none = false;
     const std::vector<std::string_view> items = items_of_line(words);
     if(items.size() != 3)
-      words.fail("a line has " + counted(items.size(), "item", "items") +
+      words.fail("the line has " + counted(items.size(), "item", "items") +
                  "; write two vertices and the weight of their edge");
     std::array<Vertex_index, 2> ends;
     for(std::size_t i = 0; i < 2; ++i)

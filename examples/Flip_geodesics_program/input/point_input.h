@@ -115,7 +115,7 @@ inline std::vector<double> read_numbers(std::string_view word, const std::string
 inline Vertex_index read_vertex(const Input_mesh& mesh, double number, const std::string& name)
 {
   if(!(number >= -1e15 && number <= 1e15) || number != static_cast<double>(static_cast<long long>(number)))
-    throw Bad_input(name + ": a vertex of a point is not a whole number below 1e15; vertices are counted from 0");
+    throw Bad_input(name + ": a vertex of a point is not a whole number below 1e15; write its number, counted from 0");
   return mesh.vertex(static_cast<long long>(number), name);
 }
 
@@ -301,7 +301,7 @@ inline void read_polyline_in_space(Point_reader& read_point, Text_scanner& words
 {
   long long count = 0;
   if(parse_number(words.next_word(), count) != nullptr || count < 0)
-    words.fail("a polyline starts with its number of points; correct the line");
+    words.fail("the line does not start with the number of points of the polyline; correct it");
   std::vector<Point_3> points;
   while(static_cast<long long>(points.size()) < count) {
     const Element element = {"point", points.size()};
@@ -312,7 +312,7 @@ inline void read_polyline_in_space(Point_reader& read_point, Text_scanner& words
   }
   if(words.has_word())
     words.fail(
-        "there is text after the last point; a line consists of the number of points and three coordinates for each");
+        "there is text after the last point; a line consists of the number of points and the coordinates of each");
   curve.is_closed = count > 3 && points.front() == points.back();
   if(curve.is_closed)
     points.pop_back();

@@ -67,7 +67,8 @@ private:
   {
     for(unsigned char c : m_words.rest_of_line())
       if(std::iscntrl(c) != 0 && c != '\t')
-        m_words.fail("this is not text, so the file is not an OBJ file; correct it");
+        m_words.fail(
+            "the line has control characters, so the file is not an OBJ file; correct the file or its extension");
   }
 
   void read_vertex()

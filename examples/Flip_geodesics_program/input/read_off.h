@@ -158,7 +158,7 @@ private:
     if(m_is_by_lines && m_words.has_word())
       m_words.fail(element, "does not start on a new line; insert a line break");
     if(m_is_by_lines && !m_words.next_line_with_words())
-      m_words.fail(element, "is missing at the end of the file; complete it, or correct the counts");
+      m_words.fail(element, "is missing at the end of the file; complete the file, or correct the counts");
     return element;
   }
 

@@ -68,7 +68,7 @@ public:
       else if(kind.name == "face" || kind.name == "faces")
         read_faces(kind);
       else if(kind.name == "tristrips")
-        scanner().fail("the file has triangle strips, which are not read; write faces");
+        scanner().fail("the file has triangle strips, which are not supported; write faces instead");
       else
         for(std::size_t i = 0; i < kind.count && !kind.properties.empty(); ++i)
           for(const Property& property : kind.properties)
@@ -265,7 +265,7 @@ private:
     const std::size_t place = (std::min)(kind.find("vertex_indices"), kind.find("vertex_index"));
     if(place == kind.properties.size() || kind.properties[place].type_of_size == nullptr ||
        !kind.properties[place].type->is_integer)
-      scanner().fail("the faces do not have a list of integers vertex_indices; correct the header");
+      scanner().fail("the faces do not have a property vertex_indices that is a list of integers; correct the header");
     for(std::size_t i = 0; i < kind.count; ++i) {
       const Element element = {"face", m_soup.faces.size()};
       m_soup.faces.emplace_back();

@@ -488,7 +488,7 @@ private:
     if(curve.verdict != CGAL::Flip_geodesics::Verdict::UNDECIDED)
       result.certificate = to_string(curve.verdict);
     if(curve.status == CGAL::Flip_geodesics::Shortening_status::MEMORY_LIMIT)
-      result.error = "shortening ended early because the flips take too much memory; increase --memory-limit";
+      result.error = "shortening ended early because the flips require too much memory; increase --memory-limit";
   }
 
   // Adds a polyline, or its snapped path, as a curve without fixed nodes. \pre the network has no curve
@@ -549,7 +549,7 @@ private:
     common.initial_segments = 1;
     common.shorten_s = stopwatch.seconds();
     const auto number_of_vertices = m_triangulation.number_of_vertices();
-    m_progress.enter("taking curves from the tree", "vertices", static_cast<std::size_t>(number_of_vertices));
+    m_progress.enter("extracting curves from the tree", "vertices", static_cast<std::size_t>(number_of_vertices));
     for(Vertex_index v(0); v.idx() < number_of_vertices; ++v) {
       m_progress.add_steps(1);
       const Halfedge_index h = tree.incoming(v);
@@ -581,7 +581,7 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
-    m_progress.enter("searching for the cut graph");
+    m_progress.enter("computing the cut graph");
     FG::add_cut_graph(network);
     const double search_s = stopwatch.seconds();
     m_progress.enter("shortening", "steps");
@@ -644,8 +644,7 @@ private:
     namespace FG = CGAL::Flip_geodesics;
     if(!m_options.are_zero_edges_refused && FG::internal::are_curves_folded(m_triangulation, report))
       throw FG::Degenerate_face_error(
-          "a curve is blocked by vertices that coincide because of degenerate faces; use --repair or --mollify",
-          {});
+          "a curve is blocked by vertices that coincide because of degenerate faces; use --repair or --mollify", {});
   }
 
   // Where vertices are inserted the record has no steps but the finished triangulation.

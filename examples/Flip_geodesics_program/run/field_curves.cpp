@@ -135,7 +135,7 @@ void with_tolerance(const Function& function)
   try {
     function();
   } catch(const FG::Invalid_parameter_error& error) {
-    throw Bad_input(std::string("--tolerance: ") + error.what() + "; use a larger one");
+    throw Bad_input(std::string("--tolerance: ") + error.what() + "; use a larger tolerance");
   }
 }
 
@@ -219,7 +219,7 @@ double scale_of(const Mesh& mesh, const Metric& metric, const Path_conditions& c
 void add_isolines(const Slit_surface& surface, const Field_on_mesh& field, const Field_request& request,
                   double tolerance, double farthest, Progress& progress, Field_curves& result)
 {
-  progress.enter("following isolines", "evaluations");
+  progress.enter("tracing isolines", "evaluations");
   Evaluation_visitor visitor(progress);
   const std::vector<double> levels = wanted_levels(request, farthest);
   std::vector<double> scaled_levels;
@@ -251,7 +251,7 @@ void add_isolines(const Slit_surface& surface, const Field_on_mesh& field, const
 void add_boundaries(const Slit_surface& surface, const Field_on_mesh& field, const Field_request& request,
                     double tolerance, Progress& progress, Field_curves& result)
 {
-  progress.enter("following boundaries", "evaluations");
+  progress.enter("tracing boundaries", "evaluations");
   Evaluation_visitor visitor(progress);
   const auto add_boundary = [&](const FG::Voronoi_boundary<Mesh>& boundary) {
     const auto name = [&](int side) { return request.sources[boundary.sources[side]].name; };
@@ -286,7 +286,8 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   const bool is_computed = request.is_map || has_boundaries || has_isolines;
   if(is_computed &&
      field.compute(CGAL::parameters::visitor(std::ref(visitor))).status != FG::Distance_field_status::COMPLETE)
-    throw std::runtime_error("--source: the distances require too many windows; simplify the mesh, or use --repair");
+    throw std::runtime_error(
+        "--source: the distances require more memory than allowed; simplify the mesh, or use --repair");
 
   Field_curves result;
   if(request.is_matrix)

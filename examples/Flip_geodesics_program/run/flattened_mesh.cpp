@@ -114,9 +114,9 @@ void check_number_of_vertices(const Triangulation& triangulation, std::size_t mo
   for(FG::Index e = 0; e < triangulation.number_of_edges(); ++e)
     number += static_cast<std::size_t>(std::max(triangulation.crossings(FG::Edge_index(e)), FG::Index(0)));
   if(number > most_vertices)
-    throw FG::Flattening_error("the result would have " + readable(number) + " vertices, more than the " +
-                               readable(most_vertices) +
-                               " allowed, since edges cross many needles; remesh the surface, or set --vertex-limit");
+    throw FG::Flattening_error(
+        "the result would have " + readable(number) + " vertices, more than the " + readable(most_vertices) +
+        " allowed, since edges cross many needles; remesh the surface, or increase --vertex-limit");
 }
 
 // The triangles that are not counterclockwise in the plane, other than those that are so thin, on the surface or in the
@@ -172,7 +172,7 @@ Flattened_mesh flattened_along(const Mesh& mesh, const Network_request& cut, con
   std::ostringstream report;
   report << counted(number_of_cuts, "cut", "cuts") << "; " << readable(subdivision.mesh().number_of_vertices())
          << " vertices, flattened in " << counted(static_cast<std::size_t>(flattening.iterations()), "step", "steps")
-         << "; angle sums within " << flattening.angle_error() << " radians, positions within "
+         << "; angle sums are off by at most " << flattening.angle_error() << " radians, positions by at most "
          << flattening.layout_error() << " of the size\n";
   std::string defect;
   if(turned > 0)

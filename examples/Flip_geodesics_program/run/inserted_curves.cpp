@@ -79,8 +79,8 @@ Curve_result certified_curve(const Mesh& mesh, const Triangulation& triangulatio
     result.certificate = "STRAIGHT_WITHIN_ROUNDING";
   } else if(!certificate.is_locally_shortest()) {
     std::ostringstream why;
-    why << "the curve is not locally shortest: " << result.certificate << " at point " << certificate.number << ", by "
-        << certificate.bend << " radians";
+    why << "the curve is not locally shortest: " << result.certificate << " at point " << certificate.number
+        << ", with a bend of " << certificate.bend << " radians";
     if(certificate.vertex != Mesh::null_vertex())
       why << " at vertex " << certificate.vertex.idx();
     if(request.is_closed && certificate.number == 0)

@@ -50,9 +50,9 @@ Landmarks make_landmarks(std::size_t number, int threads, const Mesh& mesh, cons
                                                                                                               metric);
     FG::Geodesic_landmarks bounds = make_bounds(triangulation, number, usable_threads(threads), visitor);
     const std::string made = counted(bounds.number_of_landmarks(), "landmark", "landmarks");
-    return Landmarks{std::move(bounds), made + ", made in " + readable_time(stopwatch.seconds()) + '\n'};
+    return Landmarks{std::move(bounds), made + ", computed in " + readable_time(stopwatch.seconds()) + '\n'};
   } catch(const FG::Degenerate_face_error& error) {
-    throw Bad_input("--landmarks: " + with_advice(error, "omit them or use --mollify"));
+    throw Bad_input("--landmarks: " + with_advice(error, "omit --landmarks or use --mollify"));
   }
 }
 

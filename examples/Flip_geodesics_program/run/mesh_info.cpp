@@ -97,8 +97,9 @@ std::string describe(const Mesh_info& info, const Mesh& mesh)
         << counted(c.borders, "border", "borders") << '\n';
   }
   out << "defects     "
-      << (info.defects.empty() ? "none\n"
-                               : "found in the file; the numbers above describe the mesh after its repair:\n");
+      << (info.defects.empty()
+              ? "none\n"
+              : "found in the file; if they require a repair, the numbers above describe the repaired mesh:\n");
   for(const std::string& line : info.defects)
     out << "  " << line << '\n';
   return out.str();

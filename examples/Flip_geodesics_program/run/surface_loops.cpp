@@ -56,7 +56,7 @@ try {
   return requests;
 } catch(const FG::Error& error) {
   const bool has_no_solid = are_handles_and_tunnels && !CGAL::is_closed(mesh);
-  throw Bad_input("the loops of the surface: " + with_advice_to_repair(error) +
+  throw Bad_input("the loops cannot be computed: " + with_advice_to_repair(error) +
                   (has_no_solid ? "; omit --handles, or close the surface" : ""));
 }
 

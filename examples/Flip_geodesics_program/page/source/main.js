@@ -122,7 +122,7 @@ class Page {
     document.querySelectorAll('#curves button').forEach((b, i) => b.setAttribute('aria-pressed', String(i === curve)));
     const together = this.scene.curves.filter((c) => c.run === run).length > 1;
     this.curve = curve;
-    at('run-name').textContent = together ? 'the curves were' : `curve ${this.scene.curves[curve]?.number ?? ''}`;
+    at('run-name').textContent = together ? 'the curves were' : `curve ${this.scene.curves[curve]?.number ?? ''} was`;
     const steps = this.playback ? this.playback.length : 0;
     document.querySelectorAll('#player button, #player input, #player select').forEach((e) => (e.disabled = steps === 0));
     at('show-intrinsic').disabled = !this.playback;
@@ -135,10 +135,10 @@ class Page {
 
   whyWithoutSteps() {
     const curve = this.scene.curves[this.curve];
-    if (curve?.tree) return 'The flips of a tree are not on the page.';
+    if (curve?.tree) return 'The page does not contain the flips of a tree.';
     if (this.playback) return 'No flips were needed.';
     if (!curve || curve.flips === 0) return 'This curve was computed without flips.';
-    return 'The flips of this curve are not on the page because the record was full or the curve crosses itself.';
+    return 'The page does not contain the flips of this curve, because the record was full or the curve crosses itself.';
   }
 
   goTo(step) {
@@ -161,7 +161,7 @@ class Page {
 
   describeStep() {
     const { step, length, flips } = this.playback;
-    const merged = !this.run.hasAllSteps && step === length ? ' (the last ones in one)' : '';
+    const merged = !this.run.hasAllSteps && step === length ? ' (the last steps combined)' : '';
     const curves = this.playback.curves.map((_, k) => this.playback.curveLength(k));
     const sum = curves.reduce((a, b) => a + b, 0) * this.scene.radius;
     return `step ${step} of ${length}${merged}, ${plural(flips, 'flip')}, length ${format(sum)}`;
@@ -321,7 +321,7 @@ async function start() {
   try {
     const page = new Page(await readScene(at('scene').textContent));
     at('scene').textContent = ''; // free the text of large meshes
-    at('message').textContent = hasWebGL() ? '' : 'This browser has no WebGL 2, so the surface and the curves are not drawn.';
+    at('message').textContent = hasWebGL() ? '' : 'This browser does not support WebGL 2, so the surface and the curves are not drawn.';
     page.stage.draw();
     document.documentElement.dataset.state = 'ready';
   } catch (error) {

@@ -87,12 +87,12 @@ export class Canvas_input {
     if (this.stage) this.stage.controls.enabled = true;
   }
 
-  // The vertex under the pointer and the coordinates, once per frame.
+  // The coordinates under the pointer and the nearest vertex, once per frame.
   showUnder(x, y) {
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => {
       const place = this.stage.pick(x, y);
-      this.under.textContent = place ? `vertex ${this.stage.nearestVertex(place)}, at ${this.page.coordinates(place.position, 6)}` : '';
+      this.under.textContent = place ? `${this.page.coordinates(place.position, 6)}, nearest vertex ${this.stage.nearestVertex(place)}` : '';
     });
   }
 

@@ -25,7 +25,7 @@ export const levelOf = ({ name }) => Number(/^at distance (.*)$/.exec(name)?.[1]
  */
 export const tools = {
   path: {
-    hint: 'A geodesic through all points. Click two or more.',
+    hint: 'A geodesic through all points. Click two or more points.',
     option: 'points',
     options: ['closed', 'snap'],
     least: () => 2,
@@ -33,7 +33,7 @@ export const tools = {
     command: (mesh) => `path ${mesh} --points points.txt`,
   },
   loop: {
-    hint: 'The polyline through the points, shortened within its homotopy class. Click three or more around a handle or a neck.',
+    hint: 'The polyline through the points, shortened within its homotopy class. Click three or more points around a handle or a neck.',
     option: 'draw',
     options: ['closed', 'snap'],
     isClosed: true,
@@ -50,7 +50,7 @@ export const tools = {
     command: (mesh) => `spline ${mesh} --bezier points.txt`,
   },
   shortest: {
-    hint: 'The shortest of all paths between two vertices.',
+    hint: 'The shortest of all paths between two vertices. Click both.',
     option: 'shortest',
     options: [],
     isAtVertices: true,
@@ -60,7 +60,7 @@ export const tools = {
     command: (mesh, [a, b]) => `shortest ${mesh} --from ${a.text} --to ${b.text}`,
   },
   classes: {
-    hint: 'The shortest paths of several homotopy classes between two vertices.',
+    hint: 'The shortest paths of several homotopy classes between two vertices. Click both.',
     option: 'ways',
     options: ['count'],
     isAtVertices: true,
@@ -71,7 +71,7 @@ export const tools = {
     command: (mesh, [a, b], { count }) => `shortest ${mesh} --from ${a.text} --to ${b.text} --ways ${count}`,
   },
   trace: {
-    hint: 'A straightest geodesic: click the vertex where it starts, and drag from there to set its direction.',
+    hint: 'A straightest geodesic. Click the vertex at which it starts, and drag from there to set its direction.',
     option: 'trace',
     options: ['angle', 'length'],
     isAtVertices: true,
@@ -82,7 +82,7 @@ export const tools = {
     command: (mesh, points, options) => `trace ${mesh} --trace ${trace(points, options)}`,
   },
   distances: {
-    hint: 'Isolines of the distance to the nearest source. Click one source or several.',
+    hint: 'Isolines of the distance to the nearest source. Click one or more sources.',
     option: 'distances',
     options: ['spacing', 'tree'],
     isAtVertices: true,

@@ -504,7 +504,7 @@ function firstMesh() {
 
 async function start() {
   try {
-    if (!hasWebGL()) throw new Error('this browser does not support WebGL 2');
+    if (!hasWebGL()) throw new Error('WebGL 2 is not supported');
     const page = new Live_page(await Engine.load(at('engine').textContent));
     at('engine').textContent = '';
     await page.open(firstMesh());

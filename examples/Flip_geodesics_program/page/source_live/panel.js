@@ -7,6 +7,7 @@ import { levelOf, tools } from './curve_tools.js';
 import { format, lengthText, unit } from './units.js';
 
 const mostMembers = 500;
+const namesOfOptions = { count: 'homotopy classes', angle: 'direction', spacing: 'isolines' }; // other than their own
 const factorOf = (option) => (option === 'length' || option === 'spacing' ? unit.factor : 1); // by which its input is a multiple
 export const at = (id) => document.getElementById(id);
 
@@ -71,7 +72,7 @@ export class Panel {
     const isValid = Number.isFinite(value) && (option === 'angle' || value > 0) && (option !== 'count' || Number.isInteger(value));
     if (isValid) return this.page.setOption(option, Number((value / factorOf(option)).toPrecision(15)));
     input.value = this.optionText(option);
-    return this.page.fail(`${option}: enter a ${option === 'count' ? 'whole ' : option === 'angle' ? '' : 'positive '}number`);
+    return this.page.fail(`${namesOfOptions[option] ?? option}: enter a ${option === 'count' ? 'positive whole ' : option === 'angle' ? '' : 'positive '}number`);
   }
 
   optionText(option) {
@@ -187,7 +188,7 @@ export class Panel {
     setRows(at('members').lastElementChild, members.slice(0, mostMembers), () => document.createElement('li'), (row, curve) => {
       row.textContent = [this.member(curve), verdictText(curve.certificate)].filter(Boolean).join(', ');
     });
-    const note = (results?.remarks ?? []).join(' ').replace(/^ways +/, '');
+    const note = (results?.remarks ?? []).join(' ').replace(/^ways +/, 'paths: ');
     at('note').textContent = note.replace(/(?<=at least )\S+(?= long)/, lengthText);
     at('retry').hidden = error === undefined;
     this.page.fail(error ?? '');

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 import { Playback } from '../source/playback.js';
+import { plural } from '../source/words.js';
 import { at } from './panel.js';
 
 // Plays the flips of the curve that is edited, if they were recorded.
@@ -39,7 +40,7 @@ export class Player {
   describe() {
     const { step, length, flips } = this.playback;
     at('step').value = step;
-    at('step-text').textContent = `step ${step} of ${length}, ${flips} flips`;
+    at('step-text').textContent = `step ${step} of ${length}, ${plural(flips, 'flip')}`;
   }
 
   goTo(step) {
