@@ -55,17 +55,17 @@ try {
 
   //! [Certify]
   const auto certificate = FG::certify_curve(mesh, places.path);
-  std::cout << "path of " << places.path.size() << " places: " << FG::to_string(certificate.verdict());
+  std::cout << "A path of " << places.path.size() << " points: " << FG::to_string(certificate.verdict());
   //! [Certify]
   if(!certificate.is_locally_shortest()) {
-    std::cout << " at vertex " << certificate.vertex << " by " << certificate.bend << " radians\n";
+    std::cout << " at vertex " << certificate.vertex << ", with a bend of " << certificate.bend << " radians\n";
     return EXIT_FAILURE;
   }
   double farthest = 0; // of all places on edges, as the other package has rounded them
   for(std::size_t i = 1; i + 1 < places.path.size(); ++i)
     if(const Crossing* crossing = std::get_if<Crossing>(&places.path[i]))
       farthest = (std::max)(farthest, std::abs(crossing->second - certificate.places[i]));
-  std::cout << "; places differ by " << farthest << " of an edge\n";
+  std::cout << "; points on edges are off by at most " << farthest << " of an edge length\n";
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -36,7 +36,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
 
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
@@ -54,7 +54,8 @@ try {
   for(const FG::Intrinsic_face& f : faces)
     out << f.vertices[0].idx() << ' ' << f.vertices[1].idx() << ' ' << f.vertices[2].idx() << ' ' << f.lengths[0] << ' '
         << f.lengths[1] << ' ' << f.lengths[2] << '\n';
-  std::cout << faces.size() << " faces, the geodesic along " << network.halfedges(curve).size() << " of their edges.\n";
+  std::cout << faces.size() << " faces; the geodesic runs along " << network.halfedges(curve).size()
+            << " of their edges.\n";
   return out.flush() && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -45,7 +45,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 4 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh, a face, and the length of the picture's sides");
+    throw std::invalid_argument("specify the file of a triangle mesh, a face, and the side length of the image");
   const Mesh::Face_index face(number<Mesh::size_type>(argv[2]));
   if(face >= mesh.number_of_faces())
     throw std::invalid_argument("the mesh has no such face");
@@ -57,8 +57,8 @@ try {
   //! [Decal]
   const FG::Texture_report report = FG::texture_coordinates(mesh, middle, right, number<double>(argv[3]), corners);
   //! [Decal]
-  std::cout << report.faces << " faces have texture coordinates, of which " << report.torn
-            << " are laid out separately\n";
+  std::cout << report.faces << " faces have texture coordinates; " << report.torn
+            << " of them are laid out separately\n";
 
   FG::IO::write_OBJ("decal.obj", mesh, FG::IO::Texture<Texture_map>(corners));
   FG::IO::write_GLB("decal.glb", mesh, FG::IO::Texture<Texture_map>(corners, argc > 4 ? argv[4] : ""));

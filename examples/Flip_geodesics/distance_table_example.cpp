@@ -37,7 +37,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   const auto halfedge = mesh.halfedge(Mesh::Face_index(mesh.number_of_faces() / 4));
   const std::vector<Source> sources = {Vertex(0),
                                        Face_location(Mesh::Face_index(mesh.number_of_faces() / 2), {{0.2, 0.3, 0.5}}),

@@ -64,7 +64,8 @@ public:
   FG::Curve_report path(std::size_t source, std::size_t target)
   try {
     if(std::max(source, target) >= m_mesh.number_of_vertices())
-      throw std::invalid_argument("the mesh has " + std::to_string(m_mesh.number_of_vertices()) + " vertices");
+      throw std::invalid_argument("the mesh has " + std::to_string(m_mesh.number_of_vertices()) +
+                                  " vertices, numbered from 0");
     if(!m_triangulation)
       m_triangulation = std::make_unique<Triangulation>(m_mesh);
     if(!m_search)
@@ -100,7 +101,7 @@ std::string solve(const std::string& path, std::unique_ptr<Surface>& surface)
     std::string file;
     std::size_t source, target;
     if(!(line >> std::quoted(file) >> source >> target))
-      throw std::invalid_argument("a line of paths is MESH SOURCE TARGET");
+      throw std::invalid_argument("a line of paths must have the form MESH SOURCE TARGET");
     if(!surface || surface->file() != file)
       surface = std::make_unique<Surface>(file);
     const FG::Curve_report report = surface->path(source, target);
@@ -274,7 +275,7 @@ int main(int argc, char** argv)
       return EXIT_SUCCESS;
     }
     if(argc != 3)
-      throw std::invalid_argument("give two files: of paths, lines MESH SOURCE TARGET, and for the results");
+      throw std::invalid_argument("specify two files: one with lines MESH SOURCE TARGET, and one for the results");
     const std::size_t errors = Leader(world, argv[1], argv[2])();
     if(errors > 0)
       std::cerr << errors << " of the paths failed; see " << argv[2] << '\n';

@@ -36,7 +36,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 5 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh))
-    throw std::invalid_argument("give the file of a triangle mesh, and three vertices");
+    throw std::invalid_argument("specify the file of a triangle mesh, and three vertices");
   Triangulation triangulation(mesh);
   const auto vertex = [&](const std::string& text) {
     std::istringstream in(text);
@@ -64,7 +64,8 @@ try {
   }
   for(std::size_t i = 0; i < curves.size() / 2; ++i)
     editor.undo();
-  std::cout << editor.number_of_moves() << " moves are left, and the length is " << editor.length() << '\n';
+  std::cout << "After undoing, " << editor.number_of_moves() << " moves remain, and the length is " << editor.length()
+            << '\n';
   FG::IO::write_VTP("drag.vtp", mesh, curves);
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {

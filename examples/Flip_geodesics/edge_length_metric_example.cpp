@@ -50,10 +50,10 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   const double cost = argc > 2 ? number(argv[2]) : 3;
   if(!(cost > 0))
-    throw std::invalid_argument("the cost is a positive number");
+    throw std::invalid_argument("the cost must be a positive number");
   Length_map lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
   for(const auto e : mesh.edges()) {
     const Kernel::Vector_3 d = mesh.point(mesh.vertex(e, 1)) - mesh.point(mesh.vertex(e, 0));

@@ -48,9 +48,10 @@ try {
   Mesh mesh;
   if(argc < 2 || argc == 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) ||
      mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh, and two vertices of a seam or more, or none");
+    throw std::invalid_argument(
+        "specify the file of a triangle mesh, and either no vertices or at least two of a seam");
   if(std::error_code absent; std::filesystem::equivalent(argv[1], "flattening.obj", absent))
-    throw std::invalid_argument("the result would replace the mesh; rename it");
+    throw std::invalid_argument("the result would replace the mesh; rename the file of the mesh");
 
   Triangulation triangulation(mesh);
   std::vector<FG::Vertex_index> way;

@@ -44,7 +44,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   std::vector<FG::Vertex_index> way_points;
   for(int i = 2; i < argc; ++i)
     way_points.emplace_back(number(argv[i]));

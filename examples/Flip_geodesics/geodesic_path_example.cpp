@@ -40,7 +40,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   const Mesh::Vertex_index source(argc > 3 ? number(argv[2]) : 0);
   const Mesh::Vertex_index target(argc > 3 ? number(argv[3]) : mesh.number_of_vertices() / 2);
 

@@ -34,9 +34,9 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   if(mesh.number_of_faces() < 131)
-    throw std::invalid_argument("the control points lie in faces 0, 40, 90 and 130, and the mesh has fewer");
+    throw std::invalid_argument("the control points lie in faces 0, 40, 90 and 130, but the mesh has fewer faces");
   std::vector<Face_location> points;
   for(unsigned i : {0u, 40u, 90u, 130u})
     points.push_back({Mesh::Face_index(i), {{0.5, 0.3, 0.2}}});
@@ -50,7 +50,7 @@ try {
       FG::geodesic_spline(mesh, points, FG::Spline_kind::CUBIC_B_SPLINE, std::back_inserter(curves[2]));
   //! [Bezier]
   std::cout << "The geodesic is " << geodesic.length() << " long, the Bezier curve " << bezier.length()
-            << ", the B-spline " << b_spline.length() << ".\n";
+            << ", and the B-spline " << b_spline.length() << ".\n";
   FG::IO::write_VTP("geodesic_spline.vtp", curves);
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {

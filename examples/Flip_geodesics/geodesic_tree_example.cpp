@@ -44,9 +44,9 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   if(std::error_code absent; std::filesystem::equivalent(argv[1], "logarithmic_map.obj", absent))
-    throw std::invalid_argument("the result would replace the mesh; rename it");
+    throw std::invalid_argument("the result would replace the mesh; rename the file of the mesh");
 
   Triangulation triangulation(mesh);
   //! [Tree]

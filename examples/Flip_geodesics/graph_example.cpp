@@ -59,7 +59,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   const auto n = static_cast<FG::Index>(mesh.number_of_vertices());
   std::array<FG::Vertex_index, 3> corners = {FG::Vertex_index(0), FG::Vertex_index(n / 12), FG::Vertex_index(n / 23)};
   for(int i = 0; i < 3 && argc > 4; ++i)

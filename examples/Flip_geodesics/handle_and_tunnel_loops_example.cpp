@@ -38,7 +38,8 @@ void pull_tight(const Triangulation& triangulation, const Mesh& mesh, const std:
       vertices.push_back(triangulation.vertex(triangulation.tail(h)));
     geodesics.emplace_back();
     const auto result = FG::geodesic_loop(mesh, vertices, std::back_inserter(geodesics.back()));
-    std::cout << "A loop around a " << kind << ", of " << loop.size() << " edges: " << result.length() << " long.\n";
+    std::cout << "A " << kind << " loop of " << loop.size() << " edges has become a geodesic of length "
+              << result.length() << ".\n";
   }
   if(!geodesics.empty())
     FG::IO::write_VTP(kind + "s.vtp", geodesics);
@@ -48,7 +49,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc != 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
 
   const Triangulation triangulation(mesh);
   //! [Loops]

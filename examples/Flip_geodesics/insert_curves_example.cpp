@@ -38,7 +38,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
 
   const Mesh::Vertex_index source(0), target(static_cast<Mesh::size_type>(mesh.number_of_vertices() / 2));
   const Triangulation triangulation(mesh);

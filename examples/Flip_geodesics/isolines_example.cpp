@@ -46,7 +46,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
 
   const Triangulation triangulation(mesh);
   FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);

@@ -47,7 +47,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh, and vertices");
+    throw std::invalid_argument("specify the file of a triangle mesh, and at least one vertex");
   std::vector<Mesh::Vertex_index> vertices;
   for(int i = 2; i < argc; ++i)
     vertices.emplace_back(number(argv[i]));

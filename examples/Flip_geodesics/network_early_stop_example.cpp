@@ -56,10 +56,10 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   const double ratio = argc > 2 ? number(argv[2]) : 0.9;
   if(!(ratio >= 0 && ratio <= 1))
-    throw std::invalid_argument("the ratio is between 0 and 1");
+    throw std::invalid_argument("the ratio must be between 0 and 1");
   auto regions = mesh.add_property_map<Mesh::Face_index, int>("f:region", 0).first;
   for(const auto f : mesh.faces()) { // one of eight boxes
     const Kernel::Point_3& p = mesh.point(mesh.target(mesh.halfedge(f)));

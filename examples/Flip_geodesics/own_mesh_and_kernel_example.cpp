@@ -52,7 +52,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
 
   std::size_t count = 0;
   Counting_traits traits;
@@ -62,8 +62,8 @@ try {
   std::vector<Kernel::Point_3> points;
   const auto result =
       FG::geodesic_path(mesh, source, target, std::back_inserter(points), CGAL::parameters::geom_traits(traits));
-  std::cout << "A geodesic of length " << result.length() << ", for which " << count << " flips were computed; from "
-            << points.front() << " to " << points.back() << ".\n";
+  std::cout << "A geodesic of length " << result.length() << " from " << points.front() << " to " << points.back()
+            << "; its computation took " << count << " flips.\n";
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -57,7 +57,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   const FG::Iteration_stop_predicate limit(argc > 2 ? number(argv[2]) : 100);
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, argc > 3 ? number(argv[3]) : 2);
 

@@ -45,7 +45,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 4 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh, a face, and a radius");
+    throw std::invalid_argument("specify the file of a triangle mesh, a face, and a radius");
   const Mesh::Face_index face(number<Mesh::size_type>(argv[2]));
   if(face >= mesh.number_of_faces())
     throw std::invalid_argument("the mesh has no such face");

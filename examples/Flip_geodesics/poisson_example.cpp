@@ -50,9 +50,9 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc != 4 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh, and two vertices");
+    throw std::invalid_argument("specify the file of a triangle mesh, and two vertices");
   if(std::error_code absent; std::filesystem::equivalent(argv[1], "poisson.ply", absent))
-    throw std::invalid_argument("the result would replace the mesh; rename it");
+    throw std::invalid_argument("the result would replace the mesh; rename the file of the mesh");
 
   //! [Steps]
   Triangulation triangulation(mesh);
@@ -72,7 +72,8 @@ try {
   const Eigen::VectorXd heat = Eigen::VectorXd::Ones(triangulation.number_of_vertices());
   const Eigen::VectorXd u = problem.solve(heat, Eigen::VectorXd::Zero(triangulation.number_of_vertices()));
   //! [Solve]
-  std::cout << "Zero at " << cold.size() << " vertices on the curve; the largest value is " << u.maxCoeff() << ".\n";
+  std::cout << "The solution is zero at " << cold.size() << " vertices on the curve, and at most " << u.maxCoeff()
+            << ".\n";
 
   auto temperature = mesh.add_property_map<Mesh::Vertex_index, double>("v:u", 0).first;
   for(Mesh::Vertex_index v : mesh.vertices())

@@ -44,7 +44,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   const FG::Vertex_index source(argc > 3 ? number(argv[2]) : 0);
   const FG::Vertex_index target(argc > 3 ? number(argv[3]) : static_cast<int>(mesh.number_of_vertices() / 2));
 
@@ -68,7 +68,7 @@ try {
   //! [Read]
   const bool is_same = network.length(curve) == saved_length;
   FG::shorten(network);
-  std::cout << "Saved with length " << saved_length << ", loaded " << (is_same ? "as it was" : "changed")
+  std::cout << "Saved with length " << saved_length << ", loaded " << (is_same ? "unchanged" : "changed")
             << ", shortened to length " << network.length(curve) << ".\n";
   return is_same && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {

@@ -44,7 +44,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   const Mesh::Vertex_index source(argc > 3 ? number(argv[2]) : 0);
   const Mesh::Vertex_index target(argc > 3 ? number(argv[3]) : mesh.number_of_vertices() / 2);
 
@@ -54,7 +54,7 @@ try {
   //! [Shortest]
   const auto found = FG::shortest_path(mesh, source, target, std::back_inserter(paths[0]));
   //! [Shortest]
-  std::cout << "The geodesic to begin with: " << found.report.first_length << "\nThe result: " << found.length()
+  std::cout << "The initial geodesic: " << found.report.first_length << "\nThe result: " << found.length()
             << ", at most " << found.report.gap() << " longer than a shortest path, "
             << FG::to_string(found.report.verdict) << (found.report.has_tie ? ", one of several\n" : "\n");
   FG::IO::write_VTP("shortest_path.vtp", paths);

@@ -45,7 +45,7 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh, and a length");
+    throw std::invalid_argument("specify the file of a triangle mesh, and a length");
   const double length = number<double>(argv[2]);
   const Mesh::Vertex_index source(argc > 3 ? number<Mesh::size_type>(argv[3]) : 0);
   if(source >= mesh.number_of_vertices())

@@ -37,9 +37,9 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh");
+    throw std::invalid_argument("specify the file of a triangle mesh");
   if(std::error_code absent; std::filesystem::equivalent(argv[1], "ends.ply", absent))
-    throw std::invalid_argument("the result would replace the mesh; rename it");
+    throw std::invalid_argument("the result would replace the mesh; rename the file of the mesh");
 
   // From the first vertex to some others.
   const Mesh::Vertex_index source(0);
@@ -60,7 +60,7 @@ try {
   FG::IO::write_PLY("ends.ply", ends, CGAL::parameters::use_binary_mode(false).stream_precision(6));
   //! [Files]
 
-  std::cout << count << " geodesics are in geodesics.vtp and geodesics.glb.\n";
+  std::cout << count << " geodesics have been written to geodesics.vtp and geodesics.glb.\n";
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';
