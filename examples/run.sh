@@ -61,9 +61,9 @@ build() {
   cmake -S "$root" -B "$dir" -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS_RELEASE=$optimized" \
     -D FLIP_GEODESICS_UNITE_SOURCES=ON -D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D FLIP_GEODESICS_BUILD_TESTS=OFF \
     -D FLIP_GEODESICS_BUILD_BENCHMARKS=OFF ${options[@]+"${options[@]}"} > "$dir/build.log" 2>&1 ||
-    { tail -n 40 "$dir/build.log" >&2; fail "configuring failed, see $dir/build.log"; }
+    { tail -n 40 "$dir/build.log" >&2; fail "configuring failed; see $dir/build.log"; }
   $patience cmake --build "$dir" -j "$jobs" --target "$@" >> "$dir/build.log" 2>&1 ||
-    { tail -n 40 "$dir/build.log" >&2; fail "building $* failed, see $dir/build.log"; }
+    { tail -n 40 "$dir/build.log" >&2; fail "building $* failed; see $dir/build.log"; }
 }
 
 build_program() { build "$work" "$jobs" -- flip_geodesics check_polylines generate_torus; }
@@ -81,7 +81,7 @@ unpack_data() {
       archive=$data$archive
     fi
   fi
-  [ -f "$archive" ] || fail "the data of the package libcgal-demo were not found"
+  [ -f "$archive" ] || fail "the data of the package libcgal-demo were not found; reinstall the package"
   tar -xf "$archive" -C "$data"
 }
 
@@ -92,7 +92,7 @@ find_mesh() {
     found=$(find "$data" -name "$name" | head -n 1)
     [ -n "$found" ] && echo "$found" && return
   done
-  fail "CGAL's data set has none of $*"
+  fail "CGAL's data set contains none of $*"
 }
 
 # One line of the table, from the statistics and the verdict of the independent checker.
@@ -177,17 +177,18 @@ run "torus, generated" torus vtp path "$torus" --random 100 --seed 1
 run "torus, closed geodesics" torus_loops vtp loop "$torus" --loop "$results/torus_loops.txt"
 
 echo
-echo "Geodesics between random vertices, and closed ones. Medians per curve; wrong: by an independent checker."
-echo "                                    locally             than                        search   shorten   extract"
-echo "mesh                       curves shortest  wrong   edges by  segments   flips        ms        ms        ms"
+echo "Geodesics between random vertices, and closed geodesics. The columns from segments on are medians per curve; wrong"
+echo "counts the curves that an independent checker rejects."
+echo "                                   locally            length                      search   shorten   extract"
+echo "mesh                       curves shortest  wrong  reduction  segments   flips        ms        ms        ms"
 cat "$results/table.txt"
 echo
-echo "Surfaces with curves to look at, for example with MeshLab or ParaView:"
+echo "Surfaces with curves, for example for MeshLab or ParaView:"
 ls "$results"/*.ply "$results"/*.obj "$results"/*.vtp
 "$program" path "$scan" --random 8 --seed 1 --quiet --page "$results/scan.html"
 "$program" loop "$torus" --loop "$results/torus_loops.txt" --quiet --page "$results/torus_loops.html"
-echo "Pages for a browser, with the curves and the flips step by step:"
+echo "HTML pages that show the curves and the flips step by step:"
 ls "$results"/*.html
 if [ ${#faults[@]} -ne 0 ]; then
-  fail "the checker finds fault with curves, see ${faults[*]}"
+  fail "the checker rejects curves; see ${faults[*]}"
 fi

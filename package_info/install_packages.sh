@@ -17,7 +17,7 @@ apt_get() {
     fi
     grep -q 'Could not get lock' "$log" || break
     if [ "$attempt" -eq 1 ]; then
-      echo "Another package manager is at work; waiting for it, up to ten minutes."
+      echo "Another package manager is running; waiting for it for up to ten minutes."
     fi
     sleep 5
   done
@@ -54,7 +54,7 @@ install_packages() {
   fi
   local command="apt-get update && apt-get install -y --no-install-recommends $missing"
   if [ $may_install -eq 0 ]; then
-    echo "Packages are missing; as root this command installs them: $command"
+    echo "Packages are missing; this command installs them as root: $command"
     return
   fi
   local as_root=()

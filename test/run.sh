@@ -46,7 +46,7 @@ while [ $# -gt 0 ]; do
       config=$(find "$1" -name CGALConfig.cmake 2> /dev/null | sort | head -n 1 || true)
       version=$(find "$1" -path '*/include/CGAL/version.h' 2> /dev/null | head -n 1 || true)
       if [ -z "$config" ] || [ -z "$version" ]; then
-        echo "$1 has no CGALConfig.cmake or no include/CGAL/version.h: give the folder of an unpacked CGAL" >&2
+        echo "$1 has no CGALConfig.cmake or no include/CGAL/version.h; specify the folder of an unpacked CGAL" >&2
         exit 2
       fi
       cgal_options=(-D "CGAL_DIR=$(cd "$(dirname "$config")" && pwd)")
@@ -148,7 +148,7 @@ no_examples=(-D FLIP_GEODESICS_BUILD_EXAMPLES=OFF -D FLIP_GEODESICS_TEST_HEADERS
 # The preset asks for clang++. Where that has no sanitizers, g++ has; under them its warnings misfire.
 sanitizers=("$number_of_smoke_tests" "${smoke[@]}" "${no_examples[@]}")
 if ! clang++ -fsanitize=address,undefined -x c++ -o "$build_dir/sanitized" - <<< 'int main() {}' > /dev/null 2>&1; then
-  echo "clang++ has no sanitizers here; taking those of g++."
+  echo "clang++ has no sanitizers here; using those of g++."
   sanitizers+=(-D CMAKE_CXX_COMPILER=g++ -D FLIP_GEODESICS_WARNINGS_AS_ERRORS=OFF)
 fi
 

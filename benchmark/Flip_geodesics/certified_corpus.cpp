@@ -253,7 +253,7 @@ int main(int argc, char** argv)
   app.add_option("--loops", options.loops, "Loops on each mesh")->capture_default_str();
   app.add_option("--networks", options.networks, "Networks of four paths on each mesh")->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the random choices")->capture_default_str();
-  app.add_option("--seconds", options.seconds, "Time limit for a mesh")->capture_default_str();
+  app.add_option("--seconds", options.seconds, "Time limit per mesh in seconds")->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

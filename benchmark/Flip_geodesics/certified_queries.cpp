@@ -322,7 +322,7 @@ void for_each_file(const std::vector<std::string>& paths, const Function& functi
     if(CGAL::IO::read_polygon_mesh(file, mesh) && !mesh.is_empty() && CGAL::is_triangle_mesh(mesh))
       function(file.substr(file.find_last_of('/') + 1), mesh);
     else
-      std::cerr << file << ": no triangle mesh\n";
+      std::cerr << file << ": is not a triangle mesh\n";
   }
 }
 
@@ -367,8 +367,8 @@ bool summarize(std::vector<Row> rows, double limit)
   if(rows.empty())
     return true;
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.ratio < b.ratio; });
-  std::cerr << rows.size() << " meshes; certified over plain: " << rows[rows.size() / 2].ratio << " in the median, "
-            << rows[rows.size() * 9 / 10].ratio << " in nine of ten, " << rows.back().ratio << " at most\n";
+  std::cerr << rows.size() << " meshes; certified over plain: median " << rows[rows.size() / 2].ratio
+            << ", 90th percentile " << rows[rows.size() * 9 / 10].ratio << ", maximum " << rows.back().ratio << '\n';
   for(const Row& row : rows)
     if(row.ratio > limit)
       std::cerr << "above " << limit << ": " << row.mesh << ", " << row.ratio << '\n';
@@ -383,10 +383,12 @@ int main(int argc, char** argv)
   Options options;
   app.add_option("paths", options.paths, "Meshes, and folders of meshes; generated ones if none is given");
   app.add_option("--pairs", options.pairs, "Paths on each mesh")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--rounds", options.rounds, "How often")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--limit", options.limit, "Name meshes with a larger ratio")->capture_default_str();
-  app.add_option("--seconds", options.seconds, "Time for a mesh, after the first two rounds")->capture_default_str();
-  app.add_flag("--every-kind", options.is_every_kind, "All kinds of curves, on meshes of every kind if none is given");
+  app.add_option("--rounds", options.rounds, "Number of rounds")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--limit", options.limit, "Name the meshes with a larger ratio")->capture_default_str();
+  app.add_option("--seconds", options.seconds, "Seconds for each mesh, after the first two rounds")
+      ->capture_default_str();
+  app.add_flag("--every-kind", options.is_every_kind,
+               "Compute all kinds of curves, on meshes of every kind if none is given");
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

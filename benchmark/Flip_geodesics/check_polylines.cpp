@@ -40,18 +40,20 @@ void add_options(CLI::App& app, Options& options)
 {
   app.add_option("mesh", options.mesh, "The mesh: OFF, OBJ, PLY or STL")->required();
   app.add_option("polylines", options.polylines, "Lines `curve a b t x y z` or `curve a b c t u x y z`")->required();
-  app.add_option("--stats", options.stats, "What the program says of the curves: status, ends and length are compared");
-  app.add_option("--csv", options.csv, "Write the table here and not to standard output");
+  app.add_option("--stats", options.stats, "The statistics of the program: status, ends and length are compared");
+  app.add_option("--csv", options.csv, "Write the table to this file instead of standard output");
   app.add_option("--fixed", options.fixed, "Vertices at which curves may bend");
-  app.add_option("--points", options.points, "What the program got for --points: curves have to pass these points");
-  app.add_option("--splines", options.splines, "What it got for --bezier: curves have to have these ends")
+  app.add_option("--points", options.points,
+                 "The file that the program got as --points: curves must pass through its points");
+  app.add_option("--splines", options.splines,
+                 "The file that the program got as --bezier: curves must have the ends of its splines")
       ->excludes("--points");
   app.add_flag("--fixed-bases", options.joints.bases_are_fixed, "Closed curves may bend where they begin and end");
   app.add_flag("--together", options.joints.curves_block_each_other,
-               "The curves were shortened together: each may be held up by any other, and not by itself only");
-  app.add_option("--tolerance", options.tolerances.angle, "The angle in radians that counts as straight")
+               "The curves were shortened together: each may be blocked by the others, not only by itself");
+  app.add_option("--tolerance", options.tolerances.angle, "The largest bend in radians that counts as straight")
       ->capture_default_str();
-  app.add_flag("--quiet", options.quiet, "No summary on standard error");
+  app.add_flag("--quiet", options.quiet, "Do not print the summary on standard error");
 }
 
 std::ifstream open(const std::string& file)
@@ -109,12 +111,12 @@ void write(const Options& options, const std::map<long, checker::Verdict>& verdi
   for(const std::string& input : {options.mesh, options.polylines, options.stats, options.points, options.splines}) {
     std::error_code failure;
     if(std::filesystem::equivalent(options.csv, input, failure) && std::filesystem::is_regular_file(input))
-      throw Bad_input(options.csv + ": it would replace what is read; name another file");
+      throw Bad_input(options.csv + ": it would replace an input file; specify another file");
   }
   std::ofstream out(options.csv);
   checker::write_verdicts(out, verdicts);
   if(!out.flush())
-    throw Bad_input(options.csv + ": it cannot be written");
+    throw Bad_input(options.csv + ": it cannot be written; choose another path");
 }
 
 // One line for all, and one for each of the first wrong curves.

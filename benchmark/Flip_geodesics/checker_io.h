@@ -191,7 +191,7 @@ inline void read_way_points(std::istream& in, bool are_splines, std::vector<Poly
   }
   for(Polyline& curve : curves) {
     if(curve.id < 0 || std::size_t(curve.id) >= asked.size())
-      throw Bad_input("curve " + std::to_string(curve.id) + " was not asked for");
+      throw Bad_input("curve " + std::to_string(curve.id) + " was not requested");
     const std::vector<Polyline_point> points = curve.points;
     const long id = curve.id;
     curve = asked[std::size_t(id)];
@@ -305,7 +305,7 @@ inline std::map<long, Verdict> judge_curves(const Mesh& mesh, const std::vector<
     const auto known = stats.find(curves[i].id);
     Verdict verdict = judge(curves[i], reports[i], known == stats.end() ? Curve_stats() : known->second, tolerances);
     if(!stats.empty() && known == stats.end()) {
-      verdict.report.add_break("the statistics do not know this curve");
+      verdict.report.add_break("the statistics do not contain this curve");
       verdict.ok = false;
     }
     verdicts[curves[i].id] = verdict;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""What a user's task takes with containers of the package, and with those of libraries in their place.
+"""Compares the times of typical tasks with containers of the package and with containers of libraries.
 
     compare_containers.py [--rounds N] [--compiler C++] [--only CONTAINER]... [--mesh FILE]
 
@@ -68,7 +68,7 @@ def compare(package, library, container, rounds, mesh):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--rounds", type=int, default=7, help="how often each task runs both ways (default: 7)")
+    parser.add_argument("--rounds", type=int, default=7, help="runs of each task with each container (default: 7)")
     parser.add_argument("--compiler", default="c++", help="the compiler, with its options (default: c++)")
     parser.add_argument("--only", action="append", choices=TASKS, help="compare this container (default: all)")
     parser.add_argument("--mesh", default=None, help="a mesh to measure on (default: a torus of 100 000 vertices)")

@@ -324,13 +324,14 @@ void add(Row& total, const Row& row)
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"Geodesics against shortest paths"};
+  CLI::App app{"Compares geodesics with shortest paths"};
   Options options;
   app.add_option("meshes", options.files, "Meshes, and folders of meshes")->required();
   app.add_option("--sources", options.sources, "Random sources on each mesh")->capture_default_str();
   app.add_option("--targets", options.targets, "Random targets for each source")->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the random choices")->capture_default_str();
-  app.add_option("--seconds", options.seconds, "Time after which a mesh gets no new source")->capture_default_str();
+  app.add_option("--seconds", options.seconds, "Seconds after which no further source is taken on a mesh")
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

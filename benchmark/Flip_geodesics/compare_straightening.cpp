@@ -231,13 +231,13 @@ private:
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"Three ways of straightening the same paths"};
+  CLI::App app{"Compares three methods of shortening the same paths"};
   std::size_t pairs = 0;
   std::vector<std::string> meshes;
   bool is_detour = false;
   app.add_option("pairs", pairs, "Pairs of vertices on each mesh")->required();
   app.add_option("meshes", meshes, "Meshes, as files or by name")->required();
-  app.add_flag("--detour", is_detour, "Start by way of a third vertex");
+  app.add_flag("--detour", is_detour, "Start with paths through a third vertex");
   CLI11_PARSE(app, argc, argv);
   try {
     std::cout << "mesh,triangles,source,target,segments,flips,dijkstra_s,flip_out_s,unfolding_s,relaxation_s,"

@@ -103,7 +103,7 @@ try {
   if(surface.find_first_not_of("0123456789") == std::string::npos)
     mesh = benchmark_meshes::torus(std::stoi(surface));
   else if(!CGAL::IO::read_polygon_mesh(surface, mesh))
-    throw std::invalid_argument(surface + " is not a mesh");
+    throw std::invalid_argument(surface + " is not a triangle mesh");
   const std::string name = argv[1];
   const Task compute = task(name);
   std::mt19937 random(1);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Counts the instructions of the main kernels under valgrind, which a busy machine does not change.
+"""Counts the instructions of the main kernels under valgrind, whose counts do not depend on the load of the machine.
 
     count_instructions.py --kernels BUILD/benchmark/Flip_geodesics/kernels            compares with the committed counts
     count_instructions.py --kernels ... --update                                      writes them
@@ -45,7 +45,7 @@ def measure(program):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--kernels", type=pathlib.Path, required=True, help="the program kernels")
-    parser.add_argument("--tolerance", type=float, default=0.05, help="what is allowed, as a share")
+    parser.add_argument("--tolerance", type=float, default=0.05, help="the relative change that is allowed")
     parser.add_argument("--update", action="store_true", help="write the counts instead of comparing them")
     arguments = parser.parse_args()
     counts = measure(arguments.kernels)

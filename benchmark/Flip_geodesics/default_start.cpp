@@ -133,7 +133,7 @@ private:
   {
     const auto longer = std::count_if(c.excesses.begin(), c.excesses.end(), [](double e) { return e > 0.01; });
     std::cerr << m_name << ' ' << c.name << ": " << 100.0 * static_cast<double>(longer) / c.excesses.size()
-              << " in 100 are longer by more than 1 %, at most by "
+              << " % are longer by more than 1 %, and the longest by "
               << 100 * *std::max_element(c.excesses.begin(), c.excesses.end()) << " %; " << 1e6 * median(c.times)
               << " us, " << median(c.times) / median(m_contenders.front().times) << '\n';
   }

@@ -82,14 +82,16 @@ void run(const Options& options, const std::string& name)
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"Landmarks for shortest paths, made in one thread and in several"};
+  CLI::App app{"Landmarks for shortest paths, computed in one thread and in several"};
   Options options;
   app.add_option("meshes", options.meshes, "Meshes, as files or by name")->required();
   app.add_option("--landmarks", options.landmarks, "Landmarks on each mesh")->capture_default_str();
-  app.add_option("--rounds", options.rounds, "Rounds of which the median is taken")
+  app.add_option("--rounds", options.rounds, "Number of rounds; times are medians")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--threads", options.threads, "Threads at most")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--threads", options.threads, "Maximum number of threads")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
 #ifdef CGAL_LINKED_WITH_TBB

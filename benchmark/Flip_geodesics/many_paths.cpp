@@ -138,10 +138,12 @@ int main(int argc, char** argv)
   app.add_option("meshes", options.meshes, "Meshes, as files or by name")->required();
   app.add_option("--pairs", options.pairs, "Paths on each mesh")->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the random choices")->capture_default_str();
-  app.add_option("--rounds", options.rounds, "Rounds of which the median is taken")
+  app.add_option("--rounds", options.rounds, "Number of rounds; times are medians")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--threads", options.threads, "Threads at most")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--threads", options.threads, "Maximum number of threads")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
 #ifdef CGAL_LINKED_WITH_TBB

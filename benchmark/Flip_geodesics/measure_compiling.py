@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""What it costs to compile a program that uses the package: seconds of the processor, and memory of the compiler.
+"""Measures the processor time and the memory that compiling a program that uses the package takes.
 
     measure_compiling.py [--rounds N] [--compiler C++] [--option O]... [--include DIR]
 
@@ -93,7 +93,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--option", action="append", default=[])
-    parser.add_argument("--include", default=str(ROOT / "include"), help="the headers, of another version for instance")
+    parser.add_argument("--include", default=str(ROOT / "include"), help="the folder of the headers")
     arguments = parser.parse_args()
     options = ["-std=c++17", "-O2", "-DCGAL_USE_GMP", "-DCGAL_USE_MPFR", *arguments.option, "-I", arguments.include]
     measured = {}

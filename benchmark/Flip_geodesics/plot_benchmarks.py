@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Draws the tables of run_benchmarks.py as SVG in the style of the manual's drawings, and prints their medians.
+"""Draws the tables of run_benchmarks.py as SVG figures in the style of the manual, and prints their medians.
 
     plot_benchmarks.py --tables FOLDER --out doc/Flip_geodesics/fig
 

@@ -178,12 +178,12 @@ void add(Row& total, const Row& row)
 
 int main(int argc, char** argv)
 {
-  CLI::App app{"A referee for the decisions of the certified traits"};
+  CLI::App app{"Compares predicates of the certified traits with a reference implementation"};
   Options options;
   app.add_option("paths", options.paths, "Meshes, and folders of meshes")->required();
-  app.add_option("--decisions", options.decisions, "Decisions to judge on each mesh")->capture_default_str();
+  app.add_option("--decisions", options.decisions, "Predicates to check on each mesh")->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the random choices")->capture_default_str();
-  app.add_option("--seconds", options.seconds, "Time limit for a mesh")->capture_default_str();
+  app.add_option("--seconds", options.seconds, "Time limit per mesh in seconds")->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

@@ -51,7 +51,7 @@ def parse_arguments():
 def unpack_real_meshes(folder):
     """The real meshes of the distribution's package, as paths; none if it is not there."""
     if not DEBIAN_DATA.exists():
-        print(f"{DEBIAN_DATA} is not there: generated meshes only", file=sys.stderr)
+        print(f"{DEBIAN_DATA} does not exist; only generated meshes are used", file=sys.stderr)
         return []
     with tarfile.open(DEBIAN_DATA) as archive:
         wanted = ["data/meshes/" + name for name in REAL_MESHES]

@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Runs flip_geodesics on random pairs of vertices of many meshes, has check_polylines check every curve, and collects
-one CSV row a curve. A mesh that is rejected, crashes or takes too long has one row too. With --curves points or splines
-the curves go through random points anywhere, or have them as control points; sample_points draws them.
+"""Runs flip_geodesics on random pairs of vertices of many meshes, checks every curve with check_polylines, and writes
+one CSV row per curve. A mesh that is rejected, crashes or takes too long has one row as well. With --curves points, the
+curves pass through random points of the surface, and with --curves splines, they have such points as control points;
+sample_points chooses the points.
 
     run_corpus.py --program build/flip_geodesics --checker build/check_polylines --meshes DIR --out results
     run_corpus.py --curves points --sampler build/sample_points ... --out results_of_points
     run_corpus.py --summarise results
 
-Meshes are shared out by their number modulo n (--shard i/n, i from 0 to n-1), so that any batch scheduler can spread
-them; each shard appends to a file of its own. An interrupted run goes on where it was when started again: a mesh counts
-as done once its rows and its line in the list of finished meshes are written.
+With --shard i/n (i from 0 to n-1), only the meshes whose number modulo n is i are computed, so that a batch scheduler
+can distribute them; each shard appends to its own file. If an interrupted run is started again, it continues where it
+stopped: a mesh is finished once its rows and its line in the list of finished meshes are written.
 
-Exit status: 0, or 1 if the summary has anything wrong in it, or 2 if the arguments are wrong. The summary is over all
-shards found in the output folder.
+Exit status: 0 on success, 1 if the summary contains a wrong curve or a lost result, 2 if the arguments are wrong. The
+summary covers all shards in the output folder.
 """
 
 import argparse
@@ -64,7 +65,7 @@ def meshes_of_manifest(manifest, folder):
         meshes = [(row[0], row[1]) for row in rows if row]
     missing = [file for file, _ in meshes if not os.path.exists(os.path.join(folder, file))]
     if missing:
-        print(f"{len(missing)} meshes of the manifest are not there, the first is {missing[0]}", file=sys.stderr)
+        print(f"{len(missing)} meshes of the manifest do not exist; the first is {missing[0]}", file=sys.stderr)
     return meshes
 
 
@@ -325,8 +326,8 @@ def summarise(folder):
         print_counts("certificates", (row["certificate"] for row in curves))
     print(f"broken polylines: {len(broken)}")
     print(f"LOCALLY_SHORTEST and bent by {BEND_TOLERANCE:g} or more: {len(bent)}")
-    print(f"curves that are not what they should be, in all: {len(wrong)}")
-    print(f"curves held up at a vertex (a bend there is blocked): "
+    print(f"wrong curves in total: {len(wrong)}")
+    print(f"curves that bend at a vertex where they are blocked: "
           f"{sum(number(row, 'bent_vertices', 0) > 0 and row['ok'] == '1' for row in shortest)}")
     for title, figure in (("bend at a crossing", lambda row: number(row, "strip_bend")),
                           ("bend at a passed vertex", lambda row: math.pi - number(row, "min_unblocked_angle")),
@@ -358,32 +359,34 @@ def parse_shard(text):
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--summarise", metavar="DIR", help="only print the summary of the results in this folder")
-    parser.add_argument("--program", help="flip_geodesics")
-    parser.add_argument("--checker", help="check_polylines")
-    parser.add_argument("--meshes", metavar="DIR", help="the folder of the meshes, searched with all below it")
+    parser.add_argument("--program", help="the program flip_geodesics")
+    parser.add_argument("--checker", help="the program check_polylines")
+    parser.add_argument("--meshes", metavar="DIR", help="the folder of the meshes, searched with its subfolders")
     parser.add_argument("--manifest", metavar="TSV", help="a table with columns `file` (below --meshes) and `category`")
-    parser.add_argument("--categories", metavar="A,B", help="these only; without a manifest, the names of folders")
+    parser.add_argument("--categories", metavar="A,B",
+                        help="only these categories; without a manifest, they are the names of folders")
     parser.add_argument("--curves", choices=["pairs", "points", "splines"], default="pairs",
-                        help="between vertices, through points anywhere, or splines (default %(default)s)")
-    parser.add_argument("--sampler", help="sample_points, for --curves points and splines")
-    parser.add_argument("--pairs", type=int, default=10, help="random curves a mesh (default %(default)s)")
+                        help="paths between vertices, paths through points, or splines (default %(default)s)")
+    parser.add_argument("--sampler", help="the program sample_points, for --curves points and splines")
+    parser.add_argument("--pairs", type=int, default=10, help="random curves per mesh (default %(default)s)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--kernel", choices=["certified", "double"], default="certified")
     parser.add_argument("--out", metavar="DIR", help="the folder of the results")
     parser.add_argument("--shard", type=parse_shard, default=(0, 1), metavar="i/n")
-    parser.add_argument("--timeout", type=float, default=300, metavar="S", help="seconds a mesh (default %(default)s)")
-    parser.add_argument("--jobs", type=int, default=1, help="meshes at a time (default %(default)s)")
+    parser.add_argument("--timeout", type=float, default=300, metavar="S",
+                        help="time limit per mesh in seconds (default %(default)s)")
+    parser.add_argument("--jobs", type=int, default=1, help="meshes computed at the same time (default %(default)s)")
     parser.add_argument("--keep", action="store_true", help="keep the files of meshes on which a curve is wrong")
     arguments = parser.parse_args()
     if not arguments.summarise:
         programs = ["program", "checker"] + (["sampler"] if arguments.curves != "pairs" else [])
         for name in programs + ["meshes", "out"]:
             if getattr(arguments, name) is None:
-                parser.error(f"--{name} is needed")
+                parser.error(f"--{name} is required")
         for name in programs:
             path = shutil.which(getattr(arguments, name))
             if path is None:
-                parser.error(f"{getattr(arguments, name)} is not a program")
+                parser.error(f"{getattr(arguments, name)} is not an executable program")
             setattr(arguments, name, os.path.abspath(path))
         if not os.path.isdir(arguments.meshes):
             parser.error(f"{arguments.meshes} is not a folder")

@@ -117,9 +117,10 @@ int main(int argc, char** argv)
   bool are_splines = false;
   CLI::App app("Random points of a triangle mesh", "sample_points");
   app.add_option("mesh", file, "The mesh: OFF, OBJ, PLY or STL")->required();
-  app.add_option("--curves", count, "So many lines")->capture_default_str();
+  app.add_option("--curves", count, "Number of lines")->capture_default_str();
   app.add_option("--seed", seed, "Seed of the random choices")->capture_default_str();
-  app.add_flag("--splines", are_splines, "Control points: of Bezier curves, open and closed B-splines in turn");
+  app.add_flag("--splines", are_splines,
+               "Write control points of Bezier curves, open B-splines and closed B-splines in turn");
   try {
     app.parse(argc, argv);
     write_curves(checker::read_mesh(file), count, seed, are_splines);

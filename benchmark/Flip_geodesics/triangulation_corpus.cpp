@@ -289,11 +289,14 @@ int main(int argc, char** argv)
   app.add_option("--kernel", options.kernel, "certified or double")
       ->check(CLI::IsMember({"double", "certified"}))
       ->capture_default_str();
-  app.add_option("--curves", options.curves, "Paths on each mesh, less those that cross")->capture_default_str();
+  app.add_option("--curves", options.curves, "Paths on each mesh; those that cross others are omitted")
+      ->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the random choices")->capture_default_str();
-  app.add_option("--most-crossings", options.most_crossings, "No common subdivision with more")->capture_default_str();
-  app.add_option("--angle", options.angle, "Refine to this smallest angle; 0 is not at all")->capture_default_str();
-  app.add_option("--most-insertions", options.most_insertions, "No more vertices than that")->capture_default_str();
+  app.add_option("--most-crossings", options.most_crossings, "Largest number of crossings of a common subdivision")
+      ->capture_default_str();
+  app.add_option("--angle", options.angle, "Refine to this smallest angle; 0 for no refinement")->capture_default_str();
+  app.add_option("--most-insertions", options.most_insertions, "Largest number of vertices that refinement inserts")
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {
