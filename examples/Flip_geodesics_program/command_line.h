@@ -81,7 +81,7 @@ public:
     for(const auto& [command, names] : m_required) {
       const auto is_given = [command = command](const std::string& name) { return command->count(name) > 0; };
       if(command->parsed() && std::none_of(names.begin(), names.end(), is_given))
-        throw Bad_input("use one of " + joined(names, ", "));
+        throw Bad_input("the command " + m_options.command + " requires one of the options " + joined(names, " or "));
     }
   }
 

@@ -655,7 +655,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --refine nan --subdivision refined.off)
   flip_geodesics_add_program_test(isoline_next_to_the_source 0 "1 curve: 1 ISOLINE" distance torus.off --source 0
                                   --isolines 1e-150)
-  flip_geodesics_add_program_test(isolines_of_nothing 2 "use one of --source, --sources" distance torus.off --isolines 1)
+  flip_geodesics_add_program_test(isolines_of_nothing 2 "the command distance requires one of the options --source or --sources" distance torus.off --isolines 1)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" distance torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest is not an option of distance, but of log" distance
                                   torus.off --source 0 --isolines 1 --shortest)
@@ -663,7 +663,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(bad_tolerance 2 "--tolerance" distance torus.off --source 0 --voronoi --tolerance 0)
   flip_geodesics_add_program_test(tolerance_too_small 2 "--tolerance 1e-300 is less than a millionth" distance torus.off
                                   --source 0 --voronoi --tolerance 1e-300)
-  flip_geodesics_add_program_test(tolerance_of_nothing 2 "use one of --isolines, --spacing, --voronoi" distance
+  flip_geodesics_add_program_test(tolerance_of_nothing 2 "requires one of the options --isolines, --spacing, --voronoi" distance
                                   torus.off --source 0 --tolerance 0.1)
   flip_geodesics_add_program_test(map_without_source 2 "--source is required" log torus.off --map map.csv)
   flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 faces outside the bounds" refine torus.off --from 0 --to 150
@@ -764,7 +764,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     endforeach()
     set_tests_properties(program_files_progress PROPERTIES PROCESSORS 3)
   else()
-    message(STATUS "Flip_geodesics: what the program does to files and streams is NOT checked, for want of Python 3")
+    message(STATUS "Flip_geodesics: what the program does to files and streams is NOT checked, because Python 3 was not found")
   endif()
 
   # What is written for viewers is read back by readers that share nothing with the program.
@@ -772,9 +772,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                DOC "A browser to load pages of flip_geodesics with; none if it is not found")
   mark_as_advanced(FLIP_GEODESICS_CHROMIUM)
   if(NOT Python3_Interpreter_FOUND)
-    message(STATUS "Flip_geodesics: files for viewers are NOT checked, because there is no Python 3")
+    message(STATUS "Flip_geodesics: files for viewers are NOT checked, because Python 3 was not found")
   elseif(NOT FLIP_GEODESICS_CHROMIUM)
-    message(STATUS "Flip_geodesics: pages are not loaded by a browser in tests, because there is no Chromium")
+    message(STATUS "Flip_geodesics: pages are NOT loaded by a browser in tests, because Chromium was not found")
   endif()
   # flip_geodesics_add_viewer_test(name arguments...)
   function(flip_geodesics_add_viewer_test name)
@@ -825,7 +825,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(live_and_stats 2 "--stats is not an option of view, but of path" view torus.off
                                   --output live.html --stats x.csv)
   flip_geodesics_add_program_test(unknown_option 2 "--wrong" path torus.off --wrong)
-  flip_geodesics_add_program_test(no_curves 2 "use one of --from, --pairs, --random, --edges, --points, --draw" path
+  flip_geodesics_add_program_test(no_curves 2 "requires one of the options --from, --pairs, --random, --edges, --points or --draw" path
                                   torus.off)
   flip_geodesics_add_program_test(two_sets_of_curves 2 "--pairs and --random cannot be combined. use one of them" path
                                   torus.off --random 2 --pairs pairs.txt)
