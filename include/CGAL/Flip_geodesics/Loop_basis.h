@@ -356,7 +356,8 @@ private:
     std::size_t position = 0;
     for(Input_halfedge_index h : halfedges) {
       if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
-        throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
+        internal::throw_naming<Invalid_curve_error>("the halfedge at position ", internal::Element{position},
+                                                    " of a curve does not belong to the mesh");
       if(end != null_index && input.tail(h) != end)
         internal::throw_naming<Invalid_curve_error>("the halfedge at position ", internal::Element{position},
                                                     " of a curve does not start where the previous one ends");

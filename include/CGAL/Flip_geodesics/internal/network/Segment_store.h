@@ -878,7 +878,8 @@ void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfed
   Halfedge_index first = null_index, last = null_index;
   for(Halfedge_index h : halfedges) {
     if(!h.is_valid() || h.idx() >= triangulation.number_of_halfedges())
-      throw Invalid_curve_error("a curve has a halfedge that does not belong to the mesh", {position});
+      throw_naming<Invalid_curve_error>("the halfedge at position ", Element{position},
+                                        " of a curve does not belong to the triangulation");
     if(last != null_index && triangulation.head(last) != triangulation.tail(h))
       throw_naming<Invalid_curve_error>("the halfedge at position ", Element{position},
                                         " of a curve does not start where the previous one ends");

@@ -318,7 +318,7 @@ private:
       if(input().is_border(h)) {
         const Vertex_index v = input().tail(h), w = input().tail(twin_index(h));
         throw_naming<Invalid_mesh_error>("the surface has a border edge between vertices ", v, " and ", w,
-                                         ", and does not bound a solid");
+                                         ", so it does not bound a solid");
       }
     return input();
   }

@@ -190,7 +190,8 @@ template <class Triangulation>
 void check_has_no_curves(const Triangulation& triangulation, const std::string& what_is_impossible)
 {
   if(triangulation.number_of_holds() > 0)
-    throw Occupied_triangulation_error(what_is_impossible + " in a triangulation in which a network has curves");
+    throw Occupied_triangulation_error(what_is_impossible +
+                                       " in a triangulation in which a network has curves; use another triangulation");
 }
 
 } // namespace CGAL::Flip_geodesics::internal
