@@ -43,7 +43,7 @@ public:
     m_vertices = read_number_of("vertices");
     m_faces = read_number_of("faces");
     if(m_bytes) {
-      m_bytes->skip(sizeof(std::int32_t), {"header", 0}); // the number of edges is of no use
+      m_bytes->skip(sizeof(std::int32_t), {"header field", 0}); // the number of edges is of no use
       return read_elements();
     }
     skip_number_of_edges();
@@ -106,7 +106,7 @@ private:
   {
     long long number = 0;
     if(m_bytes) {
-      number = m_bytes->get<std::int32_t>({"header", 0});
+      number = m_bytes->get<std::int32_t>({"header field", 0});
     } else {
       const std::string_view word = m_words.next_word_of_text();
       if(const char* const error = parse_number(word, number))

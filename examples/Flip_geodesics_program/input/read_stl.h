@@ -61,7 +61,7 @@ private:
     if(size < before)
       return false;
     Byte_scanner bytes(m_input, size_of_header, boost::endian::order::little);
-    return size - before == bytes.get<std::uint32_t>({"header", 0}) * size_of_triangle;
+    return size - before == bytes.get<std::uint32_t>({"header field", 0}) * size_of_triangle;
   }
 
   void read_binary()
@@ -70,7 +70,7 @@ private:
       throw Bad_input(m_input.name() + ": the first word is not solid, and " + std::to_string(m_input.bytes().size()) +
                       " bytes are too few for a binary STL file; correct the file or its extension");
     Byte_scanner bytes(m_input, size_of_header, boost::endian::order::little);
-    const std::size_t count = bytes.get<std::uint32_t>({"header", 0});
+    const std::size_t count = bytes.get<std::uint32_t>({"header field", 0});
     if(count > bytes.bytes_left() / size_of_triangle)
       bytes.fail("the header announces more triangles than the file contains; complete the file or, if it is a text "
                  "file, begin it with solid");
