@@ -264,11 +264,3 @@ BOOST_AUTO_TEST_CASE(a_curve_of_more_than_ten_thousand_steps_is_straight)
              q = setting.mesh.point(Surface::Vertex_index(grid_vertex(n, n - 1, n - 1)));
   BOOST_TEST(std::abs(report.curves[0].length - std::sqrt(CGAL::squared_distance(p, q))) < 1e-9);
 }
-
-BOOST_AUTO_TEST_CASE(names_of_verdicts)
-{
-  BOOST_TEST(FG::to_string(FG::Verdict::PROVEN) == std::string("PROVEN"));
-  BOOST_TEST(FG::to_string(FG::Verdict::PROBABLE) == std::string("PROBABLE"));
-  BOOST_TEST(FG::to_string(FG::Verdict::BENT_SEGMENT) == std::string("BENT_SEGMENT"));
-  BOOST_TEST(FG::to_string(FG::Verdict::BENT_JOINT) == std::string("BENT_JOINT"));
-}
