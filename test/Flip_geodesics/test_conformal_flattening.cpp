@@ -231,6 +231,15 @@ BOOST_AUTO_TEST_CASE(what_is_no_disk_is_refused)
   Network no_curves(two_triangulation);
   BOOST_CHECK_THROW(Flattening{no_curves}, FG::Flattening_error);
 
+  Mesh without_faces;
+  for(int i = 0; i < 2; ++i, without_faces.add_vertex(Point(0, 0, 0))) {
+    Triangulation triangulation(without_faces);
+    Network network(triangulation);
+    const auto is_told = [](const std::exception& e) { return e.what() == std::string("the surface has no faces"); };
+    BOOST_CHECK_EXCEPTION(Flattening{network}, FG::Flattening_error, is_told);
+    BOOST_CHECK_EXCEPTION(FG::refine_and_flatten(network), FG::Flattening_error, is_told);
+  }
+
   const Mesh disk = to_mesh<Mesh>(jittered_grid(5, 5, Diagonal_rule::RISING, 0.2, 1));
   Triangulation disk_triangulation(disk);
   Network uncut(disk_triangulation);

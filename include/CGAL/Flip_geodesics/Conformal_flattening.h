@@ -241,10 +241,11 @@ private:
   template <class Network>
   void check_disk(const Network& network) const
   {
+    if(m_faces.empty())
+      throw Flattening_error("the surface has no faces");
     std::vector<char> is_reached(m_faces.size(), 0);
-    const std::size_t reached =
-        m_faces.empty() ? 0 : spread(network, 0, is_reached, [](std::size_t, int, std::size_t) {});
-    if(m_faces.empty() || reached != m_faces.size())
+    const std::size_t reached = spread(network, 0, is_reached, [](std::size_t, int, std::size_t) {});
+    if(reached != m_faces.size())
       throw Flattening_error("the cut surface is not connected: only " + std::to_string(reached) + " of " +
                              std::to_string(m_faces.size()) +
                              " faces are connected to the first one; flatten each component separately");
