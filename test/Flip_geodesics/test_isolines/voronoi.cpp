@@ -176,3 +176,12 @@ BOOST_AUTO_TEST_CASE(regions_without_source)
   BOOST_TEST((pairs[{0, Boundary::none}]) == 1);
   BOOST_TEST((pairs[{1, Boundary::none}]) == 1);
 }
+
+// Such as that of a source within rounding errors of another one.
+BOOST_AUTO_TEST_CASE(a_region_of_a_single_point_has_no_boundary)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  const Closed_field field(mesh, {[](const Coordinates&) { return 1.0; },
+                                  [](const Coordinates& p) { return p[0] == 2 && p[1] == 2 ? 0.5 : 2; }});
+  BOOST_TEST(boundaries(mesh, field, 0.05).empty());
+}

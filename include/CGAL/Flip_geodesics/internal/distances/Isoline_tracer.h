@@ -776,6 +776,8 @@ private:
       curve.samples.push_back(m_junctions[last_junction].sample);
       curve.faces.push_back(m_surface.piece(curve.last_piece).face);
     }
+    if(curve.samples.size() < 2) // a point
+      return;
     m_curves.push_back(std::move(curve));
     m_ends.push_back({{{left, right}}, {{first_junction, last_junction}}});
   }
