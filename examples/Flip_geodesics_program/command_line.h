@@ -361,6 +361,12 @@ private:
         "end the computation of a curve that requires more memory than this [3/4 of the memory of the machine]");
   }
 
+  CLI::Option* add_vertex_limit()
+  {
+    return add("--vertex-limit", "NUMBER", m_options.meshes.vertex_limit, not_negative,
+               "fail if the subdivided mesh would have more vertices than this [5000000]");
+  }
+
   void add_search()
   {
     add("--search", "NAME", m_options.search,
@@ -502,11 +508,12 @@ private:
     add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
         "insert vertices until no edge is longer than this; requires --refine")
         ->needs(refine);
-    add("--vertex-limit", "NUMBER", m_options.meshes.vertex_limit, not_negative,
+    add("--insertion-limit", "NUMBER", m_options.meshes.insertion_limit, not_negative,
         "insert at most this many vertices [1000000]")
         ->needs(refine);
-    add("--subdivision", "FILE", m_options.meshes.subdivision,
-        "write the common subdivision of the mesh and the triangulation");
+    CLI::Option* const subdivision = add("--subdivision", "FILE", m_options.meshes.subdivision,
+                                         "write the common subdivision of the mesh and the triangulation");
+    add_vertex_limit()->needs(subdivision);
     require_one_of({"--delaunay", "--refine", "--subdivision"});
     add_arithmetic();
     add_search();
@@ -630,8 +637,7 @@ private:
     add_seams();
     exclude("--network", {"--seams"});
     m_group = "The flattened mesh";
-    add("--vertex-limit", "NUMBER", m_options.meshes.vertex_limit, not_negative,
-        "fail if the result would have more vertices than this [5000000]");
+    add_vertex_limit();
     add_outputs("-o,--output", "write .obj or .glb with texture coordinates; may be repeated")->required();
 
     begin("info", "Print components, borders, genus, size and defects of a mesh",

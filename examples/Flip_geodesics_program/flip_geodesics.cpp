@@ -319,9 +319,9 @@ int run_without_curves(Run run)
   Result_meshes meshes;
   if(command == "flatten") {
     const bool is_cut_given = !run.options.network.empty() || run.options.has_seams;
-    Flattened_mesh flattened = flattened_mesh(
-        run.input, name_of_input(run.options.mesh), is_cut_given ? requests_of(run).front() : cut_graph_request(),
-        static_cast<std::size_t>(run.options.meshes.vertex_limit.value_or(5000000)), run.progress);
+    Flattened_mesh flattened =
+        flattened_mesh(run.input, name_of_input(run.options.mesh),
+                       is_cut_given ? requests_of(run).front() : cut_graph_request(), run.options.meshes, run.progress);
     meshes.flattened = std::move(flattened.mesh);
     lines = flattened.report;
     defect = flattened.defect;

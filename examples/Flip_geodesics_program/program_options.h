@@ -16,7 +16,8 @@ struct Mesh_result_options
   bool is_delaunay = false;
   std::optional<double> refine; ///< the smallest angle, in degrees
   std::optional<double> longest_edge;
-  std::optional<long long> vertex_limit; ///< on vertices that are inserted, or in a flattened mesh
+  std::optional<long long> insertion_limit; ///< on vertices that are inserted in the triangulation
+  std::optional<long long> vertex_limit;    ///< on those of the common subdivision, or of a flattened mesh
   std::string subdivision, insertion, cut;
 
   bool is_any_wanted() const { return is_delaunay || refine || has_files(); }

@@ -161,6 +161,19 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --mesh t.glb --tubes=-0.02)
   flip_geodesics_add_program_test(tubes_of_nothing 2 "--tubes requires --output" path torus.off --edges path.txt --tubes
                                   1)
+  # The other files have no tubes: the curves are those without the option.
+  flip_geodesics_add_program_test(tubes_and_polylines 0 "1 LOCALLY_SHORTEST" path torus.off --from 0 --to 150 --tubes 0.02
+                                  -o tubes.vtp -o tubes.polylines.txt -o tubes.csv)
+  flip_geodesics_add_program_test(no_tubes 0 "1 LOCALLY_SHORTEST" path torus.off --from 0 --to 150 -o
+                                  no_tubes.polylines.txt)
+  add_test(NAME program_polylines_beside_tubes
+           COMMAND ${CMAKE_COMMAND} -E compare_files tubes.polylines.txt no_tubes.polylines.txt
+           WORKING_DIRECTORY ${program_dir})
+  set_tests_properties(program_polylines_beside_tubes PROPERTIES DEPENDS "program_tubes_and_polylines;program_no_tubes")
+  foreach(format polylines.txt html json csv)
+    flip_geodesics_add_program_test(tubes_in_${format} 2 "--tubes requires --output with a file .obj" path torus.off --from
+                                    0 --to 150 --tubes 0.02 -o x.${format})
+  endforeach()
   flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" path torus.off --points points.txt --polylines
                                   points.out)
   # Ends at vertices, in space, on an edge and in a face, with commas between them.
@@ -379,8 +392,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(trace_limit 0 "at most 1000000 edges" trace --help)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
-    flip_geodesics_add_program_test(flatten_limit 2 "torus.off: the mesh cannot be flattened because the result would have .*more than the 100 allowed"
-                                    flatten torus.off --vertex-limit 100 --output x.obj)
+    flip_geodesics_add_program_test(flatten_limit 2 "^flip_geodesics: the subdivided mesh would have [^\n]*more than the 100 allowed[^\n]*--vertex-limit\n$"
+                                    flatten torus.off --vertex-limit 100 --output x.obj --quiet)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)
     # Finer faces are needed at corners.
     flip_geodesics_add_program_test(flatten_cube 0 "1 cut. .*flattened in" flatten cube.off --output flat_cube.obj)
@@ -677,9 +690,13 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "OFF\n6 8 0\n0 0 0\n1e-6 0 0\n0 1e-6 0\n0 0 1\n1e-6 0 1\n0 1e-6 1\n3 0 2 1\n3 3 4 5\n"
        "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n")
   flip_geodesics_add_program_test(refine_thread 0 "bounds cannot be reached: [1-9][0-9]* faces" refine thread.off --from
-                                  0 --to 1 --refine 25 --vertex-limit 5000)
+                                  0 --to 1 --refine 25 --insertion-limit 5000)
+  flip_geodesics_add_program_test(subdivision_limit 2 "^flip_geodesics: the subdivided mesh would have [0-9]+ vertices, more than the 288 allowed[^\n]*--vertex-limit\n$"
+                                  refine torus.off --from 0 --to 150 --subdivision x.off --vertex-limit 288 --quiet)
+  flip_geodesics_add_program_test(vertex_limit_of_nothing 2 "--vertex-limit requires --subdivision" refine torus.off --from
+                                  0 --to 150 --refine 25 --vertex-limit 288)
   flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* faces outside the bounds. ended" refine torus.off --from
-                                  0 --to 150 --refine 0 --longest-edge 0.02 --vertex-limit 30)
+                                  0 --to 150 --refine 0 --longest-edge 0.02 --insertion-limit 30)
   flip_geodesics_add_program_test(edges_of_nothing 2 "--longest-edge requires --refine; use --refine 0" refine torus.off --from 0 --to
                                   150 --longest-edge 0.1)
   flip_geodesics_add_program_test(bad_longest_edge 2 "--longest-edge" refine torus.off --from 0 --to 150 --refine 9

@@ -61,12 +61,8 @@ public:
   {
     if(m_stats.is_wanted())
       m_stats.stream() << header_of_statistics;
-    for(const std::string& name : options.results.outputs) {
-      const std::string format = result_format(options, name);
-      if(m_tubes && format == "polylines")
-        throw Bad_input("--tubes does not apply to polylines; write .obj, .ply, .vtp or .glb files");
-      m_outputs.emplace_back(name, format, has_curves());
-    }
+    for(const std::string& name : options.results.outputs)
+      m_outputs.emplace_back(name, result_format(options, name), has_curves());
     m_scene.title = name_of_input(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));
   }
 

@@ -89,12 +89,15 @@ inline void check_formats_of_results(const Options& options)
   of_outputs.push_back("json"); // like csv and html, of the options that `sort_outputs()` gives it to
   for(const std::string& name : names.outputs)
     check_result_format(options, "--output", name, of_outputs);
-  const bool can_have_values = std::any_of(names.outputs.begin(), names.outputs.end(), [&](const std::string& name) {
-    const std::string format = result_format(options, name);
-    return format == "ply" || format == "vtp";
-  });
-  if(names.has_values && !can_have_values && names.json.empty())
+  const auto has_output_in = [&](const std::vector<std::string>& formats) {
+    return std::any_of(names.outputs.begin(), names.outputs.end(), [&](const std::string& name) {
+      return std::find(formats.begin(), formats.end(), result_format(options, name)) != formats.end();
+    });
+  };
+  if(names.has_values && !has_output_in({"ply", "vtp"}) && names.json.empty())
     throw Bad_input("--values requires --output with a file .ply, .vtp or .json; use one of these");
+  if(names.tubes && !has_output_in({"obj", "ply", "vtp", "glb"}))
+    throw Bad_input("--tubes requires --output with a file .obj, .ply, .vtp or .glb; use one of these");
   check_result_format(options, "--subdivision", options.meshes.subdivision, meshes);
   check_result_format(options, "--insert", options.meshes.insertion, meshes);
   check_result_format(options, "--cut", options.meshes.cut, meshes);

@@ -134,10 +134,9 @@ struct Flattened_mesh
   std::string defect; ///< why the texture is not injective; empty if it is, up to rounding errors
 };
 
-/// Cuts a surface along shortened curves and flattens it conformally. \throws Bad_input also if the result would have
-/// more than `most_vertices` vertices
+/// Cuts a surface along shortened curves and flattens it conformally. \throws Bad_input also as `limited_subdivision()`
 Flattened_mesh flattened_mesh(const Mesh& mesh, const std::string& name, const Network_request& cut,
-                              std::size_t most_vertices, Progress& progress);
+                              const Mesh_result_options& options, Progress& progress);
 
 } // namespace program
 

@@ -135,6 +135,8 @@ private:
         return compute(request);
       return CGAL::Flip_geodesics::internal::compute_on_surface(
           Surfaces{*this}, [&](Curve_runner& runner) { return results_of(runner, request); });
+    } catch(const Bad_input&) {
+      throw; // a result that was not allowed, rather than a curve that failed
     } catch(const std::bad_alloc&) {
       why = "there is not enough memory";
     } catch(const std::exception& error) {

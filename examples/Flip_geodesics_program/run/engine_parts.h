@@ -6,6 +6,7 @@
 #include "messages.h"
 #include "program_mesh.h"
 #include "run/curve_engine.h"
+#include "run/limited_subdivision.h"
 #include "run/progress.h"
 
 #include <CGAL/Flip_geodesics/delaunay.h>
@@ -118,8 +119,8 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     FG::Refinement_options bounds;
     bounds.smallest_angle = *options.refine;
     bounds.longest_edge = options.longest_edge.value_or(bounds.longest_edge);
-    if(options.vertex_limit)
-      bounds.maximum_insertions = static_cast<std::size_t>(*options.vertex_limit);
+    if(options.insertion_limit)
+      bounds.maximum_insertions = static_cast<std::size_t>(*options.insertion_limit);
     progress.enter("refining", "vertices inserted");
     Refinement_progress visitor(progress);
     const FG::Refinement_report report = FG::refine(network, bounds, CGAL::parameters::visitor(std::ref(visitor)));
@@ -140,7 +141,7 @@ Result_meshes result_meshes(const Mesh_result_options& options, const Mesh& mesh
   namespace FG = CGAL::Flip_geodesics;
   Result_meshes meshes;
   if(!options.subdivision.empty())
-    meshes.subdivision = FG::common_subdivision(network.triangulation(), mesh).mesh();
+    meshes.subdivision = limited_subdivision(network.triangulation(), mesh, options).mesh();
   if(!options.insertion.empty())
     meshes.insertion = FG::insert_curves(network, mesh).mesh();
   if(!options.cut.empty())

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "messages.h"
+#include "program_options.h"
 #include "run/computations.h"
 
 #ifdef CGAL_EIGEN3_ENABLED
+#include "run/limited_subdivision.h"
+
 #include <CGAL/Flip_geodesics/Conformal_flattening.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -12,7 +15,6 @@
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
-#include <CGAL/Flip_geodesics/subdivide.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
@@ -106,19 +108,6 @@ void unite_corners(const FG::Surface_subdivision<Triangulation, Mesh>& subdivisi
   }
 }
 
-// The common subdivision has a vertex at each crossing of an edge of the mesh and one of the triangulation; on a mesh of
-// needles there can be a thousand per edge.
-void check_number_of_vertices(const Triangulation& triangulation, std::size_t most_vertices)
-{
-  auto number = static_cast<std::size_t>(triangulation.number_of_vertices());
-  for(FG::Index e = 0; e < triangulation.number_of_edges(); ++e)
-    number += static_cast<std::size_t>(std::max(triangulation.crossings(FG::Edge_index(e)), FG::Index(0)));
-  if(number > most_vertices)
-    throw FG::Flattening_error(
-        "the result would have " + readable(number) + " vertices, more than the " + readable(most_vertices) +
-        " allowed, since edges cross many needles; remesh the surface, or increase --vertex-limit");
-}
-
 // The triangles that are not counterclockwise in the plane, other than those that are so thin, on the surface or in the
 // plane, that this is a rounding error.
 std::size_t number_of_turned_faces(const Mesh& mesh, Texture_map texture)
@@ -153,7 +142,7 @@ std::size_t number_of_components(const Mesh& mesh)
 }
 
 Flattened_mesh flattened_along(const Mesh& mesh, const Network_request& cut, const std::vector<Vertex_index>& tips,
-                               std::size_t most_vertices, Progress& progress)
+                               const Mesh_result_options& options, Progress& progress)
 {
   Triangulation triangulation(mesh);
   Network network(triangulation);
@@ -163,8 +152,7 @@ Flattened_mesh flattened_along(const Mesh& mesh, const Network_request& cut, con
   progress.enter("refining and flattening", "steps");
   const auto number_of_cuts = static_cast<std::size_t>(network.number_of_curves());
   const auto flattening = FG::refine_and_flatten(network, CGAL::parameters::visitor(std::ref(visitor)));
-  check_number_of_vertices(triangulation, most_vertices);
-  auto subdivision = FG::common_subdivision(triangulation, mesh);
+  auto subdivision = limited_subdivision(triangulation, mesh, options);
   const Texture_map texture = texture_of(subdivision.mesh());
   flattening.carry_to(subdivision, texture);
   unite_corners(subdivision, network, texture);
@@ -184,13 +172,13 @@ Flattened_mesh flattened_along(const Mesh& mesh, const Network_request& cut, con
 } // namespace
 
 Flattened_mesh flattened_mesh(const Mesh& mesh, const std::string& name, const Network_request& cut,
-                              std::size_t most_vertices, Progress& progress)
+                              const Mesh_result_options& options, Progress& progress)
 try {
   constexpr std::size_t most_tips = 64;
   std::vector<Vertex_index> tips;
   for(;;)
     try {
-      return flattened_along(mesh, cut, tips, most_vertices, progress);
+      return flattened_along(mesh, cut, tips, options, progress);
     } catch(const FG::Flattening_error& error) {
       // The cut graph is extended to the vertex to which the surface should be cut.
       if(!cut.is_cut_graph || error.elements().empty() || tips.size() == most_tips)
@@ -209,7 +197,8 @@ try {
 
 #else
 
-Flattened_mesh flattened_mesh(const Mesh&, const std::string&, const Network_request&, std::size_t, Progress&)
+Flattened_mesh flattened_mesh(const Mesh&, const std::string&, const Network_request&, const Mesh_result_options&,
+                              Progress&)
 {
   throw Bad_input(
       "the program was compiled without Eigen, which flattening requires; install Eigen and compile it again");
