@@ -12,6 +12,7 @@ find_package(Python3 COMPONENTS Interpreter QUIET)
 # flip_geodesics_add_program_test(name status pattern arguments...): the exit status and what is printed.
 function(flip_geodesics_add_program_test name status pattern)
   string(REPLACE ";" "|" arguments "${ARGN}")
+  string(REPLACE ";" "." pattern "${pattern}") # which would end the argument
   add_test(
     NAME program_${name}
     COMMAND
@@ -880,7 +881,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(no_file 2 "missing.off" path missing.off --random 2)
   flip_geodesics_add_program_test(unknown_format 2 "pairs.txt: the extension does not determine the format.*--format" path pairs.txt
                                   --random 2)
-  flip_geodesics_add_program_test(format_of_no_name 2 "--format xyz: not known; use one of obj off" path torus.off
+  flip_geodesics_add_program_test(format_of_no_name 2 "--format xyz: not known as an input format; use one of obj off" path torus.off
                                   --format xyz --random 2)
   flip_geodesics_add_program_test(given_twice 2 "--from is given 2 times. give it once" path torus.off --from 0 --from 1
                                   --to 5)

@@ -46,7 +46,7 @@ inline std::string describe(Repair repair, std::size_t count)
   };
   switch(repair) {
   case Repair::POINTS_NOT_FINITE:
-    return counted("point", "points", "left out: a coordinate is not finite");
+    return counted("point", "points", "without faces: a coordinate is not finite");
   case Repair::POINTS_WELDED:
     return counted("point", "points", "moved to other points within the weld tolerance");
   case Repair::POLYGONS_WITHOUT_POINTS:
