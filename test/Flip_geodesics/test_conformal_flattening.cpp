@@ -355,6 +355,13 @@ BOOST_AUTO_TEST_CASE(a_long_spike_must_be_cut)
   Network network(again);
   add_path(network, FG::Vertex_index(static_cast<FG::Index>(tip)), FG::Vertex_index(disk_vertex(8, 4, 4)));
   BOOST_TEST(FG::refine_and_flatten(network).angle_error() <= 1e-10);
+
+  // The faces at the tip of a shorter one have corners on the border, to which no cut helps.
+  const Mesh steep = to_mesh<Mesh>(cone(9, 1, 1, 10));
+  Triangulation of_steep(steep);
+  Network no_cut(of_steep);
+  BOOST_CHECK_EXCEPTION(FG::refine_and_flatten(no_cut), FG::Flattening_error,
+                        [](const FG::Flattening_error& e) { return e.elements() == std::vector<std::size_t>{0}; });
 }
 
 #else

@@ -578,18 +578,33 @@ struct Internals<Conformal_flattening<Triangulation>>
     Flattening(network, typename Flattening::Unscaled());
   }
 
-  /* Returns a vertex of the input among the corners of the faces of some sides, if there is one. */
-  static std::vector<std::size_t> input_vertex_near(const Triangulation& triangulation,
-                                                    const std::vector<Halfedge_index>& sides)
+  /* Returns a vertex of the input inside the cut surface, among the corners of the faces of some sides, if there is
+   * one. */
+  template <class Network>
+  static std::vector<std::size_t> input_vertex_near(const Network& network, const std::vector<Halfedge_index>& sides)
   {
+    const auto& triangulation = network.triangulation();
     for(Halfedge_index h : sides)
       for(int i = 0; i < 3; ++i, h = triangulation.next(h))
-        if(const Vertex_index v = triangulation.tail(h); !triangulation.is_inserted(v))
+        if(const Vertex_index v = triangulation.tail(h); !triangulation.is_inserted(v) && is_inside(network, h))
           return {static_cast<std::size_t>(v.idx())};
     return {};
   }
 
 private:
+  /* Returns whether no edge at the tail of a halfedge is cut or on the border. */
+  template <class Network>
+  static bool is_inside(const Network& network, Halfedge_index h)
+  {
+    Halfedge_index g = h;
+    do {
+      if(network.is_occupied(g))
+        return false;
+      g = network.triangulation().clockwise(g);
+    } while(g != null_index && g != h);
+    return g == h;
+  }
+
   template <class Values>
   static void check_scales(const Flattening& flattening, const Values& log_scales)
   {
@@ -730,7 +745,7 @@ Conformal_flattening<typename Network::Triangulation> refine_and_flatten(Network
     std::vector<Halfedge_index> sides = Internals::flatten(network, result);
     if(result)
       return std::move(*result);
-    const std::vector<std::size_t> tip = Internals::input_vertex_near(triangulation, sides);
+    const std::vector<std::size_t> tip = Internals::input_vertex_near(network, sides);
     for(Halfedge_index& h : sides)
       h = internal::first_side(Triangulation::edge(h));
     std::sort(sides.begin(), sides.end());
