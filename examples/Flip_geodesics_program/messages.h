@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -107,6 +108,8 @@ inline std::string readable_time(double seconds)
 inline std::string with_advice(const std::exception& error, const std::string& advice)
 {
   namespace FG = CGAL::Flip_geodesics;
+  if(dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+    return "there is not enough memory";
   const auto* const degenerate = dynamic_cast<const FG::Degenerate_face_error*>(&error);
   if(degenerate == nullptr || degenerate->remedy() == FG::Degeneracy_remedy::NONE)
     return error.what();

@@ -683,6 +683,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 faces outside the bounds" refine torus.off --from 0 --to 150
                                   --delaunay --refine 25 --subdivision subdivision.off --insert inserted.ply)
   flip_geodesics_add_program_test(cut 0 "4 LOCALLY_SHORTEST" network torus.off --network network.txt --cut cut.off)
+  # A curve that is a point leaves the mesh as it is.
+  flip_geodesics_add_program_test(refine_at_point 0 "1 CONTRACTED.*refined +0 vertices" refine torus.off --from 4 --to 4
+                                  --refine 1 --subdivision point.subdivision.off --insert point.insert.off --cut point.cut.off)
+  add_test(NAME program_meshes_at_point COMMAND ${CMAKE_COMMAND} -E sha256sum point.subdivision.off point.insert.off
+                                                point.cut.off WORKING_DIRECTORY ${program_dir})
+  set_tests_properties(program_meshes_at_point PROPERTIES DEPENDS program_refine_at_point)
   # An edge with both ends inside opens at its middle: vertices 288 and 289 are new.
   flip_geodesics_add_program_test(cut_one_edge 0 "1 LOCALLY_SHORTEST" path torus.off --from 0 --to 1 --cut slit.off)
   flip_geodesics_add_program_test(slit_of_one_edge 0 "289 LOCALLY_SHORTEST" log slit.off --source 289)
@@ -775,7 +781,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
 
   if(Python3_Interpreter_FOUND AND UNIX)
     foreach(case inputs results kinds_of_results failed_curves page places standard_streams interruption full_disk
-                 closed_streams conditions progress values_without_path)
+                 little_memory closed_streams conditions progress values_without_path)
       add_test(NAME program_files_${case}
                COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_program_files.py --program
                        $<TARGET_FILE:flip_geodesics> --torus $<TARGET_FILE:generate_torus> ${case})

@@ -356,6 +356,16 @@ def case_full_disk(folder):
               errors)
 
 
+def case_little_memory(folder):
+    """The lack of memory is told in one line. Sanitizers reserve more memory than this."""
+    def little_memory():
+        resource.setrlimit(resource.RLIMIT_AS, (150000000, 150000000))
+
+    folder.make_torus('large.off', 600, 400)
+    if folder.start('--version', preexec_fn=little_memory).wait() == 0:
+        folder.refuse('there is not enough memory', 'info', 'large.off', preexec_fn=little_memory)
+
+
 def case_closed_streams(folder):
     """A result does not become standard error, which a curve that fails writes to."""
     (folder.path / 'flat.off').write_text('OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n9 9 0\n9 9 0\n3 0 1 2\n3 0 2 3\n3 3 2 4\n')

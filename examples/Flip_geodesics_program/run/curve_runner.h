@@ -34,7 +34,6 @@
 #include <iterator>
 #include <limits>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -137,8 +136,6 @@ private:
           Surfaces{*this}, [&](Curve_runner& runner) { return results_of(runner, request); });
     } catch(const Bad_input&) {
       throw; // a result that was not allowed, rather than a curve that failed
-    } catch(const std::bad_alloc&) {
-      why = "there is not enough memory";
     } catch(const std::exception& error) {
       why = message(error);
     }
@@ -154,8 +151,13 @@ private:
     const Surface_request left = surface_request(m_triangulation, request);
     const bool is_contracted = m_triangulation.input().is_contracted();
     std::vector<Curve_result> computed, results;
-    if(left.request.has_no_given_curves() || !left.request.curves.empty())
+    if(left.request.has_no_given_curves() || !left.request.curves.empty()) {
       computed = compute_lines(left.request);
+    } else {
+      Network none(m_triangulation);
+      make_meshes(none);
+      m_triangulation.rollback();
+    }
     if(left.request.has_no_given_curves()) {
       if(is_contracted)
         put_on_mesh(m_triangulation, computed, m_map);
@@ -308,13 +310,18 @@ private:
       shorten(network, results, recorder);
     }
     extract(network, results);
-    m_mesh_results = improve_triangulation(m_options.meshes, network, m_progress);
+    make_meshes(network);
     record(network, recorder);
+    network.clear();
+    m_triangulation.rollback();
+  }
+
+  void make_meshes(Network& network)
+  {
+    m_mesh_results = improve_triangulation(m_options.meshes, network, m_progress);
     if(m_options.meshes.has_files())
       m_progress.enter("inserting the curves into the mesh");
     m_meshes = result_meshes(m_options.meshes, m_mesh, network);
-    network.clear();
-    m_triangulation.rollback();
   }
 
   // Is the shortest of all paths between two points wanted that are not both vertices?
