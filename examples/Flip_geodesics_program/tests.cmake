@@ -171,6 +171,22 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
            COMMAND ${CMAKE_COMMAND} -E compare_files tubes.polylines.txt no_tubes.polylines.txt
            WORKING_DIRECTORY ${program_dir})
   set_tests_properties(program_polylines_beside_tubes PROPERTIES DEPENDS "program_tubes_and_polylines;program_no_tubes")
+  # Points on edges need not share a face if degenerate edges between them were contracted.
+  file(WRITE ${program_dir}/coincident.off "OFF\n6 8 0\n1 0 0\n0 0 1\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n"
+                                           "3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
+  flip_geodesics_add_program_test(samples_of_contracted 2 "--sample: curve --from, --to passes degenerate edges; use --repair"
+                                  path coincident.off --from 0 --to 1 --sample 0.2)
+  flip_geodesics_add_program_test(weight_of_point 0 "1 LOCALLY_SHORTEST" path torus.off --from 0,1,1e-300 --to 150)
+  # The points of a curve on a mesh far from the origin lie in faces because of rounding errors only.
+  file(WRITE ${program_dir}/far_from_origin.off
+       "OFF\n9 8 0\n50000.13 450000.27 0\n50001.07 450000.11 0.31\n50002.19 450000.05 0\n50000.02 450001.23 0.17\n"
+       "50001.11 450001.09 0.41\n50002.07 450001.16 0.08\n50000.21 450002.12 0\n50001.17 450002.31 0.22\n"
+       "50002.03 450002.09 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 3 4 7\n3 3 7 6\n3 4 5 8\n3 4 8 7\n")
+  flip_geodesics_add_program_test(distant_curve 0 "1 LOCALLY_SHORTEST" path far_from_origin.off --from 2 --to 6 -o
+                                  far_from_origin.polylines.txt)
+  flip_geodesics_add_program_test(certify_distant 0 "certificates: 1 PROVEN" certify far_from_origin.off --draw
+                                  far_from_origin.polylines.txt)
+  set_tests_properties(program_certify_distant PROPERTIES DEPENDS program_distant_curve)
   foreach(format polylines.txt html json csv)
     flip_geodesics_add_program_test(tubes_in_${format} 2 "--tubes requires --output with a file .obj" path torus.off --from
                                     0 --to 150 --tubes 0.02 -o x.${format})
@@ -405,6 +421,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                         "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1\n")
     flip_geodesics_add_program_test(flatten_spike 0 "1 cut. .*flattened in" flatten spike.off --output flat_spike.obj)
     file(WRITE ${program_dir}/base.txt "1 2\n")
+    # The cut must reach the apex; the other corners of the faces there are on the border.
+    file(WRITE ${program_dir}/steep.off "OFF\n5 4 0\n0 0 10\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n"
+                                        "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1\n")
+    flip_geodesics_add_program_test(flatten_steep 0 "1 cut. .*flattened in" flatten steep.off --output flat_steep.obj)
     flip_geodesics_add_program_test(flatten_uncut_spike 2
                                     "lengths at vertex 0 would be multiplied by about 1e-.*extend the cut to this vertex"
                                     flatten spike.off --network base.txt --output x.obj)
@@ -615,6 +635,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0 --spacing 0)
   flip_geodesics_add_program_test(voronoi_of_one_source 0 "0 curves.*no boundary: there is only one source" distance
                                   torus.off --source 0 --voronoi)
+  flip_geodesics_add_program_test(voronoi_of_near_sources 2 "between vertex 0 and point 0,1,1e-14 is below the rounding errors"
+                                  distance torus.off --source 0 --source 0,1,1e-14 --voronoi)
   flip_geodesics_add_program_test(voronoi_of_one_place 0 "no boundary: in each component, all points have the" distance
                                   torus.off --source 0,0 --voronoi)
   flip_geodesics_add_program_test(json_named_as_mesh 2 "--json writes lines of text. use a name that ends in .json" path

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,7 +31,8 @@
 namespace program {
 
 /// Finds the nearest points of a mesh among its non-degenerate faces, which have all edges except those between two
-/// degenerate faces. Barycentric coordinates below 1e-12 count as zero.
+/// degenerate faces. Barycentric coordinates below 1e-12, or below the rounding errors of points on a mesh far from the
+/// origin, count as zero.
 class Surface_projector
 {
 public:
@@ -48,12 +50,24 @@ public:
     const auto found = m_nearest_face(CGAL::Flip_geodesics::internal::half_of(p));
     m_mesh.note_projection(2 * found.distance(), name);
     CGAL::Flip_geodesics::Surface_location result = {index_of(m_sides.side(found.face)), found.nearest.weights};
+    const double least = least_weight(m_sides(found.face));
     for(double& weight : result.weights)
-      weight = weight < 1e-12 ? 0 : weight;
+      weight = weight < least ? 0 : weight;
     return result;
   }
 
 private:
+  static double least_weight(const CGAL::Flip_geodesics::internal::Triangle_places& corners)
+  {
+    double largest = 0, longest = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t k = 0; k < 3; ++k) {
+        largest = std::max(largest, std::abs(corners[i][k]));
+        longest = std::max(longest, std::abs(corners[i][k] - corners[(i + 1) % 3][k]));
+      }
+    return std::clamp(16 * std::numeric_limits<double>::epsilon() * (largest / longest), 1e-12, 1e-6);
+  }
+
   static bool is_degenerate(const Mesh& mesh, Mesh::Face_index f)
   {
     return CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh);
@@ -170,7 +184,8 @@ private:
     if(!(t >= 0 && u >= 0 && t + u <= 1))
       throw Bad_input(name + ": '" + printable(word) +
                       "' is outside its edge or face; t and u must be at least 0, and their sum at most 1");
-    if(const auto location = location_between(m_mesh, a, b, c, t, u))
+    const auto weight = [](double x) { return x < 1e-100 ? 0 : x; }; // the least positive one of a location
+    if(const auto location = location_between(m_mesh, a, b, c, weight(t), weight(u)))
       return *location;
     throw Bad_input(name + ": '" + printable(word) +
                     "' names vertices that do not form an edge or face of the mesh; correct " +

@@ -248,6 +248,23 @@ void add_isolines(const Slit_surface& surface, const Field_on_mesh& field, const
   }
 }
 
+// The boundary of two sources is undefined if rounding errors exceed their distance. Sources at one point count as one.
+template <class Triangulation>
+void check_that_sources_are_apart(const Triangulation& triangulation, const std::vector<FG::Surface_location>& sources,
+                                  const Field_request& request, double size)
+{
+  const double rounding = 1e-12 * size;
+  std::vector<std::pair<Point_3, std::size_t>> points;
+  for(const FG::Surface_location& source : sources)
+    points.emplace_back(FG::point_in_space(triangulation, FG::surface_point(triangulation, source)), points.size());
+  std::sort(points.begin(), points.end());
+  for(auto p = points.begin(); p != points.end(); ++p)
+    for(auto q = p + 1; q != points.end() && q->first.x() - p->first.x() <= rounding; ++q)
+      if(p->first != q->first && CGAL::squared_distance(p->first, q->first) <= rounding * rounding)
+        throw Bad_input("--voronoi: the distance between " + request.sources[p->second].name + " and " +
+                        request.sources[q->second].name + " is below the rounding errors; omit one of them");
+}
+
 void add_boundaries(const Slit_surface& surface, const Field_on_mesh& field, const Field_request& request,
                     double tolerance, Progress& progress, Field_curves& result)
 {
@@ -281,6 +298,8 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   progress.enter("computing distances", "steps");
   // One source alone has no boundary, and no distance is needed to see that.
   const bool has_boundaries = request.is_diagram && sources.size() > 1;
+  if(has_boundaries)
+    check_that_sources_are_apart(triangulation, sources, request, size_of(mesh));
   const bool has_isolines = !request.levels.empty() || request.spacing > 0;
   Progress_visitor visitor(progress);
   const bool is_computed = request.is_map || has_boundaries || has_isolines;

@@ -249,8 +249,12 @@ void sample_curves(const Mesh& mesh, double distance, std::vector<Curve_result>&
           {index_of(mesh.source(h)), index_of(mesh.target(h)), index_of(mesh.target(mesh.next(h)))}};
       curve.points.push_back({point_in_face(corners, sample.location.second), sample.point, true});
     };
-    FG::sample_curve(mesh, locations, 1 + static_cast<std::size_t>((std::max)(1.0, pieces)),
-                     boost::make_function_output_iterator(add));
+    try {
+      FG::sample_curve(mesh, locations, 1 + static_cast<std::size_t>((std::max)(1.0, pieces)),
+                       boost::make_function_output_iterator(add));
+    } catch(const FG::Invalid_curve_error&) { // it changes between coincident vertices
+      throw Bad_input("--sample: curve " + curve.name + " passes degenerate edges; use --repair or omit --sample");
+    }
   }
 }
 
