@@ -137,9 +137,11 @@ public:
   using Vector = std::complex<double>;
 
   /*
-   * A halfedge, and the angle at its tail in the face on its left. The direction (cosine, sine) is off by at most 25 u:
-   * rounded differences, products and quotients make 6 u along a side and 10 u across it for the first two directions
-   * of a face, and the product of these two vectors is the third one.
+   * A halfedge, and the angle at its tail in the face on its left. The direction (cosine, sine) is off by at most 18 u:
+   * the rounding of two vectors in space turns them by 2 u; a scalar product is off by 3 u of the product of the
+   * lengths, and a vector product by 2.5 u of it and 2.5 u of itself. Quotients add 1 u, and lengths 6 u along the
+   * direction only. This makes 9 u for the first two directions of a face. The third one is computed from the product
+   * of these two vectors and is off by up to 17 u across the direction.
    */
   struct Side
   {

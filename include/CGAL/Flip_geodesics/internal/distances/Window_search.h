@@ -266,9 +266,9 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr bool is_in_double = std::is_same<Number, double>::value;
-  // Of a step to a face, relative to the lengths in it: a direction of a side (25 u, see `Unfolded_faces::Side`), a
+  // Of a step to a face, relative to the lengths in it: a direction of a side (18 u, see `Unfolded_faces::Side`), a
   // difference (1 u), a product of complex numbers (less than 3 u) and a sum (1 u).
-  static constexpr double step_error = 32 * Rounding::unit;
+  static constexpr double step_error = 24 * Rounding::unit;
   static constexpr double evaluation_error = Window::evaluation_error;
   static constexpr double row_allowance = 32;         // of errors, at vertices that can be collinear
   static constexpr double same_way = same_path_angle; // angle between the ends of paths regarded as the same
