@@ -322,6 +322,19 @@ BOOST_AUTO_TEST_CASE(a_cut_graph_that_touches_a_vertex_is_flattened)
   const auto flattening = FG::refine_and_flatten(network);
   BOOST_TEST(flattening.angle_error() <= 1e-10);
   BOOST_TEST(flattening.layout_error() < 1e-9);
+
+  // Curves along several edges of a straight line, with a hole in each face.
+  const Mesh_soup coarse = torus(3, 3, 1, 0.4);
+  for(std::size_t f = 0; f < coarse.triangles.size(); ++f) {
+    Mesh_soup soup = coarse;
+    soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(f));
+    const Mesh with_hole = to_mesh<Mesh>(soup);
+    FG::Intrinsic_triangulation<Mesh> t(with_hole);
+    FG::Edge_path_network<FG::Intrinsic_triangulation<Mesh>> cuts(t);
+    FG::add_cut_graph(cuts);
+    FG::shorten_cut_graph(cuts);
+    BOOST_CHECK_NO_THROW(FG::refine_and_flatten(cuts));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(edges_are_split_until_scale_factors_exist)

@@ -710,7 +710,7 @@ bool move_to_near_vertices(Network& network)
  * at most 10 000 vertices plus ten times the number of vertices of the triangulation. Then edges that connect a vertex
  * to itself are split. As long as the scaled lengths violate the triangle inequality in some faces, the longest sides
  * of these faces are split near their midpoints. Before the surface is cut, a curve that passes a vertex at a distance
- * of less than about \f$10^{-9}\f$ times the length of its edge there is moved onto this vertex; the order of
+ * of less than about \f$10^{-7}\f$ times the length of its edge there is moved onto this vertex; the order of
  * overlapping curves and the fixed nodes are then lost.
  *
  * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface

@@ -436,8 +436,9 @@ inline constexpr double hessian_regularization = 1e-12;
 inline constexpr double largest_log_scale = 20.7;
 
 /* The height of a face over a side that lies under a curve, relative to the side, below which the curve is moved onto
- * the opposite vertex before it is flattened: 10^7 u, so that what is not moved has seven digits. */
-inline constexpr double passed_vertex_height = 1e-9;
+ * the opposite vertex before it is flattened: 10 sqrt(u), since the height of a degenerate face is computed as about
+ * sqrt(u) from lengths with a relative error u. */
+inline constexpr double passed_vertex_height = 1e-7;
 
 /* Steps of a line search below these parts of the full step are not tried any more. */
 inline constexpr double least_line_search_step = 1e-10, least_mean_step = 0x1p-40;
