@@ -176,6 +176,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                            "3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
   flip_geodesics_add_program_test(samples_of_contracted 2 "--sample: curve --from, --to passes degenerate edges; use --repair"
                                   path coincident.off --from 0 --to 1 --sample 0.2)
+  flip_geodesics_add_program_test(cut_along_contracted 2 "--insert and --cut: a curve passes degenerate edges; use --repair"
+                                  shortest coincident.off --from 0 --to 1 --ways 1 --cut x.off)
+  flip_geodesics_add_program_test(near_sources_of_parts 0 "0 curves" distance coincident_parts.off --source 0,3
+                                  --voronoi)
+  file(WRITE ${program_dir}/coincident_parts.off "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1e-16 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+                                                 "3 3 4 5\n")
   flip_geodesics_add_program_test(weight_of_point 0 "1 LOCALLY_SHORTEST" path torus.off --from 0,1,1e-300 --to 150)
   # The points of a curve on a mesh far from the origin lie in faces because of rounding errors only.
   file(WRITE ${program_dir}/far_from_origin.off

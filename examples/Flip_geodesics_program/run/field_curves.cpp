@@ -250,17 +250,22 @@ void add_isolines(const Slit_surface& surface, const Field_on_mesh& field, const
 
 // The boundary of two sources is undefined if rounding errors exceed their distance. Sources at one point count as one.
 template <class Triangulation>
-void check_that_sources_are_apart(const Triangulation& triangulation, const std::vector<FG::Surface_location>& sources,
-                                  const Field_request& request, double size)
+void check_that_sources_are_apart(const Triangulation& triangulation, const Mesh& mesh,
+                                  const std::vector<FG::Surface_location>& sources, const Field_request& request,
+                                  Progress& progress)
 {
-  const double rounding = 1e-12 * size;
+  const double rounding = 1e-12 * size_of(mesh);
+  const auto distance = [&](std::size_t p, std::size_t q) {
+    return distances_between(mesh, triangulation.metric(), {sources[p], sources[q]}, progress)[0][1];
+  };
   std::vector<std::pair<Point_3, std::size_t>> points;
   for(const FG::Surface_location& source : sources)
     points.emplace_back(FG::point_in_space(triangulation, FG::surface_point(triangulation, source)), points.size());
   std::sort(points.begin(), points.end());
   for(auto p = points.begin(); p != points.end(); ++p)
     for(auto q = p + 1; q != points.end() && q->first.x() - p->first.x() <= rounding; ++q)
-      if(p->first != q->first && CGAL::squared_distance(p->first, q->first) <= rounding * rounding)
+      if(p->first != q->first && CGAL::squared_distance(p->first, q->first) <= rounding * rounding &&
+         distance(p->second, q->second) <= rounding)
         throw Bad_input("--voronoi: the distance between " + request.sources[p->second].name + " and " +
                         request.sources[q->second].name + " is below the rounding errors; omit one of them");
 }
@@ -299,7 +304,7 @@ Field_curves curves_in_metric(const Slit_surface& surface, const Metric& metric,
   // One source alone has no boundary, and no distance is needed to see that.
   const bool has_boundaries = request.is_diagram && sources.size() > 1;
   if(has_boundaries)
-    check_that_sources_are_apart(triangulation, sources, request, size_of(mesh));
+    check_that_sources_are_apart(triangulation, mesh, sources, request, progress);
   const bool has_isolines = !request.levels.empty() || request.spacing > 0;
   Progress_visitor visitor(progress);
   const bool is_computed = request.is_map || has_boundaries || has_isolines;

@@ -216,7 +216,11 @@ Result_meshes meshes_along(const Mesh& mesh, const std::vector<Curve_result>& cu
   }
   Mesh inserted = mesh;
   const Marks is_marked = inserted.add_property_map<Mesh::Edge_index, bool>("e:is_on_curve", false).first;
-  FG::insert_curves(inserted, locations, CGAL::parameters::edge_is_constrained_map(is_marked));
+  try {
+    FG::insert_curves(inserted, locations, CGAL::parameters::edge_is_constrained_map(is_marked));
+  } catch(const FG::Invalid_curve_error&) { // consecutive points share no face; it changes between coincident vertices
+    throw Bad_input("--insert and --cut: a curve passes degenerate edges; use --repair or omit them");
+  }
   if(!options.insertion.empty())
     result.insertion = inserted;
   if(!options.cut.empty()) {
