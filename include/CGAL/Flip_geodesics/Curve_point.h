@@ -24,7 +24,7 @@ template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric;
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// Stores the position of a point of a curve on the mesh by descriptors of the mesh.
+/// Stores the position on the mesh of a point of a curve by means of descriptors of the mesh.
 template <class TriangleMesh>
 struct Curve_place
 {
@@ -38,8 +38,8 @@ struct Curve_place
   std::pair<face_descriptor, std::array<double, 3>> location;
 
   /// The halfedge that the curve crosses at this point, as a side of the face that the curve leaves. At an end of the
-  /// curve or an inserted vertex inside an edge, this is one of the two halfedges of the edge; at a vertex of the mesh
-  /// or inside a face, it is the null halfedge.
+  /// curve or an inserted vertex that lies on an edge, this member is one of the two halfedges of the edge; at a vertex
+  /// of the mesh or inside a face, it is the null halfedge.
   halfedge_descriptor halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
 };
 
@@ -52,8 +52,8 @@ struct Curve_point : Curve_place<TriangleMesh>
   using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3; ///< the vector type of the kernel of `Point_3`
 
   Point_3 point; ///< the position in space
-  /// The unit vector in space in the direction in which the curve continues or, at the end of the curve, in which it
-  /// arrives. It is zero if the curve is a single point.
+  /// The unit vector, in space, of the direction in which the curve continues or, at the end of the curve, in which the
+  /// curve arrives. The vector is zero if the curve is a single point.
   Vector_3 tangent;
 };
 
@@ -102,8 +102,9 @@ auto face_location_of(const Triangulation& triangulation, const TriangleMesh& me
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The barycentric coordinates are the weights;
- * unless the sum of the weights is one up to 1e-6, as `surface_location()` requires, they are divided by it.
+ * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The barycentric coordinates are the weights
+ * of the location. If their sum differs from one by more than 1e-6, the tolerance of `surface_location()`, they are
+ * divided by their sum.
  * \throws Invalid_location_error if the location is not a point of the surface
  */
 template <class Triangulation>

@@ -20,7 +20,7 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// The integer type of the numbers of elements.
+/// The integer type of the numbers that identify elements, and of counts of elements.
 using Index = std::int32_t;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
@@ -32,16 +32,17 @@ struct Null_index
 };
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// The null value of all descriptors, which can be compared with it and constructed from it.
+/// The null value: descriptors of every type can be constructed from it and compared with it.
 inline constexpr Null_index null_index{};
 
 /*!
  * \ingroup PkgFlipGeodesicsDescriptors
  *
- * Identifies one element of a triangulation or of a network by its number. Each kind of element has its own type, so a
- * halfedge cannot be passed by mistake instead of a vertex.
+ * Identifies one element of a mesh, a triangulation or a network by its number. Each kind of element has a descriptor
+ * type of its own, so a halfedge cannot be passed by mistake instead of a vertex.
  *
- * Descriptors are ordered by their numbers, can be hashed, and are printed as a prefix, such as `v`, and the number.
+ * Descriptors are ordered by their numbers, can be hashed, and are printed as a prefix, such as `v`, followed by the
+ * number.
  *
  * \tparam Element the kind of element, a class in `Element_kind`
  */
@@ -93,24 +94,25 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Lists the kinds of elements that a `Descriptor` identifies, each with the prefix that is printed before the number.
+/// Lists the kinds of elements that a `Descriptor` can identify, each with the prefix that is printed before the
+/// number.
 struct Element_kind
 {
   // clang-format off
-  /// The kind of `Vertex_index`.
-  struct Vertex { static constexpr const char* letter = "v"; /**< what is printed */ };
-  /// The kind of `Halfedge_index`.
-  struct Halfedge { static constexpr const char* letter = "h"; /**< what is printed */ };
-  /// The kind of `Face_index`.
-  struct Face { static constexpr const char* letter = "f"; /**< what is printed */ };
-  /// The kind of `Input_halfedge_index`.
-  struct Input_halfedge { static constexpr const char* letter = "input h"; /**< what is printed */ };
-  /// The kind of `Segment_index`.
-  struct Segment { static constexpr const char* letter = "s"; /**< what is printed */ };
-  /// The kind of `Curve_index`.
-  struct Curve { static constexpr const char* letter = "c"; /**< what is printed */ };
-  /// The kind of `Vertex_copy_index`.
-  struct Vertex_copy { static constexpr const char* letter = "copy "; /**< what is printed */ };
+  /// The kind of element that `Vertex_index` identifies.
+  struct Vertex { static constexpr const char* letter = "v"; /**< the prefix */ };
+  /// The kind of element that `Halfedge_index` identifies.
+  struct Halfedge { static constexpr const char* letter = "h"; /**< the prefix */ };
+  /// The kind of element that `Face_index` identifies.
+  struct Face { static constexpr const char* letter = "f"; /**< the prefix */ };
+  /// The kind of element that `Input_halfedge_index` identifies.
+  struct Input_halfedge { static constexpr const char* letter = "input h"; /**< the prefix */ };
+  /// The kind of element that `Segment_index` identifies.
+  struct Segment { static constexpr const char* letter = "s"; /**< the prefix */ };
+  /// The kind of element that `Curve_index` identifies.
+  struct Curve { static constexpr const char* letter = "c"; /**< the prefix */ };
+  /// The kind of element that `Vertex_copy_index` identifies.
+  struct Vertex_copy { static constexpr const char* letter = "copy "; /**< the prefix */ };
   // clang-format on
 };
 
@@ -121,8 +123,8 @@ using Vertex_index = Descriptor<Element_kind::Vertex>;
 /// Identifies a halfedge of a triangulation.
 using Halfedge_index = Descriptor<Element_kind::Halfedge>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Identifies a face of a triangulation by the smallest number of its halfedges. A flip replaces two faces by two
-/// others, whose numbers can differ.
+/// Identifies a face of a triangulation by the number of its lowest-numbered halfedge. A flip replaces two faces by two
+/// others, whose numbers can differ from those of the replaced faces.
 using Face_index = Descriptor<Element_kind::Face>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// Identifies a halfedge of the input of a triangulation. Flips do not change the input.
@@ -138,9 +140,10 @@ using Curve_index = Descriptor<Element_kind::Curve>;
 using Vertex_copy_index = Descriptor<Element_kind::Vertex_copy>;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Identifies an edge of a triangulation. The descriptor stores the halfedge from which it was constructed; this
-/// halfedge does not affect comparisons. The `source()` of an edge returned by a traversal is therefore the current
-/// vertex of the traversal, and the `target()` is the vertex to which the edge leads.
+/// Identifies an edge of a triangulation. The descriptor also stores one of the two halfedges of the edge; comparisons
+/// ignore which one it is. The `source()` of an edge is the tail of the stored halfedge, and the `target()` is its
+/// head. The edges of `out_edges(v, triangulation)` therefore have the source `v`, and those of
+/// `in_edges(v, triangulation)` have the target `v`.
 class Edge_index
 {
 public:
@@ -148,12 +151,12 @@ public:
   constexpr Edge_index() = default;
   /// Constructs a null descriptor.
   constexpr Edge_index(Null_index) {}
-  /// Constructs the descriptor of the edge with a given number, from its first halfedge.
+  /// Constructs the descriptor of the edge with a given number, and stores the first halfedge of this edge.
   explicit constexpr Edge_index(Index number)
     : m_halfedge(2 * number)
   {
   }
-  /// Constructs the descriptor of the edge of a halfedge.
+  /// Constructs the descriptor of the edge of a halfedge, and stores this halfedge.
   explicit constexpr Edge_index(Halfedge_index h)
     : m_halfedge(h)
   {
@@ -163,7 +166,7 @@ public:
   constexpr Index idx() const { return m_halfedge.idx() >> 1; }
   /// Returns whether the descriptor is not null.
   constexpr bool is_valid() const { return m_halfedge.is_valid(); }
-  /// Returns the halfedge from which the descriptor was constructed.
+  /// Returns the stored halfedge.
   constexpr Halfedge_index halfedge() const { return m_halfedge; }
 
   /// Increments the number.
@@ -259,15 +262,15 @@ namespace std {
 template <class Element>
 struct hash<CGAL::Flip_geodesics::Descriptor<Element>>
 {
-  /// Returns the hash value of a descriptor, its number.
+  /// Returns the hash value of a descriptor, which is its number.
   size_t operator()(CGAL::Flip_geodesics::Descriptor<Element> d) const { return hash_value(d); }
 };
 
-/// Allows edges as keys of unordered containers.
+/// Allows edge descriptors as keys of unordered containers.
 template <>
 struct hash<CGAL::Flip_geodesics::Edge_index>
 {
-  /// Returns the hash value of an edge, its number.
+  /// Returns the hash value of an edge, which is its number.
   size_t operator()(CGAL::Flip_geodesics::Edge_index e) const { return hash_value(e); }
 };
 
@@ -278,19 +281,20 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Describes the input edges that an intrinsic edge crosses, from its tail to its head. This edge sequence and the end
- * points determine the edge, which is the straight line between the end points in the unfolded faces.
+ * Describes the input edges that an intrinsic edge crosses, from its tail to its head. The edge sequence and the end
+ * points determine the intrinsic edge, which is the straight line between its end points in the unfolded faces.
  *
- * Three cases are possible. If the edge is the input edge of the halfedge `along`, or a part of it, it crosses nothing.
- * If the edge lies inside the input face of the halfedge `face`, it crosses nothing either; at least one of its ends is
- * then an inserted vertex. Otherwise, `crossed` contains the crossed input halfedges, each as a side of the face that
- * the edge leaves there, and `along` and `face` are `null_index`.
+ * Three cases are possible. If the intrinsic edge is an input edge or a part of one, `along` is the halfedge of this
+ * input edge with the same direction. If the intrinsic edge lies inside an input face, `face` is a halfedge of this
+ * face; at least one end of the intrinsic edge is then an inserted vertex. Otherwise, `crossed` contains one halfedge
+ * of each crossed input edge: the one in the face that the intrinsic edge leaves there. The other two of these three
+ * members are empty or null.
  */
 struct Edge_sequence
 {
-  Input_halfedge_index along = null_index;   ///< the input halfedge that the edge lies along, if any
-  std::vector<Input_halfedge_index> crossed; ///< the crossed edges in order; empty if nothing is crossed
-  Input_halfedge_index face = null_index;    ///< a halfedge of the face that contains the whole edge
+  Input_halfedge_index along = null_index;   ///< the input halfedge along which the edge lies, if any
+  std::vector<Input_halfedge_index> crossed; ///< the crossed input edges in order, if any
+  Input_halfedge_index face = null_index;    ///< a halfedge of the face inside which the edge lies, if any
   Vertex_index tail = null_index;            ///< the vertex at which the edge starts
   Vertex_index head = null_index;            ///< the vertex at which the edge ends
 
@@ -304,7 +308,7 @@ struct Edge_sequence
       h = internal::twin_index(h);
   }
 
-  /// Returns the edge sequence in the opposite direction.
+  /// Returns the edge sequence of the edge in the opposite direction.
   Edge_sequence reversed() const
   {
     Edge_sequence result = *this;
@@ -319,7 +323,7 @@ struct Edge_sequence
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Specifies a side of a curve, as seen in its direction.
+/// Specifies a side of a curve, as seen in the direction of the curve.
 enum class Side { LEFT, RIGHT };
 
 /// \ingroup PkgFlipGeodesicsCurves
@@ -339,10 +343,10 @@ struct Joint
 /// two ends of a segment that starts and ends at the same vertex.
 struct Segment_end
 {
-  Halfedge_index halfedge = null_index; ///< the halfedge of the end, which starts at the node; null for a null end
-  Segment_index segment = null_index;   ///< the segment that starts or ends at the node along `halfedge`
+  Halfedge_index halfedge = null_index; ///< the outgoing halfedge at the node; null for a null end
+  Segment_index segment = null_index;   ///< the segment on the edge of `halfedge`, which starts or ends at the node
 
-  /// Returns whether this is a null end, which does not identify an end of a segment.
+  /// Returns whether this is a null end, which does not identify the end of any segment.
   bool is_none() const { return halfedge == null_index; }
   /// Returns whether the ends are the same.
   bool operator==(const Segment_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
@@ -351,12 +355,14 @@ struct Segment_end
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Describes the wedge on one side of a joint.
+/// Describes the wedge on one side of a joint. The wedge extends clockwise from its first end to its second; see
+/// `Edge_path_network::ends()`.
 enum class Wedge_state {
-  FREE,     ///< the wedge is empty, and its angle is below \f$\pi\f$: the joint can be shortened
+  FREE,     ///< the wedge is empty, and its angle is below \f$\pi\f$: the curve can be shortened at the joint
   STRAIGHT, ///< the angle is at least \f$\pi\f$
-  BLOCKED,  ///< another segment, or an edge held by another network, lies in the wedge, at an angle below \f$\pi\f$
-  BORDER,   ///< the border of the surface lies in the wedge, so the angle is infinite
+  BLOCKED,  ///< another segment, or an edge held by another network, lies in the wedge,
+            ///< at an angle below \f$\pi\f$ from the first end
+  BORDER,   ///< the border of the surface lies in the wedge, at an angle below \f$\pi\f$ from the first end
   FIXED     ///< the node is fixed, and the wedge is not inspected
 };
 

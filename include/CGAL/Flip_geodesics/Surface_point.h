@@ -24,36 +24,39 @@ namespace CGAL::Flip_geodesics {
  * Represents a point of the input surface by a halfedge and barycentric weights. The point lies in the face on the left
  * of `halfedge`, or on the boundary of this face.
  *
- * The `weights` belong to the tail of `halfedge`, its head, and the third vertex of the face. Only their ratio matters:
- * the point is exactly \f$(w_0 p_0 + w_1 p_1 + w_2 p_2) / (w_0 + w_1 + w_2)\f$. If one weight is exactly zero, the
- * point lies on the opposite edge; if two weights are zero, the point is a vertex. `halfedge` may be a border halfedge
- * if the third weight is zero.
+ * The `weights` belong to the tail of `halfedge`, its head, and the third vertex of the face. Only the ratio of the
+ * weights matters: the point is exactly \f$(w_0 p_0 + w_1 p_1 + w_2 p_2) / (w_0 + w_1 + w_2)\f$. If one weight is
+ * exactly zero, the point lies on the opposite edge; if two weights are zero, the point is a vertex. `halfedge` can be
+ * a border halfedge, which has no face, if the third weight is zero.
  */
 struct Surface_location
 {
-  Input_halfedge_index halfedge = null_index; ///< a side of the face, or of the edge, that contains the point
-  /// The weights of the tail, the head and the third vertex. Each weight is 0 or in [1e-100, 1e100].
+  Input_halfedge_index halfedge = null_index; ///< a side of the face, or of the edge, on which the point lies
+  /// The weights of the tail, the head and the third vertex. Each weight is 0 or in [1e-100, 1e100], and at least one
+  /// is not 0.
   std::array<double, 3> weights = {{1, 0, 0}};
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from it.
+ * Stores a direction on the surface at a location: a reference halfedge, and an angle counterclockwise from this
+ * halfedge.
  *
- * All functions that take or return angles of directions follow one rule: an angle refers to a halfedge, which is a
- * side of a face that contains the location or starts at the location. The free functions take and return a direction
- * as a `std::pair` of a halfedge of the mesh and an angle. A function that chooses the halfedge itself uses the
- * halfedge of the location, or its twin if that halfedge is on the border. For a `Face_location`, the halfedge of the
- * location is `halfedge(face, mesh)`; for a vertex, it starts there. There are only two exceptions: a `Trace_report`
- * refers to the side through which the geodesic has entered its last face, and `logarithmic_map()` of a tree refers, if
- * the source lies on the border or was inserted, to a direction that its documentation specifies.
+ * All functions that take or return angles of directions follow one rule: an angle refers to a halfedge that starts at
+ * the location or is a side of a face that contains the location. The free functions take and return a direction as a
+ * `std::pair` of a halfedge of the mesh and an angle. A function that chooses the reference halfedge itself uses the
+ * halfedge of the location or, if this halfedge is on the border, its twin. The halfedge of a `Face_location` is
+ * `halfedge(face, mesh)`; that of a vertex starts at the vertex. There are only two exceptions: the angle in a
+ * `Trace_report` refers to the side through which the geodesic entered its last face, and the angles of the
+ * `logarithmic_map()` of a tree whose source lies on the border or was inserted refer to a direction that the
+ * documentation of this function specifies.
  */
 struct Surface_direction
 {
   Input_halfedge_index halfedge =
-      null_index;   ///< a side of a face that contains the location, or a halfedge that starts there
-  double angle = 0; ///< counterclockwise from the halfedge, in radians; at a vertex, over all incident faces
+      null_index;   ///< a halfedge that starts at the location, or a side of a face that contains it
+  double angle = 0; ///< counterclockwise from the halfedge, in radians; at a vertex, across the incident faces
 };
 
 /// \ingroup PkgFlipGeodesicsCurves
@@ -61,7 +64,7 @@ struct Surface_direction
 enum class Location_kind { VERTEX, EDGE, FACE };
 
 /// \ingroup PkgFlipGeodesicsCurves
-/// Returns the kind of a location, which depends on how many of the weights are zero.
+/// Returns the kind of a location, which depends only on the number of weights that are zero.
 inline Location_kind kind(const Surface_location& location)
 {
   const auto zeros = std::count(location.weights.begin(), location.weights.end(), 0.0);
@@ -73,7 +76,7 @@ inline Location_kind kind(const Surface_location& location)
 struct Polar_coordinates
 {
   double radius = std::numeric_limits<double>::infinity(); ///< the length of the path; infinite if no path exists
-  /// The angle in radians; NaN at the source, and if no path exists.
+  /// The angle of the initial direction of the path, in radians; NaN at the source, and if no path exists.
   double angle = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -127,9 +130,9 @@ Surface_location rotated(const Input_mesh& input, const Surface_location& locati
 }
 
 /*
- * Returns the same point in a canonical form: a vertex as (1, 0, 0) of a halfedge that starts there, a point of an edge
- * by the first halfedge of the edge that is not on the border, with third weight zero, and a point in a face by the
- * smallest halfedge of the face. Weights are not rounded.
+ * Returns the same point in a canonical form: a vertex is given by a halfedge that starts at it and the weights (1, 0,
+ * 0), a point on an edge by the first halfedge of the edge that is not on the border, with third weight zero, and a
+ * point inside a face by the smallest halfedge of the face. Weights are not rounded.
  */
 template <class Input_mesh>
 Surface_location canonical_location(const Input_mesh& input, Surface_location location)
@@ -167,22 +170,21 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
  *
  * Represents a point of the surface by vertices of the input: \f$(1-t-u)\,a + t\,b + u\,c\f$.
  *
- * At a vertex, `a == b`, and `t` is 0. On an edge, `a` is the nearer end, so `t` lies in (0, 1/2] and has a small
- * relative error close to vertices; `u` is 0, and `c` is null. Inside a face, where only inserted points and ends of
- * paths lie, `a` is the vertex with the largest weight.
+ * At a vertex, `a == b`, and `t` is 0. On an edge, `a` is the nearer end, so `t` lies in (0, 1/2]; `u` is 0, and `c` is
+ * null. Inside a face, `a` is the vertex with the largest weight.
  *
- * Whether the point is a vertex, on an edge or inside a face is determined exactly: `t` inside an edge, and `t` and `u`
- * inside a face, are at least 1e-100, even if they would be rounded to 0. If degenerate edges were contracted, `a`, `b`
- * and `c` are still the ends of an edge of the mesh or the corners of a face; at a vertex, `a` and `b` are one of the
- * vertices that were merged.
+ * The members represent exactly whether the point is a vertex, on an edge or inside a face: `t` on an edge, and `t` and
+ * `u` inside a face, are at least 1e-100, even if they would be rounded to 0. If degenerate edges were contracted, `a`,
+ * `b` and `c` are nevertheless the ends of an edge or the corners of a face of the original mesh; at a merged vertex,
+ * `a` and `b` are the same one of the vertices that were merged.
  */
 struct Surface_point
 {
   Vertex_index a; ///< the input vertex with the weight \f$1-t-u\f$
   Vertex_index b; ///< the input vertex with the weight \f$t\f$; at a vertex, `a`
   double t;       ///< the weight of `b`
-  /// On an edge: the crossed input halfedge, as a side of the face from which the curve comes, or the input halfedge on
-  /// which an inserted point lies; inside a face: one of the halfedges of the face; otherwise null.
+  /// On an edge: one of the two halfedges of the edge; where a curve crosses the edge, the halfedge in the face from
+  /// which the curve comes. Inside a face: one of the halfedges of the face. At a vertex: null.
   Input_halfedge_index halfedge;
   Vertex_index c = null_index;      ///< inside a face: the third vertex of the face; otherwise null
   double u = 0;                     ///< the weight of `c`; 0 unless inside a face
@@ -190,7 +192,7 @@ struct Surface_point
 
   /// Returns whether the point is at a vertex of the input.
   bool is_vertex() const { return a == b; }
-  /// Returns whether the point is inside an input face and not on an edge.
+  /// Returns whether the point is in the interior of an input face.
   bool is_inside_face() const { return c != null_index; }
 };
 
@@ -214,8 +216,9 @@ inline Surface_point surface_point(const std::array<Vertex_index, 3>& corners, c
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// Converts a location to a point given by vertices of the input. `Surface_point::vertex` is null unless the location
-/// is a vertex of the input. \throws Invalid_location_error if the location is not a point of the surface
+/// Converts a location to a surface point, which is given by vertices of the input. `Surface_point::vertex` is null
+/// unless the location is a vertex of the input. \throws Invalid_location_error if the location is not a point of the
+/// surface
 template <class Triangulation>
 Surface_point surface_point(const Triangulation& triangulation, const Surface_location& location)
 {
@@ -263,8 +266,7 @@ Surface_location surface_location(const Triangulation& triangulation, const Surf
 
 /*
  * Returns the point where a curve crosses an input edge, at `from_right` times the length of the edge from its right
- * end. That the edge is crossed is exact, but the position is not: 0, -0 or 1, which result from rounding, represent a
- * point next to an end.
+ * end. The edge is known exactly, but the position is rounded: 0, -0 and 1 represent a point next to an end.
  */
 template <class Triangulation>
 Surface_point surface_point_on_edge(const Triangulation& triangulation, Input_halfedge_index crossed, double from_right)
@@ -296,7 +298,7 @@ using Has_points = std::negation<std::is_void<typename Metric_point<Metric>::typ
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Returns the position of a surface point in space, in constant time. Only available if the metric has points.
+ * Returns the position in space of a surface point. Available only if the metric has points. Complexity: constant.
  */
 template <class Triangulation>
 auto point_in_space(const Triangulation& triangulation, const Surface_point& p)

@@ -37,10 +37,11 @@ const char* name_of(Enumeration value, const char* const (&names)[N])
 /*!
  * \ingroup PkgFlipGeodesicsErrors
  *
- * Is the base class of all exceptions that this package throws because of invalid or unsuitable input.
+ * Is the base class of all exceptions that this package defines.
  *
- * It stores the indices of the offending elements, in the order in which the message names them: elements of a mesh by
- * their positions, such as in `vertices(mesh)`, and points of a curve by their positions in the curve.
+ * An error stores the indices of the offending elements, in the order in which the message names them. The index of an
+ * element of a mesh is its position, for example in `vertices(mesh)`, and the index of a point of a curve is its
+ * position in the curve.
  */
 class Error : public std::runtime_error
 {
@@ -75,8 +76,8 @@ constexpr bool is_element = false;
 template <class T>
 constexpr bool is_element<T, std::void_t<decltype(std::declval<const T&>().idx())>> = true;
 
-/* Throws an error whose message consists of the given parts. The descriptors and elements among these are written as
- * numbers, and are the elements of the error. Other numbers keep their value. */
+/* Throws an error whose message consists of the given parts. Descriptors and elements among the parts are written as
+ * numbers and become the elements of the error; other numbers are only written. */
 template <class Exception, class... Parts>
 [[noreturn]] void throw_naming(const Parts&... parts)
 {
@@ -100,12 +101,12 @@ template <class Exception, class... Parts>
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if the connectivity of the input is not that of an oriented triangulated surface: a face is not a
-/// triangle, an edge does not belong to any face, a `Surface_mesh` contains removed vertices or edges, or there are
-/// more elements than 32-bit indices can number. It is also thrown if several umbrellas meet at a vertex and a function
-/// requires that there is only one, or if handle and tunnel loops are requested of a surface that does not bound a
-/// solid. `elements()` contains at most eight vertices of the face, the vertices of the edge, or the vertex at which
-/// umbrellas meet.
+/// Is thrown if the input cannot be used as an oriented triangulated surface: a face is not a triangle, an edge does
+/// not belong to any face, a halfedge has no next one, a `Surface_mesh` contains removed vertices or edges, there are
+/// more elements than 32-bit indices can number, or no triangle remains of a repaired polygon soup. It is also thrown
+/// if several umbrellas meet at a vertex and a function requires that there is only one, or if handle and tunnel loops
+/// are requested of a surface that does not bound a solid. `elements()` returns at most eight vertices of the face, the
+/// vertices of the edge or halfedge, or the vertex at which umbrellas meet, if the problem lies at one of these.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -121,17 +122,17 @@ enum class Degeneracy_remedy {
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a face has a degenerate edge, or lengths that violate the triangle inequality, or if no surface remains
-/// at a degenerate edge when it is contracted together with the degenerate faces at this edge. `elements()` contains
-/// the vertices of the edge or face. The exception is also thrown if rounding errors make it impossible to follow a
-/// path through almost degenerate faces; in this case `elements()` is empty.
+/// Is thrown if a face has a degenerate edge or lengths that violate the triangle inequality, if a direction is given
+/// in a degenerate face, or if degenerate edges cannot be contracted or no surface remains after their contraction.
+/// `elements()` returns vertices of the edge or face. The exception is also thrown if rounding errors make it
+/// impossible to follow a path through almost degenerate faces; in this case `elements()` is empty.
 class Degenerate_face_error : public Error
 {
 public:
   /// Constructs the error from a message and the elements.
   using Error::Error;
 
-  /// Constructs the error from a problem and its remedy, which are both part of `what()`.
+  /// Constructs the error from a problem and its remedy, both of which become parts of the message.
   /// \param problem the first part of the message
   /// \param elements the indices of the offending elements, in the order in which the message names them
   /// \param remedy the measure that removes the problem
@@ -142,7 +143,7 @@ public:
   {
   }
 
-  /// Returns the message without the remedy, for callers that give their own advice.
+  /// Returns the message without the remedy, for callers that suggest a remedy of their own.
   std::string problem() const { return std::string(what()).substr(0, m_problem_size); }
 
   /// Returns the remedy of the problem.
@@ -167,9 +168,10 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a coordinate or an edge length is NaN, infinite, or too large or too small for computations; lengths
-/// must lie between 1e-70 and 1e70. It is also thrown if the offset of a source is negative, not finite, or far too
-/// large for the mesh. `elements()` contains the vertex, the two vertices of the edge, or the number of the source.
+/// Is thrown if a coordinate is not finite, or if an edge length is not a number between 1e-70 and 1e70. It is also
+/// thrown if the offset of a source is negative, not finite, or so large compared with the sides of a face at the
+/// source that adding it would cause large rounding errors. `elements()` returns the vertex, the two vertices of the
+/// edge, or the number of the source.
 class Invalid_coordinate_error : public Error
 {
 public:
@@ -181,7 +183,7 @@ public:
 /// positive or is smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached,
 /// isolated base points of loops, or two base points in one component. It is also thrown if a distance field returns
 /// NaN, or is queried at a location for which it stores no data, or if a result is requested before it has been
-/// computed. `elements()` contains the position of the level, the face, the halfedge or the base point, if applicable.
+/// computed. `elements()` returns the position of the level, the face, the halfedge or the base point, if applicable.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -189,8 +191,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a vertex does not belong to the mesh, or to any face of it. `elements()` contains the index of the
-/// vertex or, if the vertices of the mesh have no indices, its position among the given vertices.
+/// Is thrown if a vertex does not belong to the mesh, or does not belong to any face of the mesh, although this is
+/// required. `elements()` returns the index of the vertex or its position among the given vertices, if one of these is
+/// known.
 class Vertex_out_of_range_error : public Error
 {
 public:
@@ -198,8 +201,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if no edge path connects two vertices, which `elements()` contains, or if one of the points of which a
-/// mean is computed is not connected to the others; in this case `elements()` contains the position of that point.
+/// Is thrown if no path connects two vertices or points. `elements()` returns the vertices or, for points, a vertex
+/// near each of them. The exception is also thrown if no path connects one of the points whose mean is computed with
+/// the start of the search; in this case `elements()` returns the position of that point.
 class Disconnected_endpoints_error : public Error
 {
 public:
@@ -207,10 +211,10 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a location is not a point of the surface: its face or halfedge does not belong to the mesh, or its
-/// weights are negative, NaN, all zero, or do not sum to one although this is required. If several locations are given,
-/// `elements()` contains the position of the invalid one; otherwise it contains the halfedge of the location, if this
-/// halfedge exists.
+/// Is thrown if a location is not a point of the surface: its face or halfedge does not belong to the mesh, a weight is
+/// neither 0 nor in [1e-100, 1e100], all weights are zero, or the weights do not sum to one although this is required.
+/// If several locations are given, `elements()` returns the position of the invalid one; otherwise it returns the
+/// halfedge of the location, if this halfedge exists.
 class Invalid_location_error : public Error
 {
 public:
@@ -219,7 +223,7 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a point in space is farther from the surface than `parameters::greatest_point_distance()` allows;
-/// `elements()` contains the position of this point among the given points.
+/// `elements()` returns the position of this point among the given points.
 class Distant_point_error : public Invalid_location_error
 {
 public:
@@ -227,9 +231,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a point cannot be inserted because rounding errors have caused incorrect flips around the point, or
-/// because the number type of the traits cannot represent the point. `elements()` contains the input halfedge of the
-/// location of the point.
+/// Is thrown if a point cannot be inserted because rounding errors have caused incorrect flips around the point,
+/// because the point is too close to a vertex to be distinguished from it, or because the number type of the traits
+/// cannot represent the point. `elements()` returns the input halfedge of the location of the point.
 class Insertion_error : public Error
 {
 public:
@@ -237,9 +241,10 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a curve is empty, is not a chain of edges of the mesh or of points in common faces, is or would be a
-/// single point, is open where a closed one is required, or does not start at a required point. `elements()` contains
-/// positions in the curve, the number of the curve, or vertices of the curve.
+/// Is thrown if a curve is empty, is not a chain of edges of the mesh, has two consecutive points that do not lie in a
+/// common face, is or would be a single point, is open although a closed one is required, or does not start at a
+/// required point. `elements()` returns positions in the curve, the number of the curve, or vertices of the curve, if
+/// applicable.
 class Invalid_curve_error : public Error
 {
 public:
@@ -247,9 +252,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if input curves cross in every order of their overlapping segments; `elements()` then contains a vertex at
-/// which they cross. It is also thrown if a segment of a polyline crosses an edge of a curve; `elements()` then
-/// contains the two end points of this edge.
+/// Is thrown if input curves cross in every order of their overlapping segments, or would cross if their nodes were
+/// freed; `elements()` then returns a vertex at which they cross. It is also thrown if a segment of a polyline crosses
+/// an edge of a curve; `elements()` then returns the two end points of this edge.
 class Crossing_curves_error : public Error
 {
 public:
@@ -257,9 +262,10 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if an edge would have to be flipped or split although a curve of a network lies on it; if a network is
-/// being changed, only the curves of other networks count. The edge is unchanged. `elements()` contains the halfedge of
-/// the point to be inserted, if there is one.
+/// Is thrown if an edge would have to be flipped or split although a curve lies on it; if the edge is split through a
+/// network, only curves of other networks count. The edge is unchanged. `elements()` returns the halfedge of the point
+/// to be inserted, if there is one. The exception is also thrown by functions that require a triangulation without
+/// curves.
 class Occupied_triangulation_error : public Error
 {
 public:
@@ -267,8 +273,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if the search for an order of overlapping curves is aborted; `elements()` contains the vertices of an edge
-/// that the curves share.
+/// Is thrown if the search for an order of overlapping curves is aborted; `elements()` returns the two vertices of an
+/// edge that the curves share.
 class Ambiguous_order_error : public Error
 {
 public:
@@ -277,7 +283,7 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a number type without square roots encounters a face whose area is not a rational multiple of the unit
-/// of area of the traits; `elements()` contains the vertices of the face, if they are known.
+/// of area of the traits; `elements()` returns the vertices of the face, if they are known.
 class Inexact_root_error : public Error
 {
 public:
@@ -296,7 +302,7 @@ public:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a surface to be flattened is not a topological disk, or if no conformal factors are found that satisfy
 /// the triangle inequality in each face, lie in the required range and make the surface flat within the tolerance;
-/// `elements()` contains the vertex to which the surface should be cut, if this vertex is known.
+/// `elements()` returns the vertex to which the surface should be cut, if this vertex is known.
 class Flattening_error : public Error
 {
 public:
@@ -304,8 +310,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a file is not in the expected format, has a different version, or is damaged; `elements()` contains the
-/// number of undamaged words before the damage, if this number is known.
+/// Is thrown if a file is not in the expected format, has a different version, or is damaged; `elements()` returns the
+/// number of words before the damage, if this number is known.
 class File_format_error : public Error
 {
 public:
@@ -313,8 +319,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a file cannot be created, the disk is full, the data are empty, or the format cannot number that many
-/// elements.
+/// Is thrown if a file cannot be created, the disk is full, there is nothing to write, or the data cannot be
+/// represented in the format.
 class File_write_error : public Error
 {
 public:

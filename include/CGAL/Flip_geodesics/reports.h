@@ -19,11 +19,11 @@ namespace CGAL::Flip_geodesics {
  * States how certain the claim of a function is. A function for geodesics claims that a curve is locally shortest. A
  * function for shortest paths claims that no path between the same ends is shorter, and a function for homotopy classes
  * that no path of the class is shorter. A function for distances claims that no path is shorter than the distance. The
- * section \ref Flip_geodesicsAssumptions lists the assumptions.
+ * section \ref Flip_geodesicsAssumptions lists the assumptions of these claims.
  */
 enum class Verdict {
   PROVEN, ///< the claim holds exactly
-  /// no bend was found, but an angle was taken to be \f$\pi\f$ without proof, since the work limit was reached; see
+  /// no bend was found, but an angle was taken to be \f$\pi\f$ without proof because the work limit was reached; see
   /// `Decision_statistics::unproven_zeros`
   PROBABLE,
   /// the claim is false: a segment is not straight in its strip of input faces, has an edge sequence that does not
@@ -31,12 +31,13 @@ enum class Verdict {
   BENT_SEGMENT,
   BENT_JOINT, ///< the claim is false: an unblocked side of a joint has an angle below \f$\pi\f$
   UNDECIDED,  ///< it is not known whether the claim holds: the predicates of the traits are inexact and `certify()`
-              ///< was not called, a search was not completed, its lower bound is too far below the length,
+              ///< was not called, a search was not completed, a lower bound is too far below the length,
               ///< or coordinates or lengths of the mesh were rounded; see `Embedded_metric::is_rounded()`
-  /// no path is shorter by more than `Shortest_path_report::rounding_tolerance()` of the length, and the path is a
-  /// `PROVEN` geodesic
+  /// no path is shorter by more than the fraction `Shortest_path_report::rounding_tolerance()` of the length, and the
+  /// path is a `PROVEN` geodesic
   WITHIN_ROUNDING,
-  WITHIN_TOLERANCE, ///< no path is shorter by more than `Shortest_path_report::tolerance()` of the length
+  WITHIN_TOLERANCE, ///< no path is shorter by more than the fraction `Shortest_path_report::tolerance()`
+                    ///< of the length
 };
 
 /// \ingroup PkgFlipGeodesicsProving
@@ -57,7 +58,7 @@ inline bool is_confirmed(Verdict verdict)
 
 namespace internal {
 
-/* Returns the verdict on distances that are correct up to the tolerance of shortest paths, or may be wrong. */
+/* Returns the verdict on distances that are correct up to the tolerance of shortest paths, or that may be wrong. */
 inline Verdict verdict_of_distances(bool are_right)
 {
   return are_right ? Verdict::WITHIN_TOLERANCE : Verdict::UNDECIDED;
@@ -83,22 +84,22 @@ Verdict verdict_of_curves(const Curves& curves, const VerdictOf& verdict_of)
 /// Counts how the filter failures of predicates were resolved.
 struct Decision_statistics
 {
-  std::size_t by_memory = 0; ///< by the cached result for an angle between the same two edges; such results are
-                             ///< not counted elsewhere
+  std::size_t by_memory = 0; ///< by the cached result for an angle between the same two edges; such failures are
+                             ///< not counted in the other members
   std::size_t by_strip = 0;  ///< by vectors of doubles, or in double-double arithmetic, with an error bound
-  std::size_t by_plane = 0;  ///< by predicates on points: all faces lie in one plane, or bend only along parallel edges
+  std::size_t by_plane = 0;  ///< by predicates of points: faces lie in one plane, or bend only along parallel edges
   std::size_t by_precision = 0;   ///< in multiprecision arithmetic with 50 digits and an error bound
-  std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the areas of the faces
-  std::size_t zeros_by_plane = 0; ///< the number of angles in `by_plane` that were exactly straight
-  std::size_t zeros_by_roots = 0; ///< the number of angles in `by_roots` that were exactly straight
-  /// The number of angles assumed to be exactly straight without proof, because 50 digits do not suffice and the work
+  std::size_t by_roots = 0;       ///< by exact arithmetic with the square roots of the faces' squared areas
+  std::size_t zeros_by_plane = 0; ///< the number of angles counted in `by_plane` that were exactly straight
+  std::size_t zeros_by_roots = 0; ///< the number of angles counted in `by_roots` that were exactly straight
+  /// The number of angles assumed to be exactly straight without proof, because 50 digits did not suffice and the work
   /// limit was reached; see `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
-  /// The largest number of square roots with which a single predicate was evaluated exactly. Roots that are rational
-  /// multiples of one another count once.
+  /// The largest number of square roots in a single predicate that was evaluated by exact arithmetic. Roots that are
+  /// rational multiples of one another count once.
   std::size_t most_roots = 0;
 
-  /// Adds further statistics.
+  /// Adds the counts of other statistics, and keeps the larger value of `most_roots`.
   Decision_statistics& operator+=(const Decision_statistics& other)
   {
     by_memory += other.by_memory;
@@ -121,10 +122,10 @@ enum class Shortening_status {
   CONTRACTED,         ///< the curve has contracted to a point
   LENGTH_LIMIT,       ///< a further step would have made the curve, or the network, shorter than allowed
   ANGLE_LIMIT,        ///< all angles that can be widened have reached the limit
-  ITERATION_LIMIT,    ///< the allowed number of steps, or the time, has been used up
+  ITERATION_LIMIT,    ///< the allowed number of steps, or the allowed time, has been used up
   MEMORY_LIMIT,       ///< a further step would have made the records of flips larger than allowed
   STOPPED_BY_VISITOR, ///< `go_further()` of the visitor returned `false`
-  /// the arithmetic of the traits, or rounded coordinates, did not suffice to decide whether the curve is locally
+  /// the precision of the traits, or of rounded coordinates, did not suffice to decide whether the curve is locally
   /// shortest
   PRECISION_LIMIT,
   /// each angle is at least \f$\pi\f$, but the curve runs along degenerate faces and is bent if its angles are measured
@@ -132,6 +133,7 @@ enum class Shortening_status {
   DEGENERATE_FACES
 };
 
+/// \ingroup PkgFlipGeodesicsShortening
 /// Returns the name of a status, spelled like the enumerator.
 inline const char* to_string(Shortening_status status)
 {
@@ -149,14 +151,15 @@ struct Curve_report
   /// The smallest angle, in radians, at an unblocked side of a joint; infinite if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back
-  /// Whether the curve is locally shortest, as certified from the input by `certify()`. `UNDECIDED` with traits whose
-  /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh had to be rounded.
+  /// The verdict on the claim that the curve is locally shortest. It is `UNDECIDED` with traits whose `Has_drift` is
+  /// `CGAL::Tag_true`, for which `certify()` provides a verdict, and if coordinates or lengths of the mesh had to be
+  /// rounded.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether degenerate edges were contracted because the curve encountered such an edge, or two degenerate faces whose
-  /// vertices opposite to their common edge coincide. Set by the free functions.
+  /// Whether degenerate edges were contracted because the computation encountered such an edge, or two degenerate faces
+  /// whose vertices opposite to their common edge coincide. Set only by the free functions.
   bool are_zero_edges_contracted = false;
   /// The distances in space of the given points from the surface, in the order of the points; 0 for points given as
-  /// vertices or locations. Set by functions that accept points; empty if all of them are given as vertices.
+  /// vertices or locations. Set only by functions that accept points; empty if all points are given as vertices.
   std::vector<double> point_distances;
 };
 
@@ -164,13 +167,13 @@ struct Curve_report
 /// Reports the shortening of a network.
 struct Shortening_report
 {
-  std::vector<Curve_report> curves; ///< one per curve of the network
-  /// The number of edge flips, including those of steps that were rolled back, and those by which a straightened path
+  std::vector<Curve_report> curves; ///< one report per curve of the network
+  /// The number of edge flips, including those of steps that were rolled back and those by which a straightened path
   /// was inserted.
   std::size_t flips = 0;
-  /// The number of steps taken \cgalCite{SC20,Algorithm 1}; the compound step for a loop of one segment counts as one.
-  /// It is 0 if a path required no step after initial straightening, which functions perform unless a stop predicate or
-  /// a visitor is given.
+  /// The number of steps \cgalCite{SC20,Algorithm 1}; a compound step for a loop of one segment counts as one. The
+  /// number is 0 if the path was a geodesic already after initial straightening, which the free functions perform
+  /// unless a stop predicate or a visitor is given.
   std::size_t flip_outs = 0;
 
   /// Returns whether every curve of the network is locally shortest or has contracted to a point.
@@ -182,7 +185,7 @@ struct Shortening_report
     return true;
   }
 
-  /// Returns the length of the curve, or the total length of all curves.
+  /// Returns the total length of all curves.
   double length() const
   {
     double sum = 0;
@@ -191,8 +194,8 @@ struct Shortening_report
     return sum;
   }
 
-  /// Returns the status of the curve. If there are several, the result is the status of the first one that is neither
-  /// locally shortest nor a point; otherwise `LOCALLY_SHORTEST`, or `CONTRACTED` if all curves are points.
+  /// Returns the status of the first curve that is neither locally shortest nor a point. If there is no such curve, the
+  /// result is `CONTRACTED` if there are curves and all of them are points, and `LOCALLY_SHORTEST` otherwise.
   Shortening_status status() const
   {
     bool has_curve = curves.empty();
@@ -204,9 +207,10 @@ struct Shortening_report
     return has_curve ? Shortening_status::LOCALLY_SHORTEST : Shortening_status::CONTRACTED;
   }
 
-  /// Returns the verdict on the claim that the curve, or every curve, is locally shortest: that of the first curve for
-  /// which the claim is false or, if there is none, the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. A report without
-  /// curves is never confirmed.
+  /// Returns the verdict on the claim that all curves are locally shortest: the verdict on the first curve for which
+  /// the claim is false. If there is no such curve, the result is the worst verdict on a curve, where `UNDECIDED` is
+  /// worse than `PROBABLE`, and `PROBABLE` is worse than `PROVEN`. The verdict of a report without curves is
+  /// `UNDECIDED`.
   Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_report::verdict); }
 };
 
@@ -240,7 +244,7 @@ struct Geodesics_result
   double length(std::size_t i) const { return report.curves.at(i).length; }
   /// Returns the status of curve `i`.
   Shortening_status status(std::size_t i) const { return report.curves.at(i).status; }
-  /// Returns the verdict of curve `i`.
+  /// Returns the verdict on curve `i`.
   Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }
 };
 
