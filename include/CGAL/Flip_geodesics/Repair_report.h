@@ -14,23 +14,23 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsRepair
-/// Lists the kinds of repairs made by `polygon_soup_to_triangle_mesh()`, which a `Repair_report` counts.
+/// Lists the kinds of repairs that `polygon_soup_to_triangle_mesh()` makes and a `Repair_report` counts.
 enum class Repair {
   POINTS_NOT_FINITE,        ///< points with a NaN or infinite coordinate, whose polygons are removed
   POINTS_WELDED,            ///< points moved to another point within the tolerance
   POLYGONS_WITHOUT_POINTS,  ///< polygons removed because of an invalid index or a point that is not finite
   POLYGONS_COLLAPSED,       ///< polygons removed because they have fewer than three distinct corners
   CORNERS_REPEATED,         ///< corners removed because they coincide with the previous corner
-  POLYGONS_SPLIT,           ///< polygons split because they pass a point twice
+  POLYGONS_SPLIT,           ///< polygons split because they pass through a point twice
   POLYGONS_TRIANGULATED,    ///< polygons with more than three corners, which were triangulated
   DUPLICATES_DROPPED,       ///< triangles removed because another triangle has the same corners
   POLYGONS_REVERSED,        ///< polygons reversed to match the orientation of their neighbors
-  EDGES_CUT,                ///< edges with more than two faces, along which the faces were cut apart
-  VERTICES_SPLIT,           ///< copies of vertices that were added to take over some of their faces
+  EDGES_CUT,                ///< edges with more than two faces, along which faces were cut apart
+  VERTICES_SPLIT,           ///< vertices added as copies, each of which takes over some faces of its original
   POINTS_MERGED,            ///< points merged with a coincident point when borders were stitched or corners removed
   DEGENERATE_FACES_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
   DEGENERATE_FACES_DROPPED, ///< triangles deleted because their corners are collinear or two corners coincide
-  POINTS_LEFT               ///< points without faces, because other repairs removed all their polygons
+  POINTS_LEFT               ///< points left without faces because other repairs removed all their polygons
 };
 
 /// \ingroup PkgFlipGeodesicsRepair
@@ -104,13 +104,13 @@ struct Repair_record
 /*!
  * \ingroup PkgFlipGeodesicsRepair
  *
- * Reports the repairs made by `polygon_soup_to_triangle_mesh()`, and the correspondence between elements of the mesh
- * and of the soup.
+ * Reports the repairs made by `polygon_soup_to_triangle_mesh()`, and the correspondence between the elements of the
+ * mesh and those of the soup.
  *
  * Vertices and faces are identified by their positions in `vertices(mesh)` and `faces(mesh)`, and points and polygons
- * by their positions in the soup. The vertex at position `i` comes from point `i`; copies of split vertices come after
- * the vertices of all points. Vertices of points that were merged, have lost their polygons, or are not finite are
- * isolated.
+ * by their positions in the soup. The vertex at position `i` comes from point `i`; copies of split vertices follow the
+ * vertices of all points. The vertex of a point is isolated if the point was merged into another one, has no remaining
+ * polygons, or is not finite.
  */
 class Repair_report
 {
@@ -131,14 +131,16 @@ public:
 
   /// Returns the number of border edges that remain open although they nearly coincide with other border edges, that
   /// is, the coordinates of their ends differ by at most 1e-6 of the longest side of the bounding box of the borders.
+  /// Border edges shorter than a few times this bound are not counted.
   std::size_t number_of_near_border_edges() const { return m_record.near_border_edges; }
 
   /// Returns the largest distance between nearly coincident border edges, relative to the longest side of the bounding
-  /// box of the borders. A weld tolerance larger than this distance makes such edges coincide.
+  /// box of the borders, or 0 if there are no such edges. A weld tolerance larger than this distance makes such edges
+  /// coincide.
   double distance_of_near_border_edges() const { return m_record.near_border_distance; }
 
-  /// Returns the report as text, without line ends: one line for each kind of repair that was made, and one for border
-  /// edges that nearly coincide.
+  /// Returns the report as lines of text without line ends: one line for each kind of repair that was made and, if
+  /// border edges nearly coincide, one line about these.
   std::vector<std::string> lines() const
   {
     std::vector<std::string> result;
@@ -162,8 +164,8 @@ public:
   /// Returns the number of the polygon from which a face of the mesh comes.
   std::size_t polygon_of_face(std::size_t face) const { return m_record.polygon_of_face[face]; }
 
-  /// Returns the vertices with faces that come from a point: several vertices if the vertex of the point was split, the
-  /// vertex of another point if the two points were merged, and none if the point has no faces.
+  /// Returns the vertices that come from a point and have faces: several vertices if the vertex of the point was split,
+  /// the vertex of another point if the two points were merged, and none if the point has no faces.
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
   /// Returns the triangles that come from a polygon. The result is empty if the polygon was removed, or if flips have

@@ -302,7 +302,8 @@ public:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a surface to be flattened is not a topological disk, or if no conformal factors are found that satisfy
 /// the triangle inequality in each face, lie in the required range and make the surface flat within the tolerance;
-/// `elements()` returns the vertex to which the surface should be cut, if this vertex is known.
+/// `elements()` returns the vertex to which the surface should be cut, or a vertex of a face whose scaled lengths
+/// violate the triangle inequality, if one is known.
 class Flattening_error : public Error
 {
 public:

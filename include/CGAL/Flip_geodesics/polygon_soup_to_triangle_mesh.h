@@ -6,9 +6,9 @@
 /*!
  * \file polygon_soup_to_triangle_mesh.h
  * \ingroup PkgFlipGeodesicsRepair
- * Repairs polygon soups. `Flip_geodesics.h` does not include this header, because this header includes the \cgal
- * packages Polygon Mesh Processing, Surface Mesh, 2D Triangulations and 2D Polygons, which are licensed under the GPL.
- * A program that includes this header is bound by that license.
+ * Repairs polygon soups. `Flip_geodesics.h` does not include this header, because this header includes headers of the
+ * \cgal packages Polygon Mesh Processing, Surface Mesh and 2D Triangulations, which are licensed under the GPL. A
+ * program that includes this header is bound by the GPL.
  */
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
@@ -204,42 +204,45 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
 /*!
  * \ingroup PkgFlipGeodesicsRepair
  *
- * Converts any polygon soup to a triangle mesh that the functions of this package accept: an oriented manifold without
+ * Converts a polygon soup to a triangle mesh that the functions of this package accept: an oriented manifold without
  * degenerate faces.
  *
  * The following repairs are made if they are necessary, and are counted in the report; see `Repair`:
  * - Points with coordinates that are not finite are removed, together with the polygons that contain them. Polygons
  *   that contain an invalid index are removed as well. Corners that coincide with the previous corner are removed, and
- *   polygons that pass a point twice are split.
+ *   polygons that pass through a point twice are split.
  * - Polygons with more than three corners are triangulated.
- * - Triangles with the same corners as another triangle are removed.
- * - Triangles are oriented consistently with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`, such that in each
- *   component as many triangles as possible keep their orientation. Faces are cut apart at edges with more than two
- *   faces, at points at which they share only a vertex, and at edges across which the orientations cannot be made
- *   consistent.
- * - Points are welded if a tolerance is given: a point is moved to the nearest previous point that is not moved itself,
- *   provided that no coordinate differs by more than the tolerance. Short edges can thus collapse.
- * - Borders whose coordinates are bitwise identical are stitched with
+ * - Triangles with the same corners as another triangle are removed, except that two triangles with opposite
+ *   orientations are kept if each of them is the only neighbor of the other, because they form a closed surface.
+ * - Triangles are oriented consistently by means of `CGAL::Polygon_mesh_processing::orient_polygon_soup()`. Of the two
+ *   orientations of a component, the one that more of its triangles have in the soup is chosen. Faces are cut apart at
+ *   edges with more than two faces, at vertices at which several umbrellas meet, and at edges across which the
+ *   orientations cannot be made consistent.
+ * - Points are welded if a tolerance is given: a point is moved to the nearest preceding point that has not been moved
+ *   itself, provided that no coordinates of the two points differ by more than the tolerance. Short edges can collapse
+ *   in this way.
+ * - Border edges whose end points have equal coordinates are stitched with
  *   `CGAL::Polygon_mesh_processing::stitch_borders()`. If more than two border edges coincide, two edges of the same
- *   component are stitched, and the others are not. Borders remain open if stitching would create two edges with the
- *   same two vertices.
+ *   component are stitched if exactly two belong to this component; two of the remaining edges are stitched if exactly
+ *   two remain. Borders remain open if stitching would create two edges with the same two vertices.
  * - Triangles whose corners are collinear according to exact predicates are removed by a flip of their longest edge,
- *   which does not change the surface. If this is impossible, they are deleted, which leaves a slit inside the surface.
+ *   which does not change the surface. If the flip is impossible, the triangle is deleted; unless its longest edge is
+ *   on the border, this leaves a slit in the surface.
  *
  * The steps are repeated until none of them changes the triangles, so repairing the result again has no effect. The
- * report also contains the number of border edges that nearly coincide with others and would be stitched if a tolerance
- * were given.
+ * report also contains the number of border edges that nearly coincide with others, and the tolerance with which they
+ * would be stitched.
  *
  * No point is moved unless a tolerance is given, and no new points are created. The vertex at position `i` of
  * `vertices(mesh)` comes from point `i`, regardless of the repairs. Vertices of points that were merged or lost their
  * faces are isolated and have no copies; `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes them.
- * Copies of split vertices come after the vertices of all points. Faces are in the order of the polygons from which
- * they come. A soup without defects therefore yields a mesh with the same elements in the same order, and an empty
- * report. The result depends only on the input.
+ * Copies of split vertices follow the vertices of all points. Faces are in the order of the polygons from which they
+ * come. A soup of triangles without defects therefore yields a mesh with the same elements in the same order, and an
+ * empty report.
  *
- * \tparam PointRange a range of points of a \cgal kernel. If its number type is `double`, the predicates of
- *         `CGAL::Exact_predicates_inexact_constructions_kernel` are used; otherwise those of the kernel itself, which
- *         must be exact
+ * \tparam PointRange a range of points of a \cgal kernel. If the number type of the kernel is `double`, the predicates
+ *         of `CGAL::Exact_predicates_inexact_constructions_kernel` are used. Otherwise, the predicates of the kernel
+ *         itself are used and must be exact
  * \tparam PolygonRange a range of ranges of positions in `points`, of any integer type
  * \tparam TriangleMesh a model of `MutableFaceGraph` that lists vertices and faces in the order in which they are added
  * \param points the points
@@ -261,19 +264,20 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor whose `on_progress()`, if it has such a member, is called between the steps with
- *       the finished fraction of the time that a mesh without defects takes, a `double` from 0 to 1}
+ *     an estimate of the completed fraction of the work, a `double` from 0 to 1}
  *     \cgalParamType{any class}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report on the repairs, and on the correspondence of elements
+ * \return a report on the repairs and on the correspondence of elements
  * \pre `mesh` is empty, and the tolerance is in [0, 1)
- * \throws Invalid_mesh_error if the soup has no polygons, or no triangle remains; the message states the reason, and
- *         `mesh` is empty
+ * \throws Invalid_mesh_error if the soup has no polygons, or if no triangle remains; the message states the reason, and
+ *         `mesh` stays empty
  *
- * Complexity: about that of sorting the corners a few times. Polygons with many corners take the time of a
- * triangulation in the plane, and the orientation by \cgal takes time that can be quadratic in the degree of a vertex.
+ * Complexity: about that of sorting the corners of the polygons a few times, plus that of a constrained Delaunay
+ * triangulation for each polygon with more than four corners. The orientation by \cgal can take time quadratic in the
+ * degree of a vertex.
  */
 template <class PointRange, class PolygonRange, class TriangleMesh, class... NamedParameters>
 Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const PolygonRange& polygons, TriangleMesh& mesh,
