@@ -42,21 +42,21 @@ namespace CGAL::Flip_geodesics {
  * ordered from left to right as seen along the first halfedge of the edge. Around a vertex, the segment ends have a
  * cyclic order: clockwise by incident edge, and on each edge from left to right as seen from the vertex.
  *
- * The network satisfies an invariant that `is_valid()` checks. Curves are chains, and each bundle contains exactly the
- * segments on its edge. Around each vertex, the ends connected by free joints form a non-crossing matching; all other
- * ends, and the border, lie in one region of the matching.
+ * The network satisfies the following invariant, which `is_valid()` checks. Curves are chains, and each bundle contains
+ * exactly the segments on its edge. Around each vertex, the ends connected by free joints form a non-crossing matching;
+ * all other ends, and the border, lie in one region of the matching.
  *
  * Indices of removed segments are never reused.
  *
- * Several networks can have curves in one triangulation. A network holds the edges under its curves, and a held edge is
- * not flipped. Curves of other networks are therefore obstacles: they do not move, and a wedge that contains one of
- * their edges is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges, but have no order there,
- * so each of them can leave a common edge on either side. Curves that must not cross must therefore belong to the same
- * network.
+ * Several networks can have curves in one triangulation. A network holds the edges under its curves, and held edges are
+ * not flipped. Therefore, while one network is shortened, the curves of other networks do not move, and wedges that
+ * contain their edges are blocked (`Wedge_state::BLOCKED`). Curves of different networks may overlap along edges, but
+ * have no order there, so each of them can leave a common edge on either side. Curves that must not cross must belong
+ * to the same network.
  *
  * \attention The network refers to its triangulation, which must not be destroyed or moved while the network has
- * curves. To move both, use the constructor from a network and a triangulation. A moved-from network can only be
- * cleared, assigned to and destroyed.
+ * curves. To move both, move the triangulation, and then use the constructor from a network and a triangulation. A
+ * moved-from network can only be cleared, assigned to or destroyed.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, a model of
  *         `IntrinsicTriangulationOfMesh`
@@ -68,16 +68,16 @@ class Edge_path_network
 {
 public:
   using Triangulation = Triangulation_;      ///< the type of the triangulation
-  using Turn = typename Triangulation::Turn; ///< a rotation around a vertex, of the traits of the triangulation
+  using Turn = typename Triangulation::Turn; ///< the type of a rotation around a vertex
 
-  /// Describes the wedge of a joint.
+  /// Describes the wedge on one side of a joint.
   struct Wedge
   {
     Wedge_state state; ///< what the wedge contains
     Turn turn;         ///< the angle of the wedge; meaningful only if `state` is `FREE`
   };
 
-  /// Constructs an empty network in a triangulation. Constant time.
+  /// Constructs an empty network in a triangulation. Complexity: constant.
   explicit Edge_path_network(Triangulation& triangulation)
     : m_triangulation(&triangulation)
     , m_segments(triangulation)
@@ -85,7 +85,7 @@ public:
     static_assert(internal::is_intrinsic_triangulation<Triangulation>());
   }
 
-  /// Moves a network, whose curves and segments keep their numbers.
+  /// Moves a network. Curves and segments keep their numbers.
   Edge_path_network(Edge_path_network&&) noexcept = default;
 
   /// Moves a network whose triangulation has been moved to `moved_to`. Curves and segments keep their numbers.
@@ -109,7 +109,7 @@ public:
 
   Edge_path_network(const Edge_path_network&) = delete;
   Edge_path_network& operator=(const Edge_path_network&) = delete;
-  /// Removes all curves. \pre the triangulation has not been moved if the network has curves
+  /// Removes all curves. \pre if the network has curves, the triangulation has been neither moved nor destroyed
   ~Edge_path_network() { m_segments.release_edges(); }
 
   /// Returns the triangulation that contains the curves.
@@ -119,8 +119,8 @@ public:
   /// @{
 
   /*!
-   * Adds a curve along halfedges of the triangulation. Each segment becomes the rightmost one on its edge, as seen
-   * along its halfedge.
+   * Adds a curve along halfedges of the triangulation. Each new segment becomes the rightmost one on its edge, as seen
+   * along the halfedge of the segment.
    *
    * \param halfedges a range of `Halfedge_index` that forms a chain: each halfedge starts where the previous one ends
    *        and, if the curve is closed, the first one starts where the last one ends
@@ -141,7 +141,7 @@ public:
   }
 
   /// Fixes every node that a curve currently has at vertex `v`: the node keeps its position, and other curves cannot
-  /// move across it. Linear in the number of all segments created so far.
+  /// move across it. Complexity: linear in the number of all segments created so far.
   void fix_nodes_at(Vertex_index v)
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
@@ -154,7 +154,7 @@ public:
   void set_head_fixed(Segment_index s, bool is_fixed) { m_segments.set_head_fixed(s, is_fixed); }
 
   /// Frees all nodes of a curve, except the ends of an open path.
-  /// \throws Crossing_curves_error if curves cross at one of the nodes; in this case the network is unchanged
+  /// \throws Crossing_curves_error if curves cross at one of these nodes; in this case the network is unchanged
   void free_nodes(Curve_index curve)
   {
     std::vector<Segment_index> freed;
@@ -199,14 +199,14 @@ public:
    */
   Vertex_index insert(const Surface_location& location) { return m_triangulation->insert(location, divide_bundles()); }
 
-  /// Splits the edge of `h` as `Intrinsic_triangulation::split_edge()` does, and its segments as `insert()` does. The
-  /// exceptions are those of `insert()`.
+  /// Splits the edge of `h` as `Intrinsic_triangulation::split_edge()` does, and the segments on this edge as
+  /// `insert()` does. The exceptions are those of `insert()`.
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
     return m_triangulation->split_edge(h, location, gap, divide_bundles());
   }
 
-  /// Removes all curves. Linear in the number of segments.
+  /// Removes all curves. Complexity: linear in the number of segments.
   void clear() { m_segments.clear(); }
 
   /// @}
@@ -287,7 +287,7 @@ public:
   /// \name Ends and wedges
   /// @{
 
-  /// Returns the two segment ends that meet at a joint. The wedge on the side of the joint extends clockwise from the
+  /// Returns the two segment ends that meet at a joint. The wedge on the side `joint.side` extends clockwise from the
   /// first end to the second.
   std::pair<Segment_end, Segment_end> ends(const Joint& joint) const
   {
@@ -296,30 +296,30 @@ public:
     return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
   }
 
-  /// Returns the next segment end clockwise around the vertex, or a null end if the border, or an edge held only by
-  /// other networks, comes first. Linear in the number of edges that are passed.
+  /// Returns the next segment end clockwise around the vertex of `end`, or a null end if the border, or an edge held
+  /// only by other networks, comes first. Complexity: linear in the number of edges between the two ends.
   Segment_end next_clockwise(const Segment_end& end) const
   {
     return next_end(end, Side::RIGHT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// Returns the next segment end counterclockwise around the vertex, or a null end if the border, or an edge held only
-  /// by other networks, comes first. Linear in the number of edges that are passed.
+  /// Returns the next segment end counterclockwise around the vertex of `end`, or a null end if the border, or an edge
+  /// held only by other networks, comes first. Complexity: linear in the number of edges between the two ends.
   Segment_end next_counterclockwise(const Segment_end& end) const
   {
     return next_end(end, Side::LEFT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// Returns the next segment end of this network around the vertex, clockwise if `side` is `Side::RIGHT` and otherwise
-  /// counterclockwise. Edges that only other networks hold are skipped. If the border comes first, the result is a null
-  /// end. Linear in the number of edges that are passed.
+  /// Returns the next segment end of this network around the vertex of `end`, clockwise if `side` is `Side::RIGHT` and
+  /// counterclockwise otherwise. Edges that only other networks hold are skipped. If the border comes first, the result
+  /// is a null end. Complexity: linear in the number of edges between the two ends.
   Segment_end next_beyond_others(const Segment_end& end, Side side) const
   {
     return next_end(end, side, [this](const Walker& h) { return h.is_held() && m_segments.leftmost(h) != no_segment; });
   }
 
-  /// Returns the state and the angle of the wedge of a joint. Since the wedge is inspected at most up to an angle of
-  /// \f$\pi\f$, the time is linear in the number of edges within this angle.
+  /// Returns the state and the angle of the wedge of a joint. Complexity: linear in the number of edges in the wedge up
+  /// to an angle of \f$\pi\f$, beyond which the wedge is not inspected.
   Wedge wedge(const Joint& joint) const
   {
     const Wedge result = look_into_wedge(joint);
@@ -328,8 +328,8 @@ public:
     return result;
   }
 
-  /// Returns whether the curve turns back at a joint: its two ends are adjacent on one halfedge, and the wedge has
-  /// angle zero.
+  /// Returns whether the curve turns back at a joint: the two ends of the joint are adjacent on one halfedge, and the
+  /// wedge has angle zero.
   bool is_turning_back(const Joint& joint) const
   {
     const auto [a, b] = ends(joint);
@@ -343,14 +343,15 @@ public:
   /*!
    * Moves a joint over its wedge, that is, replaces its two segments by segments along `arc`.
    *
-   * The arc leads from the far node of the first end of the joint to that of the second, with the wedge on its right.
-   * The new segments become the outermost ones on their edges, on the side of the wedge. If the joint turns back, the
-   * arc is empty, and the two segments are removed.
+   * If the first and the second end of the joint (see `ends()`) belong to the segments \f$x\f$ and \f$y\f$, the arc
+   * leads from the other node of \f$x\f$ to the other node of \f$y\f$, with the wedge on its right. The new segments
+   * become the outermost ones on their edges, on the side of the wedge. If the joint turns back, the arc is empty, and
+   * the two segments are removed.
    *
    * \param joint the joint
    * \param arc the halfedges of the arc
-   * \param affected the joints whose wedges must be inspected again are appended to it, except for sides whose angle is
-   *        known to be at least \f$\pi\f$
+   * \param affected a list to which the function appends the joints whose wedges must be inspected again, except for
+   *        sides whose angle is known to be at least \f$\pi\f$
    * \return the first new segment in the direction of the curve, or `null_index` if the arc is empty
    * \pre see `EdgePathGraph::replace_joint()`
    */
@@ -361,7 +362,7 @@ public:
 
   /*!
    * Replaces the only segment of a loop by two segments \cgalCite{SC20,Appendix B}, which lie on the other two edges of
-   * the face on the left of `h`, where `h` is the halfedge of the segment or its twin.
+   * the face on the left of `h`, where `h` is the halfedge of the segment or the twin of this halfedge.
    * \return the new segment that arrives at the old node
    * \pre these two edges carry no segments
    */
@@ -377,9 +378,9 @@ public:
   /// Returns the position of segment `s` among the segments on its edge, for `restore_loop()`.
   Bundle_place bundle_place(Segment_index s) const { return m_segments.bundle_place(s); }
 
-  /// Replaces the segments of a closed curve by a new one, at the position that its only segment had when
-  /// `bundle_place()` returned `place`. \pre all flips since that call have been rolled back, and no other curve has
-  /// changed since
+  /// Replaces the segments of a closed curve by a single new one, at the position that the only segment of the curve
+  /// had when `bundle_place()` returned `place`. \pre all flips since that call have been rolled back, and no other
+  /// curve has changed
   Segment_index restore_loop(Curve_index curve, const Bundle_place& place)
   {
     return m_segments.restore_loop(curve, place);
@@ -387,13 +388,13 @@ public:
 
   /// @}
 
-  /// Returns whether the invariant of the network holds. Linear in the number of segments and in the sum of the degrees
-  /// of their vertices.
+  /// Returns whether the invariant of the network holds. Complexity: linear in the number of segments and in the sum of
+  /// the degrees of their vertices.
   bool is_valid() const { return internal::Network_validity<Edge_path_network>(*this).is_valid(); }
 
   /*!
-   * Returns whether the ends that free joints connect around the vertex of `end` form a non-crossing matching, and all
-   * other ends, and the border, lie in one region of the matching.
+   * Returns whether, around the vertex of `end`, the ends that free joints connect form a non-crossing matching, and
+   * all other ends, and the border, lie in one region of the matching.
    */
   bool is_non_crossing_at(const Segment_end& end) const
   {
@@ -411,8 +412,8 @@ private:
     return [this](const auto& halves) { m_segments.divide_bundle(halves); };
   }
 
-  // Returns the outermost segment on the first edge for which `is_end(h)` holds, or no end if only other networks hold
-  // that edge.
+  // Returns the end of the outermost segment on the first edge for which `is_end(h)` holds, or no end if only other
+  // networks hold this edge.
   template <class IsEnd>
   Segment_end next_end(const Segment_end& end, Side side, const IsEnd& is_end) const
   {
@@ -428,8 +429,8 @@ private:
     return end_on(h, opposite_side(side));
   }
 
-  // Returns the outermost segment on an edge, on the given side as seen from the node, or no end if only other networks
-  // hold it.
+  // Returns the end of the outermost segment on an edge, on the given side as seen from the node, or no end if only
+  // other networks hold the edge.
   Segment_end end_on(const Walker& h, Side side) const
   {
     const Segment_index first = m_segments.leftmost(h);
@@ -489,8 +490,8 @@ struct Internals<Edge_path_network<Triangulation>>
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the chain of halfedges through given vertices, of which any two consecutive ones must be connected by an edge
- * of the triangulation. If several edges connect them, the shortest one is chosen.
+ * Returns the chain of halfedges through given vertices. An edge of the triangulation must connect each vertex with the
+ * next one; if several edges do, the shortest one is chosen.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
  * \param vertices a range of vertices, as `Vertex_index`; for a closed chain, the first vertex is not repeated at the
@@ -544,8 +545,8 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor whose `go_further()` is called during the searches. If it returns `false`, no
- *       halfedges are returned}
+ *     \cgalParamDescription{a visitor whose `go_further()` is called during the searches. If this call returns `false`,
+ *       no halfedges are returned}
  *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
@@ -662,9 +663,9 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
  *
  * Curves end at the vertices that are incident to exactly one marked edge or to more than two: each chain of marked
  * edges between such vertices becomes an open curve, and a loop without such a vertex becomes a closed curve. Of the
- * two halfedges that start at the ends of an open curve, the one with the smaller index is the first halfedge of the
- * curve. Open curves are added first, ordered by their first halfedges; closed curves follow, ordered by their edges of
- * smallest index. If the function throws an exception, a network that was empty before is empty afterwards.
+ * two possible directions of an open curve, the function chooses the one whose first halfedge has the smaller index.
+ * Open curves are added first, ordered by their first halfedges; closed curves follow, ordered by their lowest-numbered
+ * edges. If the function throws an exception, a network that was empty before is empty afterwards.
  *
  * \param network the network
  * \param mesh the mesh of the triangulation
@@ -731,20 +732,22 @@ Order_conflict order_if_possible(Network& network)
  * Reorders the overlapping segments on the edges of a network such that no two curves cross and no curve crosses
  * itself.
  *
- * \attention Call this function after all curves have been added, because `add_curve()` orders segments by insertion.
+ * \attention Call this function after all curves have been added, because `add_curve()` orders the segments on an edge
+ * only by the order in which they are added.
  *
  * The result depends only on the connectivity and is exact: if an order without crossings exists, such an order is
  * found, unless the search is aborted. No such order exists, for example, if two curves part on opposite sides at the
  * two ends of a common chain of edges, or if a curve goes around an annulus twice before it closes.
  *
- * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. A
- * chain that ends at the end of a path or at a fixed node does not determine an order there, but all such ends at a
- * vertex, and the border, must lie on one side of each curve that passes through the vertex. An order that is
- * undetermined at both ends of the chain follows from the orders of other segments on the same edges, if these
- * determine it. Otherwise it is chosen: the segment that was added first lies on the left, as seen in its direction, or
- * against its direction if its curve has turned back an odd number of times before. Copies of a curve that does not
- * turn back therefore lie to the right of the curve. If an exception is thrown, the curves are unchanged, but the order
- * of their segments can have changed.
+ * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. If a
+ * chain ends at the end of a path or at a fixed node, it does not determine an order there; at each vertex, however,
+ * all segment ends that belong to ends of paths or to fixed nodes, and the border, must lie on the same side of every
+ * curve that passes through the vertex at a free node. An order that is undetermined at both ends of the chain follows
+ * from the orders of other segments on the same edges, if these determine it. Otherwise it is chosen: the segment that
+ * was added first lies on the left, as seen in its direction, or against its direction if its curve has turned back an
+ * odd number of times before. Copies of a curve that does not turn back therefore lie to the right of the curve if they
+ * are added after it. If an exception is thrown, the curves are unchanged, but the order of their segments may have
+ * changed.
  *
  * \param network an `Edge_path_network`
  * \throws Crossing_curves_error if curves cross in every order. `elements()` contains a vertex at which they cross, or
@@ -753,8 +756,8 @@ Order_conflict order_if_possible(Network& network)
  *         repeatedly and the choices of their orders depend on each other; `elements()` contains the vertices of an
  *         edge that they share
  *
- * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the sum of the degrees of the vertices that they pass. If
- * edges have several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time
+ * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the sum of the degrees of the vertices of these segments.
+ * If edges have several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time
  * (about half a second per million pairs) and \cgalBigO{p} memory. If the choices described above are inconsistent and
  * must be revised, the time is proportional to \f$p\f$ times the maximal number of segments on one edge.
  */

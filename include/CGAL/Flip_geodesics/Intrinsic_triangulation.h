@@ -52,8 +52,9 @@ bool is_valid_halfedge(const Triangulation& triangulation, Halfedge_index h, dou
 }
 
 /*
- * A halfedge of a triangulation, represented by its position in the storage of the triangulation, which saves walks the
- * look-up in the table of slots. The functions copy faces of the input, as those of `Intrinsic_triangulation` do.
+ * A halfedge of a triangulation, represented by its position in the storage of the triangulation, so that walks need
+ * not look it up in the table of slots. Member functions copy faces of the input when necessary, as those of
+ * `Intrinsic_triangulation` do.
  */
 template <class Store>
 class Placed_halfedge
@@ -122,7 +123,7 @@ public:
   void extend_turn(Turn& turn) const { extend_turn_over(turn, store().known(m_slot)); }
 
   /*
-   * Adds the angle at the head in the two faces of the edge; returns the halfedges from and to which it leads,
+   * Adds the angle at the head in the two faces of the edge; returns the halfedges at which this angle begins and ends,
    * clockwise.
    * \pre both faces exist
    */
@@ -176,7 +177,7 @@ public:
   using face_descriptor = Face_index;                           ///< the face type of the intrinsic triangulation
   using FT = typename Traits::FT;                               ///< the number type of squared lengths
   using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< the data that the traits store for a halfedge
-  using Turn = typename Traits::Turn;                           ///< a rotation around a vertex, of the traits
+  using Turn = typename Traits::Turn; ///< the type of a rotation around a vertex, defined by the traits
   /// The vertex type of `Triangle_mesh`.
   using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   /// The halfedge type of `Triangle_mesh`.
@@ -198,18 +199,18 @@ public:
   /// Returns the traits.
   const Traits& traits() const { return m_halfedges.traits(); }
 
-  /// Returns the number of vertices: those of the input, followed by the inserted ones.
+  /// Returns the number of vertices, including inserted ones.
   Index number_of_vertices() const { return m_halfedges.number_of_vertices(); }
   /// Returns the number of halfedges, twice the number of edges.
   Index number_of_halfedges() const { return 2 * number_of_edges(); }
-  /// Returns the number of edges: those of the input, followed by those created by insertions. Flips do not change it.
+  /// Returns the number of edges, including those created by insertions. Flips do not change this number.
   Index number_of_edges() const { return m_halfedges.number_of_edges(); }
 
   /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if the argument is not a vertex
   /// of the mesh.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
-  /// Returns the halfedge that corresponds to a halfedge of the input mesh as long as its edge has not been flipped, or
-  /// `null_index` if the argument is not a halfedge of the mesh.
+  /// Returns the halfedge with the same number as a halfedge of the input mesh, or `null_index` if the argument is not
+  /// a halfedge of the mesh. The two halfedges correspond as long as the edge has been neither flipped nor split.
   Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
   /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted
@@ -221,8 +222,8 @@ public:
   /// @}
   /// \name Connectivity
   /// The functions take constant time. The face on the left of a halfedge is copied from the input when it is first
-  /// accessed. This access throws `Invalid_mesh_error` if the face is not a triangle, `Degenerate_face_error` if an
-  /// edge has length zero or the lengths violate the triangle inequality, and `Invalid_coordinate_error` if a
+  /// accessed. This first access throws `Invalid_mesh_error` if the face is not a triangle, `Degenerate_face_error` if
+  /// an edge has length zero or the lengths violate the triangle inequality, and `Invalid_coordinate_error` if a
   /// coordinate is not finite or a length is outside [1e-70, 1e70].
   /// @{
 
@@ -270,7 +271,8 @@ public:
   /// \name Geometry
   /// @{
 
-  /// Returns the data that the traits store for a halfedge, in the frame of its face. \pre `h` is not on the border
+  /// Returns the data that the traits store for a halfedge, in the coordinate frame of the face of the halfedge. \pre
+  /// `h` is not on the border
   const Halfedge_geometry& geometry(Halfedge_index h) const { return record(h).geometry; }
 
   /// Returns the squared length of the edge of `h`, in the number type of the traits.
@@ -313,8 +315,8 @@ public:
   /// Returns the total number of holds on all edges.
   std::size_t number_of_holds() const { return m_halfedges.number_of_holds(); }
 
-  /// Returns a number that is greater than `Walker::edge_place()` of every walker; it grows with the number of edges
-  /// that have been accessed.
+  /// Returns a number that is greater than `Walker::edge_place()` of every walker. The number grows with the number of
+  /// edges that have been accessed.
   std::size_t number_of_edge_places() const { return m_halfedges.number_of_edge_places(); }
 
   /// @}
@@ -325,7 +327,7 @@ public:
   /*!
    * Returns whether all accessed elements are consistent: every face has three halfedges, no side is longer than the
    * sum of the other two, and the two sides of each edge have the same end points and the same length. Lengths are
-   * compared up to `tolerance` times the longest side of the face. Linear in the size of the mesh.
+   * compared up to `tolerance` times the longest side of the face. Complexity: linear in the size of the mesh.
    */
   bool is_valid(double tolerance) const
   {
@@ -361,7 +363,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsMetrics
-/// The default metric of a mesh: the one defined by the points of the mesh.
+/// The default metric of a mesh, which the points of the mesh define.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
@@ -384,21 +386,22 @@ using Default_traits = std::conditional_t<internal::has_exact_faces<Metric>,
 enum class Zero_length_edges {
   REFUSE, ///< `Degenerate_face_error` is thrown when a face with a degenerate (zero-length) edge is accessed
   /// the ends of a degenerate edge become one vertex, and faces with such an edge are removed; if two degenerate faces
-  /// share an edge and the vertices opposite to it coincide, these become one vertex, and both faces are removed
+  /// share an edge and the vertices opposite to this edge coincide, these vertices become one, and both faces are
+  /// removed
   CONTRACT
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Represents an intrinsic triangulation of a triangle mesh: the vertices of the mesh are connected by straight edges
- * *in* the surface, which can be flipped without changing the surface \cgalCite{SC20,section 3.1}.
+ * Represents an intrinsic triangulation of a triangle mesh: the vertices of the mesh are connected by edges that are
+ * straight in the surface and can be flipped without changing the surface \cgalCite{SC20,section 3.1}.
  *
- * The triangulation is a \f$\Delta\f$-complex: an edge may be a loop, two edges may have the same two end points, a
- * vertex may have degree 1, and a face may be glued to itself. Elements are therefore identified by their indices,
+ * The triangulation is a \f$\Delta\f$-complex: an edge can be a loop, two edges can have the same two end points, a
+ * vertex can have degree 1, and a face can be glued to itself. Elements are therefore identified by their indices,
  * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`.
  * Before the first flip, edges and halfedges are those of the input with the same indices; flips do not change indices.
- * Points of the surface can be inserted as further vertices, with the next indices.
+ * Points of the surface can be inserted as further vertices, which receive the next indices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
  * `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, whose elements are indexed first.
@@ -410,9 +413,10 @@ enum class Zero_length_edges {
  * edges. `is_valid()` checks the invariant, except for the normal coordinates.
  *
  * Several threads may call `const` members concurrently if the mesh and its points can be read concurrently, although
- * these members copy faces of the input and cache derived data. The only result that can depend on which faces have
- * been accessed before is the halfedge that `outgoing()` returns. While one thread calls another member, changes a
- * network in the triangulation, or adds or releases a hold through a walker, no other thread may use the triangulation.
+ * these members copy faces of the input and cache derived data. Except for statistics and sizes of storage, the only
+ * result that can depend on which faces have been accessed before is the halfedge that `outgoing()` returns. While one
+ * thread calls a member that is not `const`, changes a network in the triangulation, or adds or releases a hold through
+ * a walker, no other thread may use the triangulation.
  *
  * \cgalModels{IntrinsicTriangulationOfMesh}
  *
@@ -434,11 +438,11 @@ public:
   using Metric = Metric_;                                       ///< the type of the metric
   using Input_mesh = typename Elements::Input_mesh;             ///< the type of the numbered input
   using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< the data that the traits store for a halfedge
-  using Turn = typename Traits::Turn;                           ///< a rotation around a vertex, of the traits
-  using Walker = typename Elements::Walker;                     ///< a model of `IntrinsicTriangulationWalker`
+  using Turn = typename Traits::Turn;       ///< the type of a rotation around a vertex, defined by the traits
+  using Walker = typename Elements::Walker; ///< a model of `IntrinsicTriangulationWalker`
 
 #ifdef DOXYGEN_RUNNING
-  /// The log entry of a flip; see `IntrinsicTriangulationOfMesh::Flip_record`.
+  /// An entry of the flip log; see `IntrinsicTriangulationOfMesh::Flip_record`.
   using Flip_record = unspecified_type;
 #else
   using Flip_record = internal::Flip_record<Halfedge_geometry>;
@@ -453,16 +457,16 @@ public:
   /// \name Construction
   /// @{
 
-  /// Constructs the triangulation of a mesh with the metric that the points of the mesh define. Constant time for a
-  /// `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
+  /// Constructs the triangulation of a mesh with the metric that the points of the mesh define. Complexity: constant
+  /// for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
   /// \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
   explicit Intrinsic_triangulation(const TriangleMesh& mesh, const Traits& traits = Traits())
     : Intrinsic_triangulation(mesh, Metric(get(CGAL::vertex_point, mesh)), traits)
   {
   }
 
-  /// Constructs the triangulation of a mesh with a metric. Constant time for a `Surface_mesh`, and \cgalBigO{n \log n}
-  /// for other meshes.
+  /// Constructs the triangulation of a mesh with a metric. Complexity: constant for a `Surface_mesh`, and
+  /// \cgalBigO{n \log n} for other meshes.
   /// \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
   /// \throws Input_mismatch_error if the metric detects that it was made for another mesh
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
@@ -471,19 +475,22 @@ public:
   }
 
   /*!
-   * Constructs the triangulation of a mesh with a metric, and rejects or contracts degenerate edges.
+   * Constructs the triangulation of a mesh with a metric and a specification of how degenerate edges are treated.
    *
    * If edges are contracted, the input of the triangulation is the contracted surface. One of the vertices that are
-   * merged represents all of them, and the others become isolated; the edges on both sides of degenerate faces become
-   * one edge. `index()` returns the corresponding elements, or `null_index` for a halfedge that has vanished, and
-   * `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the contracted surface meet only
-   * at a point, each has its own vertex at this point, and these vertices are not connected there. If the mesh has no
-   * degenerate edges, the result is the same as without contraction. Contraction takes time linear in the size of the
-   * mesh.
+   * merged represents all of them, and the others become isolated; the other two edges of a face with one degenerate
+   * edge become one edge. `index()` returns the corresponding elements, or `null_index` for a halfedge that has
+   * vanished, and `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the contracted
+   * surface meet only at a point, each of them has its own vertex at this point, and these vertices are not connected
+   * there. If the mesh has no degenerate edges or folded faces, the result is the same as without contraction.
    *
    * \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
-   * \throws Degenerate_face_error if a face has one zero-length edge and two edges of different lengths
+   * \throws Degenerate_face_error if edges are contracted, and a face has one zero-length edge and two edges of
+   *         different lengths, or more umbrellas meet at a point than vertices coincide there
    * \throws Input_mismatch_error if the metric detects that it was made for another mesh
+   *
+   * Complexity: constant for a `Surface_mesh` and \cgalBigO{n \log n} for other meshes, plus time linear in the size of
+   * the mesh if edges are to be contracted.
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
                           Zero_length_edges zero_length_edges)
@@ -492,10 +499,10 @@ public:
   }
 
   /*!
-   * Moves a triangulation in constant time. Networks, walkers, trees and shorteners in `other` still refer to `other`
-   * afterwards and can only be destroyed. A network with curves must not even be destroyed: the constructor of
-   * `Edge_path_network` from a network and a triangulation moves it to the new triangulation. After the move, `other`
-   * can only be assigned to and destroyed.
+   * Moves a triangulation in constant time. Networks, walkers, trees and shorteners of `other` still refer to `other`
+   * afterwards and can only be destroyed. A network with curves must not even be destroyed, but must be moved to the
+   * new triangulation by the constructor of `Edge_path_network` from a network and a triangulation. After the move,
+   * `other` can only be assigned to or destroyed.
    */
   Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
   /// Moves `other` into this triangulation, with the same consequences for `other` as those of the move constructor.
@@ -506,8 +513,8 @@ public:
   /// \name Geometry
   /// @{
 
-  /// Replaces the geometry of the face on the left of `h` by a more accurate one, given in order starting with `h`. The
-  /// log records the old geometry.
+  /// Replaces the geometry of the face on the left of `h` by a more accurate one, which starts with `h`. The log
+  /// records the old geometry.
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
     m_log.lay_out(store(), h, geometry);
@@ -515,7 +522,7 @@ public:
 
   /*!
    * Returns whether `turn`, the angle clockwise around a vertex from halfedge `from` to halfedge `to`, is at least
-   * \f$\pi\f$. `from == to` means a full turn.
+   * \f$\pi\f$. If `from == to`, the angle is the full turn.
    * \pre the turn has at least one corner, and was below \f$\pi\f$ before its last corner was added
    */
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const
@@ -527,14 +534,15 @@ public:
     return comparison.make_certain() != SMALLER;
   }
 
-  /// Returns statistics of the filter failures of the traits since construction, and of how they were resolved.
+  /// Returns how many filter failures have occurred in predicates of the traits since construction, and how they were
+  /// resolved.
   Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
 
   /// Returns whether the two faces of the edge of `h` together have an angle of at least \f$\pi\f$ at the head of `h`.
   /// \pre both faces exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
-  /// Returns whether the two faces of the edge of a walker together have an angle of at least \f$\pi\f$ at the head of
-  /// the halfedge. \pre both faces exist
+  /// Returns whether the two faces of the edge of walker `h` together have an angle of at least \f$\pi\f$ at the head
+  /// of the walker's halfedge. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const
   {
     Turn turn;
@@ -600,13 +608,15 @@ public:
   Log_position log_position() const { return m_log.size(); }
 
   /*!
-   * Returns the number of bytes used by the records of changes. Constant time.
+   * Returns the number of bytes used by the records of changes.
    *
    * The records consist of the flip log, the inserted points, and cached data about crossings and vectors. With
-   * `Certified_intrinsic_triangulation_traits`, a flip takes about 165 bytes, and at most 200, in addition to a fixed
-   * cost of a few megabytes; with doubles, a flip takes about 100 bytes. Heap memory owned by numbers, such as the
-   * digits of rational numbers, is not included. `rollback()` frees the memory of all entries that it undoes, except
-   * for a few megabytes that are kept for reuse.
+   * `Certified_intrinsic_triangulation_traits`, each flip takes about 165 bytes, and at most 200, and a few megabytes
+   * are used in addition; with `Intrinsic_triangulation_traits` in double, each flip takes about 100 bytes. Heap memory
+   * owned by numbers, such as the digits of rational numbers, is not included. `rollback()` frees the memory of all
+   * entries that it undoes, except for a few megabytes that are kept for reuse.
+   *
+   * Complexity: constant.
    */
   std::size_t memory_of_records() const
   {
@@ -614,8 +624,8 @@ public:
   }
 
   /// Undoes flips and insertions in reverse order until the log has `position` entries. The former state is restored
-  /// bitwise. Linear in the number of undone entries. \pre no network has a curve on an edge that the rollback changes,
-  /// unless the curve is removed before it is used again
+  /// bitwise. Complexity: linear in the number of undone entries. \pre no network has a curve on an edge that the
+  /// rollback changes, except for curves that are removed before they are used again
   void rollback(Log_position position = 0)
   {
     if(m_log.size() > position)
@@ -641,8 +651,8 @@ public:
 
   /*!
    * Returns the location of vertex `v` on the input in a canonical form. An input vertex is given by a halfedge that
-   * starts there, with weights (1, 0, 0); a point on an edge by the first halfedge of the edge that is not on the
-   * border, with third weight zero; and a point inside a face by the lowest-numbered halfedge of the face.
+   * starts at it and the weights (1, 0, 0), a point on an edge by the first halfedge of the edge that is not on the
+   * border, with third weight zero, and a point inside a face by the lowest-numbered halfedge of the face.
    * \pre `v` is not isolated
    */
   Surface_location location(Vertex_index v) const
@@ -656,9 +666,9 @@ public:
    * Inserts a point of the surface as a vertex by splitting the face or edge that contains it.
    *
    * The face or edge that contains the point is determined exactly, and the edge sequences of the new edges are
-   * correct, even if the geometry is rounded. If inexact predicates have caused incorrect flips, it can happen that no
-   * face contains the point. The point is then inserted on the nearest edge, provided that rounding errors can explain
-   * its distance from this edge. `rollback()` removes the vertex again.
+   * correct, even if the geometry is rounded. If inexact predicates have caused incorrect flips, it is possible that no
+   * face contains the point. In this case the point is inserted on the nearest edge, provided that rounding errors can
+   * explain its distance from this edge. `rollback()` removes the vertex again.
    *
    * \param location any point of the surface
    * \return the new vertex, or the existing one at the point
@@ -671,8 +681,8 @@ public:
    * \throws Degenerate_face_error if a visited face has a zero-length edge
    * \throws Invalid_coordinate_error if a visited face has a coordinate or length that is not finite or is out of range
    *
-   * Complexity: linear in the total length of the edge sequences of the edges that cross the input face of the point;
-   * these are usually only the edges of the face that contains the point.
+   * Complexity: linear in the total length of the edge sequences of those edges of the triangulation that cross the
+   * input face of the point. Usually, only the edges of the face that contains the point are examined.
    */
   Vertex_index insert(const Surface_location& location)
   {
@@ -688,7 +698,7 @@ public:
    * Inserts a point of the surface as a vertex as `insert(location)` does, and calls `on_split` if this splits an edge.
    * The edge may be held, so `Occupied_triangulation_error` is not thrown.
    *
-   * `on_split` is called with an object that has two members, both halfedges: `first` has become shorter, and `second`
+   * The argument of `on_split` is an object with two members, both halfedges: `first` has become shorter, and `second`
    * leads from the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
    */
   template <class OnSplit>
@@ -699,8 +709,8 @@ public:
   }
 
   /*!
-   * Splits the edge of `h` at a point that lies on the edge up to rounding errors. From then on, the point is taken to
-   * lie on the edge exactly.
+   * Splits the edge of `h` at a point that lies on the edge up to rounding errors. Afterwards, the point is regarded as
+   * lying exactly on the edge.
    *
    * \param h a side of the edge
    * \param gap the number of edges in `edge_sequence(h)` that are crossed before the input face that contains the point
@@ -743,33 +753,34 @@ public:
   /// \name Correspondence with the input
   /// @{
 
-  /// Returns the number of input edges that edge `e` crosses, or -1 if `e` is an input edge or a part of one
-  /// \cgalCite{GSC21}.
+  /// Returns the normal coordinate of edge `e` \cgalCite{GSC21}: the number of input edges that the edge crosses, or -1
+  /// if the edge is an input edge or a part of one.
   Index crossings(Edge_index e) const { return store().crossings(store().slot(internal::first_side(e))); }
 
   /*!
    * Returns the sequence of input edges that halfedge `h` crosses, from its tail to its head. The sequence is exact,
    * since it is computed with integers only \cgalCite{GSC21,section 3}.
    *
-   * A sequence is computed when it is first requested, and then stored. If the stored sequences take too much memory,
+   * A sequence is computed when it is first requested, and then stored. When the stored sequences take too much memory,
    * the least recently used ones are discarded.
    *
-   * Complexity: linear in the length of a stored sequence. A sequence that is not stored is computed from the crossing
-   * numbers, in time linear in the degree of the tail and in the number of triangles through which the crossed edges
-   * are followed until each of them separates from the next. If points have been inserted, or if flips have replaced
-   * all input edges at both ends, the sequence is derived from the flip log instead, in time linear in the total length
-   * of the sequences of all earlier edges from which the edge descends, not counting stored sequences.
+   * Complexity: linear in the length of a stored sequence. A sequence that is not stored is computed from the normal
+   * coordinates by following the crossed input edges through the triangles of the triangulation until any two
+   * consecutive ones separate or end at a common vertex; the time is linear in the number of these triangles and in the
+   * degree of the tail. If points have been inserted, or if flips have replaced all input edges at both ends, the
+   * sequence is derived from the flip log instead; the time is then linear in the total length of those sequences that
+   * are not stored, among the sequences of all earlier edges from which the edge descends.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 
-  /// Returns the version of an edge: 0 for an input edge that has not been changed, otherwise one more than the
-  /// position of the last entry in the log that changed the edge.
+  /// Returns the version of an edge: 0 for an input edge that has not been changed, and otherwise one more than the
+  /// position of the last log entry that changed the edge.
   Index version(Edge_index e) const { return store().version(store().slot(internal::first_side(e))); }
 
   /*!
    * Returns the number of input edges that start at the common tail of `from` and `to`, strictly inside the wedge
-   * clockwise from `from` to `to`; `from == to` means a full turn. Linear in the number of edges in the wedge. \pre the
-   * wedge does not contain the border
+   * clockwise from `from` to `to`. If `from == to`, the wedge is the full turn. Complexity: linear in the number of
+   * edges in the wedge. \pre the wedge does not contain the border
    */
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
   {
@@ -884,7 +895,7 @@ struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
     return t.m_decisions.flat_edges(static_cast<std::size_t>(t.input().number_of_halfedges() / 2));
   }
 
-  /* Inserts a point close to a known piece, so that fewer edges in the input face have to be passed. */
+  /* Inserts a point close to a known piece, so that the search visits fewer edges in the input face. */
   template <class OnSplit>
   static Vertex_index insert(Triangulation& t, const Surface_location& location, const OnSplit& on_split,
                              Known_piece& close_by)
@@ -901,7 +912,7 @@ struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
 struct Intrinsic_face
 {
   std::array<Vertex_index, 3> vertices;    ///< the vertices, counterclockwise around the face
-  std::array<Halfedge_index, 3> halfedges; ///< counterclockwise around the face
+  std::array<Halfedge_index, 3> halfedges; ///< the halfedges, counterclockwise around the face
   std::array<double, 3> lengths;           ///< the lengths of the halfedges, in the unit of the mesh, rounded to double
 };
 
@@ -911,11 +922,13 @@ struct Intrinsic_face
  * Writes all faces of an intrinsic triangulation. The curves of its networks consist of edges of these faces.
  *
  * Each face starts with its halfedge of smallest index, and the faces are ordered by these halfedges. All faces that
- * have not been accessed before are copied from the input. Linear in the size of the mesh.
+ * have not been accessed before are copied from the input.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
- * \param out an output iterator that receives `Intrinsic_face`s
+ * \param out an output iterator that receives objects of type `Intrinsic_face`
  * \return the past-the-end output iterator
+ *
+ * Complexity: linear in the size of the mesh.
  */
 template <class Triangulation, class OutputIterator>
 OutputIterator intrinsic_faces(const Triangulation& triangulation, OutputIterator out)

@@ -126,19 +126,19 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
  * \ingroup PkgFlipGeodesicsObstacles
  *
  * Represents a mesh that is slit along some of its edges: a view of the mesh in which these edges are borders on both
- * sides. Paths can run along slits but cannot cross them. The view stores lists of its vertices and edges, but no copy
- * of the mesh.
+ * sides. Paths can run along slits but cannot cross them. The view stores lists of its vertices, edges and halfedges,
+ * but no copy of the mesh.
  *
- * A vertex has several copies, one for each sector of faces, if a slit passes through it, or if several slits, or a
- * slit and the border, meet there. If a slit ends inside the surface, its end is a single vertex. An edge of a slit
- * becomes two edges. Faces are those of the mesh.
+ * A vertex of the mesh has several copies if a slit passes through it, or if several slits, or a slit and the border,
+ * meet at it: one copy for each sector of faces between the slits and the border. If a slit ends inside the surface,
+ * its end is a single vertex. Each edge of the mesh along a slit becomes two edges. Faces are those of the mesh.
  *
- * A descriptor stores the corresponding descriptor of the mesh and can be converted to it. A vertex descriptor of the
- * mesh can be converted to its first copy.
+ * A descriptor of a vertex, a halfedge or an edge stores the corresponding descriptor of the mesh and can be converted
+ * to it. A vertex descriptor of the mesh can be converted to the descriptor of the first copy of the vertex.
  *
  * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh, and can be passed as a
- * mesh to all functions of this package that only read their mesh. Functions that return a mesh require its type as a
- * template argument.
+ * mesh to all functions of this package that only read their mesh. Functions that return a mesh require the type of the
+ * result as a template argument, because a slit mesh cannot be built.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */
@@ -151,7 +151,7 @@ class Slit_mesh
   using Mesh_edge = typename Graph::edge_descriptor;
 
 public:
-  /// Identifies a vertex, or one of its copies.
+  /// Identifies a vertex, that is, one of the copies of a vertex of the mesh.
   struct Vertex
   {
     Mesh_vertex vertex;   ///< the vertex of the mesh
@@ -162,7 +162,7 @@ public:
       : vertex(Graph::null_vertex())
     {
     }
-    /// Constructs the descriptor of a copy of a vertex, by default the first.
+    /// Constructs the descriptor of a copy of a vertex of the mesh, by default the first copy.
     Vertex(Mesh_vertex vertex, std::size_t copy = 0)
       : vertex(vertex)
       , copy(copy)
@@ -183,14 +183,14 @@ public:
   struct Halfedge
   {
     Mesh_halfedge halfedge; ///< the halfedge of the mesh with the same direction
-    bool is_outer = false;  ///< whether it is the border halfedge of a slit along the halfedge of the mesh
+    bool is_outer = false;  ///< whether this is the border halfedge of a slit along `halfedge`
 
     /// Constructs a null descriptor.
     Halfedge()
       : halfedge(Graph::null_halfedge())
     {
     }
-    /// Constructs the descriptor of a halfedge of the mesh, or of the border halfedge of a slit along it.
+    /// Constructs the descriptor of a halfedge of the mesh, or of the border halfedge of a slit along this halfedge.
     explicit Halfedge(Mesh_halfedge halfedge, bool is_outer = false)
       : halfedge(halfedge)
       , is_outer(is_outer)
@@ -211,9 +211,9 @@ public:
   struct Edge
   {
     Mesh_edge edge;                                  ///< the edge of the mesh
-    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the one on this side
-    bool is_at_slit = false;                         ///< whether it is one of the two copies of an edge at a slit
-    bool is_outer = false; ///< whether the edge was obtained from its halfedge on the border of a slit
+    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the one in a face
+    bool is_at_slit = false;                         ///< whether this is one of two edges along a slit
+    bool is_outer = false; ///< whether the edge was obtained from its border halfedge at a slit
 
     /// Returns the edge of the mesh.
     operator Mesh_edge() const { return edge; }
@@ -230,8 +230,8 @@ public:
    * Constructs a view of a mesh that is slit along given edges.
    *
    * \param mesh a triangle mesh, which must outlive the slit mesh and must not be changed
-   * \param slits a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value type, which is
-   *        read only by the constructor; marks of border edges have no effect
+   * \param slits a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value type. Only the
+   *        constructor accesses the map; marks of border edges have no effect
    *
    * Complexity: linear in the size of the mesh, plus \cgalBigO{n \log n} for \f$n\f$ edges at slits.
    */
@@ -262,22 +262,23 @@ public:
     return found == m_number_of_copies.end() ? 1 : found->second;
   }
 
-  /// Returns the copy of the tail of a halfedge of the mesh in the face on the left of the halfedge. \pre the halfedge
-  /// has a face
+  /// Returns the copy of the tail of a halfedge of the mesh that is a corner of the face on the left of the halfedge.
+  /// \pre the halfedge has a face
   Vertex vertex_in_face(Mesh_halfedge h) const
   {
     const auto found = m_copy.find(h);
     return {source(h, *m_mesh), found == m_copy.end() ? 0 : found->second};
   }
 
-  /// Returns all vertices: those of the mesh, followed by their further copies.
+  /// Returns all vertices: the first copy of each vertex of the mesh, followed by the further copies.
   const std::vector<Vertex>& all_vertices() const { return m_vertices; }
-  /// Returns all edges in the order of those of the mesh; the two edges of a slit are consecutive.
+  /// Returns all edges in the order of the edges of the mesh; the two edges along the same edge of a slit are
+  /// consecutive.
   const std::vector<Edge>& all_edges() const { return m_edges; }
   /// Returns all halfedges; the two halfedges of an edge are consecutive.
   const std::vector<Halfedge>& all_halfedges() const { return m_halfedges; }
 
-  /// Returns the edge of a halfedge of the mesh; at a slit, the edge on the side of this halfedge.
+  /// Returns the edge of a halfedge of the mesh; at a slit, this is the edge on the side of the halfedge.
   Edge edge_of(Mesh_halfedge h) const { return make_edge(internal::graph_edge(h, *m_mesh), h, is_slit(h)); }
 
 private:
@@ -411,8 +412,8 @@ typename Slit_mesh<M>::Halfedge halfedge(typename boost::graph_traits<M>::face_d
 }
 
 /*
- * Returns the halfedge from which the edge was obtained, as required by the validity check of CGAL; otherwise that of
- * the mesh.
+ * Returns the halfedge from which the edge was obtained, as required by the validity check of CGAL, or else the
+ * halfedge of the mesh that the edge stores.
  */
 template <class M>
 typename Slit_mesh<M>::Halfedge halfedge(typename Slit_mesh<M>::Edge e, const Slit_mesh<M>& mesh)

@@ -184,26 +184,26 @@ struct Intrinsic_graph_traits
  * \file
  * \ingroup PkgFlipGeodesicsGraph
  *
- * Makes an `Intrinsic_triangulation` a model of `HalfedgeListGraph` and `FaceListGraph`, for the algorithms of BGL and
- * of \cgal. The header provides `boost::graph_traits`, the functions of the concepts, and the property maps
- * `vertex_index_t`, `halfedge_index_t`, `edge_index_t`, `face_index_t`, `edge_weight_t` (the intrinsic lengths),
- * `vertex_point_t` if the metric has points, and dynamic property maps.
+ * Makes `Intrinsic_triangulation` a model of `HalfedgeListGraph` and `FaceListGraph`, so that algorithms of BGL and of
+ * \cgal can be applied to it. The header provides `boost::graph_traits`, the functions of the concepts, and the
+ * property maps `vertex_index_t`, `halfedge_index_t`, `edge_index_t`, `face_index_t`, `edge_weight_t` (the intrinsic
+ * lengths), `vertex_point_t` if the metric has points, and dynamic property maps.
  *
  * `boost::graph_traits` is specialized for the class `Intrinsic_triangulation` itself, not for other models of
  * `IntrinsicTriangulation` or for derived classes.
  *
- * The functions take constant time, with the following exceptions. `next()` and `prev()` of a border halfedge, and the
- * functions that return the degree of a vertex or find an edge between two vertices, take time linear in the degree of
- * the vertex. `faces()` and `num_faces()` traverse all halfedges. The map of face indices is constructed in linear time
- * when it is requested, and remains valid until the next flip or insertion.
+ * Complexity: constant for all functions, with the following exceptions. `next()` and `prev()` of a border halfedge,
+ * the functions that return the degree of a vertex, and those that find an edge or halfedge between two vertices take
+ * time linear in the degree of a vertex. `num_faces()` and an iteration over `faces()` visit all halfedges. The map of
+ * face indices is constructed in linear time when it is requested, and remains valid until the next flip or insertion.
  *
  * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
  * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be
  * used on such a triangulation.
  *
  * A flip changes the ends of one edge and replaces two faces by two new ones; all other descriptors keep their meaning.
- * An insertion adds elements, and changes only the descriptor of the face, or of the halves of the edge, that it
- * splits.
+ * An insertion adds elements and changes only the meaning of the descriptors of elements that it splits: a face, or an
+ * edge and its incident faces.
  */
 
 namespace boost {
@@ -375,7 +375,7 @@ Halfedge_index halfedge(Vertex_index v, const Intrinsic_triangulation<M, T, E>& 
   return h == null_index ? h : internal::twin_index(h);
 }
 
-// Returns a halfedge from `u` to `v`, of several the one with the smallest number, and whether it exists.
+// Returns the halfedge with the smallest number among those from `u` to `v`, and whether one exists.
 template <class M, class T, class E>
 std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v, const Intrinsic_triangulation<M, T, E>& t)
 {
@@ -386,7 +386,7 @@ std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v, const I
   return {result, result != null_index};
 }
 
-// Returns an edge from `u` to `v`, of several that of the smallest halfedge, and whether it exists.
+// Returns the edge of the halfedge with the smallest number among those from `u` to `v`, and whether one exists.
 template <class M, class T, class E>
 std::pair<Edge_index, bool> edge(Vertex_index u, Vertex_index v, const Intrinsic_triangulation<M, T, E>& t)
 {

@@ -62,15 +62,15 @@ void check_input(const Metric& metric, const Mesh& mesh)
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Represents a mesh whose vertices and halfedges are numbered consecutively. This type is the input of triangulations
- * and an argument of the functions of metrics.
+ * Represents a mesh whose vertices and halfedges are numbered consecutively. An object of this type is the input of a
+ * triangulation and an argument of the member functions of metrics.
  *
  * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge with number `e` in
  * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result can therefore be converted back to elements
- * of the mesh: for the `Input_halfedge_index h` of a surface point or a face, `triangulation.input().halfedge(h)` is
- * the halfedge of the mesh, and `face(triangulation.input().halfedge(h), mesh)` is its face.
+ * of the mesh: for the `Input_halfedge_index h` of a surface point, for example, `triangulation.input().halfedge(h)` is
+ * the halfedge of the mesh, and `face(triangulation.input().halfedge(h), mesh)` is the face of this halfedge.
  *
- * Member functions take constant time, except that `index()` takes logarithmic time unless the mesh is a
+ * Complexity: constant for all member functions, except that `index()` takes logarithmic time unless the mesh is a
  * `Surface_mesh`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -80,8 +80,8 @@ template <class TriangleMesh>
 class Numbered_mesh
 {
 public:
-  /// Numbers a mesh, which must outlive the object. Takes \cgalBigO{n \log n} time, but constant time for a
-  /// `Surface_mesh`, which is already numbered and not copied.
+  /// Numbers a mesh, which must outlive the object. Complexity: constant for a `Surface_mesh`, whose own numbers are
+  /// used, and \cgalBigO{n \log n} for other meshes.
   explicit Numbered_mesh(const TriangleMesh& mesh);
 
   Index number_of_vertices() const;  ///< returns the number of vertices
@@ -95,7 +95,7 @@ public:
   /// Returns the halfedge of the mesh with a given number.
   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge(Input_halfedge_index h) const;
 
-  static Input_halfedge_index twin(Input_halfedge_index h); ///< returns the other side of the edge
+  static Input_halfedge_index twin(Input_halfedge_index h); ///< returns the opposite halfedge
   Input_halfedge_index next(Input_halfedge_index h) const;  ///< returns the next halfedge around the face or border
   Input_halfedge_index previous(
       Input_halfedge_index h) const;               ///< returns the previous halfedge around the face or border
@@ -118,7 +118,7 @@ using Numbered_mesh = internal::Indexed_mesh<TriangleMesh>;
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents the metric of a mesh embedded in space: the length of an edge is the distance of its end points.
+ * Represents the metric of a mesh embedded in space: the length of an edge is the distance between its end points.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and points as values
@@ -162,7 +162,7 @@ public:
     return length;
   }
 
-  /// The coordinates of a point: doubles, or doubles close to rational numbers, with an error bound.
+  /// The coordinates of a point: doubles or, for rational coordinates, approximations by doubles with an error bound.
 #ifdef DOXYGEN_RUNNING
   using Place = unspecified_type;
 #else
@@ -181,7 +181,7 @@ public:
   }
 
   /// Returns the length of halfedge `h`, given the positions of its two ends. For rational coordinates, the error is at
-  /// most a few units in the last place of the coordinates, or \f$2^{-40}\f$ of the length if this bound is smaller.
+  /// most a few units in the last place of the coordinates, and at most \f$2^{-40}\f$ of the length.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     if constexpr(is_rational) {
@@ -207,7 +207,8 @@ public:
     }
   }
 
-  /// Returns a lower bound on the distance between two points on the surface: their distance in space.
+  /// Returns a lower bound on the lengths of all paths on the surface between two points: the distance of these points
+  /// in space.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(is_rational)
@@ -216,8 +217,8 @@ public:
       return std::sqrt(squared_norm(difference(p, q)));
   }
 
-  /// Returns the vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face. Throws the exceptions that
-  /// `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the points of its
+  /// vertices. Throws the exceptions that `length()` throws.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
@@ -235,10 +236,10 @@ public:
       return construct(point(mesh, u), point(mesh, v), point(mesh, w));
   }
 
-  /// Returns whether a coordinate of the mesh must be rounded, because it is not a double and its type does not provide
-  /// the exact value as a fraction. In this case nothing is certified, since predicates refer to the rounded
-  /// coordinates. The first call is linear in the size of the mesh if the number type of the kernel allows such
-  /// coordinates.
+  /// Returns whether a coordinate of the mesh must be rounded, because its value is not that of a double and its type
+  /// does not provide the value as a fraction. In this case nothing is certified, since predicates refer to the rounded
+  /// coordinates. Complexity: linear in the size of the mesh for the first call if the number type of the kernel allows
+  /// such coordinates; otherwise constant.
   bool is_rounded(const Mesh& mesh) const
   {
     if constexpr(is_rational || internal::is_within_double<internal::Coordinate<Point_3>>)
@@ -383,8 +384,8 @@ public:
 
   /// Constructs the metric of given lengths.
   /// \param mesh the mesh, which must outlive the metric
-  /// \param lengths the lengths of its edges in any unit, each between 1e-70 and 1e70; they are read whenever they are
-  ///        needed
+  /// \param lengths the lengths of the edges in any unit, each between 1e-70 and 1e70. They must not change while the
+  ///        metric is used, since they are read whenever they are needed
   Edge_length_metric(const TriangleMesh& mesh, EdgeLengthMap lengths)
     : m_mesh(&mesh)
     , m_lengths(lengths)
@@ -406,7 +407,7 @@ public:
     return internal::imported_number(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
   }
 
-  /// Returns the length of halfedge `h`; the positions contain no data.
+  /// Returns the length of halfedge `h`; the other arguments contain no data.
   double weight(const Mesh& mesh, Input_halfedge_index h, Place, Place) const { return weight(mesh, h); }
 
   /// Returns an empty object.
@@ -415,7 +416,8 @@ public:
   /// Returns zero, since lengths do not determine distances in space.
   double distance_lower_bound(Place, Place) const { return 0; }
 
-  /// Returns the exact squared length of halfedge `h`. Only available if the type of lengths is exact and rational.
+  /// Returns the exact squared length of halfedge `h`. Available only if the lengths have an exact number type with
+  /// rational values.
 #ifdef DOXYGEN_RUNNING
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 #else
@@ -437,9 +439,10 @@ public:
     return internal::face_geometry_by_lengths(*this, mesh, h, traits);
   }
 
-  /// Returns whether a length must be rounded, because it is not a double and its type does not provide the exact value
-  /// as a fraction. In this case nothing is certified, since predicates refer to the rounded lengths. The first call is
-  /// linear in the size of the mesh if the type allows such lengths.
+  /// Returns whether a length must be rounded, because its value is not that of a double and its type does not provide
+  /// the value as a fraction. In this case nothing is certified, since predicates refer to the rounded lengths.
+  /// Complexity: linear in the size of the mesh for the first call if the type of the lengths allows such values;
+  /// otherwise constant.
   bool is_rounded(const Mesh&) const
   {
     if constexpr(is_rational || internal::is_within_double<Length>)
@@ -467,8 +470,8 @@ private:
 
 namespace internal {
 
-/* The exact faces of metrics whose faces are defined by lengths in double. Lengths do not determine which faces lie in
- * one plane. */
+/* Constructs the exact faces of metrics whose faces are defined by lengths in double. Lengths do not determine which
+ * faces lie in one plane. */
 struct Internals_of_lengths
 {
   static constexpr bool has_exact_faces = true;
@@ -535,8 +538,8 @@ inline double least_stretch(std::array<double, 3> before, std::array<double, 3> 
 }
 
 /*
- * Returns the least stretch of all faces of a mesh between two metrics, or infinity if it has no faces. Linear in the
- * mesh.
+ * Returns the least stretch of all faces of a mesh between two metrics, or infinity if the mesh has no faces.
+ * Complexity: linear in the size of the mesh.
  */
 template <class Before, class After, class Input_mesh>
 double least_stretch_of_faces(const Before& before, const After& after, const Input_mesh& mesh)
@@ -561,8 +564,8 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
  * face satisfies the triangle inequality with a margin. Meshes with degenerate edges and faces can be used with this
  * metric, at the cost of a slightly different surface.
  *
- * Curves are geodesics of the modified surface, but their points are computed on the original mesh, if the metric has
- * points.
+ * Curves are geodesics of the modified surface. If the metric has points, however, the points of the curves are
+ * computed on the original mesh.
  *
  * \tparam Metric `Embedded_metric` or `Edge_length_metric`, or a `Weighted_metric` over one of these
  *
@@ -586,13 +589,15 @@ public:
   }
 
   /*!
-   * Computes the length to be added for the default factor, 1e-5. Linear in the size of the mesh.
+   * Computes the length to be added for the default factor, 1e-5.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
    * \throws Invalid_coordinate_error if the length of an edge is negative or not finite
    * \throws Invalid_mesh_error if a face is not a triangle
    * \throws Input_mismatch_error if the other metric detects that it was made for another mesh
+   *
+   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
    */
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric)
@@ -601,7 +606,7 @@ public:
   }
 
   /*!
-   * Computes the length to be added. Linear in the size of the mesh.
+   * Computes the length to be added.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
@@ -610,6 +615,8 @@ public:
    * \throws Invalid_coordinate_error if the length of an edge is negative or not finite
    * \throws Invalid_mesh_error if a face is not a triangle
    * \throws Input_mismatch_error if the other metric detects that it was made for another mesh
+   *
+   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
    */
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor)
@@ -624,8 +631,8 @@ public:
       m_least_stretch = (std::min)(1., internal::least_stretch_of_faces(base(), *this, indexed));
   }
 
-  /// Returns the length added to every edge, which is zero if none was needed; this metric then equals the other
-  /// metric.
+  /// Returns the length added to every edge. If it is zero, because no addition was needed, this metric equals the
+  /// other metric.
   double added_length() const { return m_added; }
 
   /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
@@ -672,7 +679,7 @@ public:
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
   using Base::is_rounded;
 
-  /// Checks that the length to be added and the other metric belong to a mesh with the same number of edges as `mesh`.
+  /// Checks that this metric and the other one were made for meshes with the same number of edges as `mesh`.
   /// \throws Input_mismatch_error if the numbers differ
   void check_input(const Mesh& mesh) const
   {
@@ -724,21 +731,22 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents a given metric with each edge scaled by a weight, so that paths avoid regions in which the weight is
- * large.
+ * Represents a given metric in which each edge length is multiplied by a factor derived from given weights, so that
+ * paths avoid regions in which the weights are large.
  *
  * Weights given at vertices are interpolated linearly along edges. The length of an edge is that of the other metric,
  * times the mean of the weights of its two ends. Each face is again a flat triangle, with the new lengths. If the
- * weight changes little over a face, the new metric is the conformal change of the other metric by the weight, up to
- * terms of second order. A weight given for an edge is the factor by which its length is multiplied.
+ * weight changes little within a face, the new metric agrees with the conformal change of the other metric by the
+ * weight up to terms of second order. A weight given for an edge is the factor by which the length of this edge is
+ * multiplied.
  *
  * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
  * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each
  * the mean of the weights of the incident faces.
  *
- * If weights change so much over one face that its lengths violate the triangle inequality, `Degenerate_face_error` is
- * thrown when the shape of the face is needed. Smaller faces, smoother weights, or a `Mollified_metric` of the weighted
- * metric avoid this.
+ * If the weights change so much within a face that the new lengths violate the triangle inequality,
+ * `Degenerate_face_error` is thrown when the shape of this face is needed. Smaller faces, smoother weights, or a
+ * `Mollified_metric` of the weighted metric avoid this.
  *
  * \tparam Metric `Embedded_metric` or `Edge_length_metric`
  *
@@ -762,13 +770,15 @@ public:
   using Point_3 = typename Base::Point_3; ///< the point type of the other metric, `void` if it has none
 
   /*!
-   * Reads all weights. Linear in the size of the mesh if it is a `Surface_mesh`.
+   * Constructs the metric and reads all weights.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
    * \param weights a model of `ReadablePropertyMap` with the vertices of the mesh, its faces or its edges as keys, and
    *        positive numbers as values
    * \throws Invalid_parameter_error if a weight is not positive and finite
+   *
+   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
    */
   template <class TriangleMesh, class WeightMap>
   Weighted_metric(const TriangleMesh& mesh, const Metric& metric, const WeightMap& weights)
@@ -781,7 +791,7 @@ public:
     }
   }
 
-  /// Returns the factor of the length of halfedge `h`.
+  /// Returns the factor by which the length of halfedge `h` is multiplied.
   double factor(Input_halfedge_index h) const { return (*m_factors)[static_cast<std::size_t>(h.idx() / 2)]; }
 
   /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
@@ -791,18 +801,18 @@ public:
   /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(h); }
 
-  /// The data of a vertex that a lower bound requires, which are those of the other metric. Unlike points, these data
-  /// do not determine the shapes of faces.
+  /// The data of a vertex from which lower bounds are computed: those of the other metric, which do not determine the
+  /// shapes of the faces of this metric.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
-  /// Returns the length of halfedge `h`, given the positions of its two ends.
+  /// Returns the length of halfedge `h`; the other arguments are ignored.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place&, const Place&) const { return weight(mesh, h); }
 
   /// Returns the data of the other metric for vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
-  /// Returns the lower bound of the other metric, times the least factor by which faces stretch segments. This factor
-  /// can be smaller than the smallest weight.
+  /// Returns the lower bound of the other metric, times the smallest factor by which the length of a segment in a face
+  /// changes. This factor can be smaller than the smallest weight.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(std::is_empty<Place>::value)
@@ -817,7 +827,7 @@ public:
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
   using Base::is_rounded;
 
-  /// Checks that the weights and the other metric belong to a mesh with the same number of edges as `mesh`.
+  /// Checks that the weights and the other metric were given for meshes with the same number of edges as `mesh`.
   /// \throws Input_mismatch_error if the numbers differ
   void check_input(const Mesh& mesh) const
   {

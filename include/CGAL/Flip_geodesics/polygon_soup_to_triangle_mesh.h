@@ -264,7 +264,7 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor whose `on_progress()`, if it has such a member, is called between the steps with
- *     an estimate of the completed fraction of the work, a `double` from 0 to 1}
+ *       an estimate of the completed fraction of the work, a `double` from 0 to 1}
  *     \cgalParamType{any class}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
