@@ -141,9 +141,9 @@ using Vertex_copy_index = Descriptor<Element_kind::Vertex_copy>;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// Identifies an edge of a triangulation. The descriptor also stores one of the two halfedges of the edge; comparisons
-/// ignore which one it is. The `source()` of an edge is the tail of the stored halfedge, and the `target()` is its
-/// head. The edges of `out_edges(v, triangulation)` therefore have the source `v`, and those of
-/// `in_edges(v, triangulation)` have the target `v`.
+/// ignore this halfedge. The `source()` of an edge is the tail of the stored halfedge, and the `target()` is its head.
+/// The edges of `out_edges(v, triangulation)` therefore have the source `v`, and those of `in_edges(v, triangulation)`
+/// have the target `v`.
 class Edge_index
 {
 public:

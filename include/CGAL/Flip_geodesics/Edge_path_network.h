@@ -750,11 +750,11 @@ Order_conflict order_if_possible(Network& network)
  * changed.
  *
  * \param network an `Edge_path_network`
- * \throws Crossing_curves_error if curves cross in every order. `elements()` contains a vertex at which they cross, or
+ * \throws Crossing_curves_error if curves cross in every order. `elements()` returns a vertex at which they cross, or
  *         one of several vertices that together make an order impossible
  * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
- *         repeatedly and the choices of their orders depend on each other; `elements()` contains the vertices of an
- *         edge that they share
+ *         repeatedly and the choices of their orders depend on each other; `elements()` returns the vertices of an edge
+ *         that these paths share
  *
  * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the sum of the degrees of the vertices of these segments.
  * If edges have several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time

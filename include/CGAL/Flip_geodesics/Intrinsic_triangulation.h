@@ -363,7 +363,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsMetrics
-/// The default metric of a mesh, which the points of the mesh define.
+/// The default metric: the one that the points of the mesh define.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
@@ -399,9 +399,10 @@ enum class Zero_length_edges {
  *
  * The triangulation is a \f$\Delta\f$-complex: an edge can be a loop, two edges can have the same two end points, a
  * vertex can have degree 1, and a face can be glued to itself. Elements are therefore identified by their indices,
- * never by their vertices. Vertices keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`.
- * Before the first flip, edges and halfedges are those of the input with the same indices; flips do not change indices.
- * Points of the surface can be inserted as further vertices, which receive the next indices.
+ * never by their vertices. The index of a vertex of the mesh is its position in `vertices(mesh)`. Edge `e` has the
+ * halfedges `2e` and `2e+1`. Before the first flip or insertion, edges and halfedges are those of the input with the
+ * same indices; flips do not change indices. Points of the surface can be inserted as further vertices, which receive
+ * the next indices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
  * `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, whose elements are indexed first.
@@ -695,8 +696,8 @@ public:
   }
 
   /*!
-   * Inserts a point of the surface as a vertex as `insert(location)` does, and calls `on_split` if this splits an edge.
-   * The edge may be held, so `Occupied_triangulation_error` is not thrown.
+   * Inserts a point of the surface as a vertex as `insert(location)` does, and calls `on_split` if the insertion splits
+   * an edge. The edge may be held, so `Occupied_triangulation_error` is not thrown.
    *
    * The argument of `on_split` is an object with two members, both halfedges: `first` has become shorter, and `second`
    * leads from the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
@@ -714,7 +715,7 @@ public:
    *
    * \param h a side of the edge
    * \param gap the number of edges in `edge_sequence(h)` that are crossed before the input face that contains the point
-   * \param location a point of that input face; it may lie on the boundary of the face only if the edge does
+   * \param location a point of that input face; it must not lie on the boundary of this face unless the edge does
    * \param on_split as for `insert()`
    * \return the new vertex
    * \throws Insertion_error as `insert()` does

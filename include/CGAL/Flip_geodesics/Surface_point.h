@@ -176,7 +176,7 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
  * The members represent exactly whether the point is a vertex, on an edge or inside a face: `t` on an edge, and `t` and
  * `u` inside a face, are at least 1e-100, even if they would be rounded to 0. If degenerate edges were contracted, `a`,
  * `b` and `c` are nevertheless the ends of an edge or the corners of a face of the original mesh; at a merged vertex,
- * `a` and `b` are the same one of the vertices that were merged.
+ * `a == b` is one of the vertices that were merged.
  */
 struct Surface_point
 {

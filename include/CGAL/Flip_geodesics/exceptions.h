@@ -103,10 +103,11 @@ template <class Exception, class... Parts>
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the input cannot be used as an oriented triangulated surface: a face is not a triangle, an edge does
 /// not belong to any face, a halfedge has no next one, a `Surface_mesh` contains removed vertices or edges, there are
-/// more elements than 32-bit indices can number, or no triangle remains of a repaired polygon soup. It is also thrown
-/// if several umbrellas meet at a vertex and a function requires that there is only one, or if handle and tunnel loops
-/// are requested of a surface that does not bound a solid. `elements()` returns at most eight vertices of the face, the
-/// vertices of the edge or halfedge, or the vertex at which umbrellas meet, if the problem lies at one of these.
+/// more elements than 32-bit indices can number, or no triangle remains after the repair of a polygon soup. It is also
+/// thrown if several umbrellas meet at a vertex and a function requires that there is only one, or if handle and tunnel
+/// loops are requested of a surface that does not bound a solid. `elements()` returns at most eight vertices of the
+/// face, the vertices of the edge or halfedge, or the vertex at which umbrellas meet, if the problem lies at one of
+/// these.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -123,9 +124,10 @@ enum class Degeneracy_remedy {
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a face has a degenerate edge or lengths that violate the triangle inequality, if a direction is given
-/// in a degenerate face, or if degenerate edges cannot be contracted or no surface remains after their contraction.
-/// `elements()` returns vertices of the edge or face. The exception is also thrown if rounding errors make it
-/// impossible to follow a path through almost degenerate faces; in this case `elements()` is empty.
+/// in a degenerate face, if degenerate edges cannot be contracted, or if, after their contraction, no surface remains
+/// at a vertex or connects the ends of a curve. `elements()` returns vertices, or a halfedge, of the edge or face. The
+/// exception is also thrown if rounding errors make it impossible to follow a path through almost degenerate faces; in
+/// this case `elements()` is empty.
 class Degenerate_face_error : public Error
 {
 public:
@@ -183,7 +185,8 @@ public:
 /// positive or is smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached,
 /// isolated base points of loops, or two base points in one component. It is also thrown if a distance field returns
 /// NaN, or is queried at a location for which it stores no data, or if a result is requested before it has been
-/// computed. `elements()` returns the position of the level, the face, the halfedge or the base point, if applicable.
+/// computed. `elements()` returns the position of the level, the element of the mesh or the base point concerned, if
+/// applicable.
 class Invalid_parameter_error : public Error
 {
 public:

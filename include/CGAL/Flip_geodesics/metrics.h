@@ -507,14 +507,14 @@ inline int scale_to_one(std::array<double, 3>& lengths)
 /*
  * Returns a lower bound on the factor by which segments in a triangle are longer than in another one whose points
  * correspond linearly. Rounding errors are subtracted. The sides of the other triangle, `before`, may be wrong by some
- * units in the last place, or zero; those of the first, `after`, are taken as given. Zero if one of these is invalid,
- * or they form a degenerate triangle.
+ * units in the last place, or zero; those of the first, `after`, are taken as given. The result is zero if one of the
+ * sides is invalid, or if the sides `after` form a degenerate triangle.
  *
  * The stretch of the sides alone is not sufficient: if two of them are stretched less than the third, heights can
  * become shorter by any factor.
  *
  * The linear map back, from `after` to `before`, stretches by at most its larger singular value. The sum of the squares
- * of both singular values follows from the cotangents of `after` [PP93], and their product is that of the areas.
+ * of both singular values follows from the cotangents of `after` [PP93], and their product is the ratio of the areas.
  */
 inline double least_stretch(std::array<double, 3> before, std::array<double, 3> after)
 {
@@ -560,9 +560,9 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents a given metric with a small length added to every edge \cgalCite{SC20b,section 4.5}, chosen such that each
- * face satisfies the triangle inequality with a margin. Meshes with degenerate edges and faces can be used with this
- * metric, at the cost of a slightly different surface.
+ * Represents a given metric with a small number added to the length of every edge \cgalCite{SC20b,section 4.5}. This
+ * number is chosen such that each face satisfies the triangle inequality with a margin. Meshes with degenerate edges
+ * and faces can be used with this metric, at the cost of a slightly different surface.
  *
  * Curves are geodesics of the modified surface. If the metric has points, however, the points of the curves are
  * computed on the original mesh.
@@ -589,7 +589,7 @@ public:
   }
 
   /*!
-   * Computes the length to be added for the default factor, 1e-5.
+   * Constructs the metric and computes the length to be added for the default factor, 1e-5.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
@@ -606,7 +606,7 @@ public:
   }
 
   /*!
-   * Computes the length to be added.
+   * Constructs the metric and computes the length to be added.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric

@@ -78,7 +78,8 @@ public:
   }
 
 private:
-  // Points keep their numbers. A copy takes that of its point if it is free, or else the next.
+  // Points keep their numbers. A copy takes the number of its point if this number is free, and the next new number
+  // otherwise.
   void number_vertices()
   {
     std::vector<char> is_used(m_soup.origins.size(), 0);
@@ -219,8 +220,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   edges with more than two faces, at vertices at which several umbrellas meet, and at edges across which the
  *   orientations cannot be made consistent.
  * - Points are welded if a tolerance is given: a point is moved to the nearest preceding point that has not been moved
- *   itself, provided that no coordinates of the two points differ by more than the tolerance. Short edges can collapse
- *   in this way.
+ *   itself, provided that no coordinate differs between the two points by more than the tolerance. Short edges can
+ *   collapse in this way.
  * - Border edges whose end points have equal coordinates are stitched with
  *   `CGAL::Polygon_mesh_processing::stitch_borders()`. If more than two border edges coincide, two edges of the same
  *   component are stitched if exactly two belong to this component; two of the remaining edges are stitched if exactly
@@ -230,7 +231,7 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   on the border, this leaves a slit in the surface.
  *
  * The steps are repeated until none of them changes the triangles, so repairing the result again has no effect. The
- * report also contains the number of border edges that nearly coincide with others, and the tolerance with which they
+ * report also contains the number of border edges that nearly coincide with others, and the tolerance above which they
  * would be stitched.
  *
  * No point is moved unless a tolerance is given, and no new points are created. The vertex at position `i` of

@@ -145,7 +145,7 @@ inline const char* to_string(Shortening_status status)
 /// Reports the shortening of one curve.
 struct Curve_report
 {
-  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how its shortening ended
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how the shortening ended
   double initial_length = 0; ///< the initial length of the curve, before any straightening
   double length = 0;         ///< the current length of the curve, 0 if it has contracted
   /// The smallest angle, in radians, at an unblocked side of a joint; infinite if no such side exists.
@@ -172,7 +172,7 @@ struct Shortening_report
   /// was inserted.
   std::size_t flips = 0;
   /// The number of steps \cgalCite{SC20,Algorithm 1}; a compound step for a loop of one segment counts as one. The
-  /// number is 0 if the path was a geodesic already after initial straightening, which the free functions perform
+  /// number is 0 if the path was already a geodesic after initial straightening, which the free functions perform
   /// unless a stop predicate or a visitor is given.
   std::size_t flip_outs = 0;
 
@@ -207,8 +207,8 @@ struct Shortening_report
     return has_curve ? Shortening_status::LOCALLY_SHORTEST : Shortening_status::CONTRACTED;
   }
 
-  /// Returns the verdict on the claim that all curves are locally shortest: the verdict on the first curve for which
-  /// the claim is false. If there is no such curve, the result is the worst verdict on a curve, where `UNDECIDED` is
+  /// Returns the verdict on the claim that all curves are locally shortest. If the claim is false for some curve, the
+  /// result is the verdict on the first such curve; otherwise it is the worst verdict on a curve, where `UNDECIDED` is
   /// worse than `PROBABLE`, and `PROBABLE` is worse than `PROVEN`. The verdict of a report without curves is
   /// `UNDECIDED`.
   Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_report::verdict); }
