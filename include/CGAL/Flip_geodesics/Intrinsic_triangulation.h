@@ -491,7 +491,7 @@ public:
    * \throws Input_mismatch_error if the metric detects that it was made for another mesh
    *
    * Complexity: constant for a `Surface_mesh` and \cgalBigO{n \log n} for other meshes, plus time linear in the size of
-   * the mesh if edges are to be contracted.
+   * the mesh if `zero_length_edges` is `Zero_length_edges::CONTRACT`.
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
                           Zero_length_edges zero_length_edges)
