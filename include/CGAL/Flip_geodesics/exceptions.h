@@ -295,7 +295,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a linear system cannot be solved: its solution is not unique because no value is given in a component
-/// of the surface, or its matrix cannot be factorized in double precision because faces are too thin.
+/// of the surface, of which `elements()` returns a vertex, or its matrix cannot be factorized in double precision
+/// because faces are too thin.
 class Singular_problem_error : public Error
 {
 public:

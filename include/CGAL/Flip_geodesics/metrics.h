@@ -662,7 +662,7 @@ public:
     return m_least_stretch * Base::distance_lower_bound(p, q);
   }
 
-  /// Returns the point of vertex `v`. Only available if the other metric has points.
+  /// Returns the point of vertex `v`. Available only if the other metric has points.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
   /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the lengths of its edges.
@@ -821,7 +821,7 @@ public:
       return (1 - internal::distance_bound_rounding) * m_least_stretch * Base::distance_lower_bound(p.place, q.place);
   }
 
-  /// Returns the point of vertex `v`. Only available if the other metric has points.
+  /// Returns the point of vertex `v`. Available only if the other metric has points.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
   /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
