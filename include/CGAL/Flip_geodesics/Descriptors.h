@@ -344,7 +344,7 @@ struct Joint
 struct Segment_end
 {
   Halfedge_index halfedge = null_index; ///< the outgoing halfedge at the node; null for a null end
-  Segment_index segment = null_index;   ///< the segment on the edge of `halfedge`, which starts or ends at the node
+  Segment_index segment = null_index;   ///< the segment that starts or ends at the node, on the edge of `halfedge`
 
   /// Returns whether this is a null end, which does not identify the end of any segment.
   bool is_none() const { return halfedge == null_index; }

@@ -769,8 +769,8 @@ public:
    * coordinates by following the crossed input edges through the triangles of the triangulation until any two
    * consecutive ones separate or end at a common vertex; the time is linear in the number of these triangles and in the
    * degree of the tail. If points have been inserted, or if flips have replaced all input edges at both ends, the
-   * sequence is derived from the flip log instead; the time is then linear in the total length of those sequences that
-   * are not stored, among the sequences of all earlier edges from which the edge descends.
+   * sequence is derived from the flip log instead; the time is then linear in the total length of the sequences of all
+   * earlier edges from which the edge descends, except for stored sequences.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 

@@ -170,10 +170,10 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a coordinate is not finite, or if an edge length is not a number between 1e-70 and 1e70. It is also
-/// thrown if the offset of a source is negative, not finite, or so large compared with the sides of a face at the
-/// source that adding it would cause large rounding errors. `elements()` returns the vertex, the two vertices of the
-/// edge, or the number of the source.
+/// Is thrown if a coordinate is not finite, or if an edge length is neither zero nor a number between 1e-70 and 1e70.
+/// It is also thrown if the offset of a source is negative, not finite, or so large compared with the sides of a face
+/// at the source that adding it would cause large rounding errors. `elements()` returns the vertex, the two vertices of
+/// the edge, or the number of the source.
 class Invalid_coordinate_error : public Error
 {
 public:

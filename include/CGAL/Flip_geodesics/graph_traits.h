@@ -185,9 +185,9 @@ struct Intrinsic_graph_traits
  * \ingroup PkgFlipGeodesicsGraph
  *
  * Makes `Intrinsic_triangulation` a model of `HalfedgeListGraph` and `FaceListGraph`, so that algorithms of BGL and of
- * \cgal can be applied to it. The header provides `boost::graph_traits`, the functions of the concepts, and the
- * property maps `vertex_index_t`, `halfedge_index_t`, `edge_index_t`, `face_index_t`, `edge_weight_t` (the intrinsic
- * lengths), `vertex_point_t` if the metric has points, and dynamic property maps.
+ * \cgal can be applied to triangulations. The header provides `boost::graph_traits`, the functions of the concepts, and
+ * the property maps `vertex_index_t`, `halfedge_index_t`, `edge_index_t`, `face_index_t`, `edge_weight_t` (the
+ * intrinsic lengths), `vertex_point_t` if the metric has points, and dynamic property maps.
  *
  * `boost::graph_traits` is specialized for the class `Intrinsic_triangulation` itself, not for other models of
  * `IntrinsicTriangulation` or for derived classes.

@@ -84,12 +84,12 @@ Verdict verdict_of_curves(const Curves& curves, const VerdictOf& verdict_of)
 /// Counts how the filter failures of predicates were resolved.
 struct Decision_statistics
 {
-  std::size_t by_memory = 0;    ///< by the cached result for an angle between the same two edges; such failures are
-                                ///< not counted in the other members
-  std::size_t by_strip = 0;     ///< by vectors of doubles, or in double-double arithmetic, with an error bound
-  std::size_t by_plane = 0;     ///< by predicates of points: faces lie in one plane, or bend only along parallel edges
-  std::size_t by_precision = 0; ///< in multiprecision arithmetic with 50 digits and an error bound
-  std::size_t by_roots = 0;     ///< by exact arithmetic with the square roots of the faces' squared areas
+  std::size_t by_memory = 0;      ///< by the cached result for an angle between the same two edges; such failures are
+                                  ///< not counted in the other members
+  std::size_t by_strip = 0;       ///< by vectors of doubles, or in double-double arithmetic, with an error bound
+  std::size_t by_plane = 0;       ///< by predicates of points, if faces are coplanar or bend only along parallel edges
+  std::size_t by_precision = 0;   ///< in multiprecision arithmetic with 50 digits and an error bound
+  std::size_t by_roots = 0;       ///< by exact arithmetic with the square roots of the faces' squared areas
   std::size_t zeros_by_plane = 0; ///< the number of angles counted in `by_plane` that were exactly straight
   std::size_t zeros_by_roots = 0; ///< the number of angles counted in `by_roots` that were exactly straight
   /// The number of angles assumed to be exactly straight without proof, because 50 digits did not suffice and the work
