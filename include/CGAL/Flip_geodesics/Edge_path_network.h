@@ -58,7 +58,7 @@ namespace CGAL::Flip_geodesics {
  * curves. To move both, move the triangulation, and then use the constructor from a network and a triangulation. A
  * moved-from network can only be cleared, assigned to or destroyed.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, a model of
+ * \tparam Triangulation_ a model of `IntrinsicTriangulation`; to insert points and to divide segments, a model of
  *         `IntrinsicTriangulationOfMesh`
  *
  * \cgalModels{EdgePathGraph}
