@@ -49,11 +49,13 @@ try {
   for(int i = 2; i < argc; ++i)
     way_points.emplace_back(number(argv[i]));
 
+  //! [Waypoints]
   const Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   std::vector<Mesh::Vertex_index> loop;
   for(FG::Halfedge_index h : FG::shortest_halfedges_through(search, way_points, CGAL::parameters::is_closed(true)))
     loop.push_back(triangulation.vertex(triangulation.tail(h)));
+  //! [Waypoints]
 
   std::vector<Kernel::Point_3> points;
   //! [Loop]

@@ -64,6 +64,7 @@ flip_geodesics_test_example(loop_basis_example torus.off 0 4 8)
 flip_geodesics_test_example(handle_and_tunnel_loops_example torus.off)
 flip_geodesics_test_example(poisson_example torus.off 0 150)
 flip_geodesics_test_example(save_network_example torus.off)
+flip_geodesics_test_example(obstacles_example torus.off 6 150)
 flip_geodesics_test_example(other_ways_example torus.off 6 150 4 100 101)
 flip_geodesics_test_example(shortest_path_example torus.off 6 150)
 flip_geodesics_test_example(trace_geodesic_example torus.off 2 7)
@@ -85,6 +86,7 @@ endif()
 
 # A word where a number belongs.
 foreach(case "decal_example 7 two" "edge_length_metric_example two" "geodesic_path_example 0 two" "loop_basis_example 0 two" "means_example two" "network_early_stop_example two"
+             "obstacles_example two 0"
              "parallel_paths_example two" "parallel_transport_example 7 two" "shortest_path_example two 0"
              "trace_geodesic_example two")
   string(REPLACE " " ";" case "${case}")

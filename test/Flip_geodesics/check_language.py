@@ -115,7 +115,7 @@ def wrong_headings(text):
 
 
 def wrong_lengths(path):
-    text = re.sub(r'^\\(?:page|mainpage|section|subsection|anchor|authors|snippet|include|cgal\w+)[^\n]*|^\|[^\n]*|<[^>]*>',
+    text = re.sub(r'^\\(?:page|mainpage|section|subsection|anchor|authors|example|snippet|include|cgal\w+)[^\n]*|^\|[^\n]*|<[^>]*>',
                   '\n\n', CODE.sub('_', path.read_text()), flags=re.M)
     number = len(text.split())
     if number > LONGEST_CHAPTER and path.name not in NOTES:
