@@ -6,14 +6,14 @@
  *
  * The concept `CurveNetwork` describes read access to a network of curves along the edges of an intrinsic
  * triangulation: the curves, their segments, and the order of the segments around each vertex. Certification,
- * measuring, extraction, subdivision, cutting, flattening, direction fields, `edges_near_curves()` and
- * `write_network()` require it.
+ * the measurement of curves, extraction, subdivision, cutting, flattening, direction fields, `edges_near_curves()` and
+ * `write_network()` require this concept.
  *
- * A curve is a chain of segments, whose end points are called nodes. Each segment has its own `Segment_index` and lies
- * on a halfedge of the triangulation. Two consecutive segments of a curve form a joint, which has two sides; an object
- * of type `Joint` consists of the arriving segment and a side. If several segments lie on one edge, whether of one
- * curve or of several, they are ordered from left to right. Together with the cyclic order of the halfedges around a
- * vertex, this defines a cyclic order of all segment ends at the vertex.
+ * A curve is a chain of segments; the end points of segments are called nodes. Each segment has its own `Segment_index`
+ * and lies on a halfedge of the triangulation. Two consecutive segments of a curve form a joint, which has two sides;
+ * an object of type `Joint` identifies one side of a joint by the arriving segment and the side. Segments that lie on
+ * the same edge are ordered from left to right, whether they belong to one curve or to several. This order and the
+ * cyclic order of the halfedges around a vertex define a cyclic order of all segment ends at the vertex.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Edge_path_network<Triangulation>}
@@ -37,10 +37,11 @@ public:
   /// Returns the triangulation whose edges carry the curves. A model may return a non-`const` reference.
   const Triangulation& triangulation() const;
 
-  /// Returns the number of curves. Curves are numbered from 0 and keep their numbers when they contract.
+  /// Returns the number of curves, including those that have contracted to a point. Curves are numbered from 0, and a
+  /// curve keeps its number when it contracts.
   Index number_of_curves() const;
 
-  /// Returns whether the curve is a loop without ends.
+  /// Returns whether the curve is a closed loop.
   bool is_closed(Curve_index curve) const;
 
   /// Returns whether the curve has contracted to a point and therefore has no segments.
@@ -60,10 +61,10 @@ public:
   /// \name Segments
   /// @{
 
-  /// Returns a number that exceeds the numbers of all present and former segments.
+  /// Returns a number that is greater than the indices of all present and former segments.
   Index end_of_segment_ids() const;
 
-  /// Returns the halfedge of a segment, in the direction of its curve.
+  /// Returns the halfedge on which a segment lies, in the direction of the curve.
   Halfedge_index halfedge(Segment_index segment) const;
 
   /// Returns the curve that contains a segment.
@@ -73,14 +74,14 @@ public:
   /// is the segment itself.
   Segment_index next(Segment_index segment) const;
 
-  /// Returns whether the node at the head of a segment is fixed, that is, must not move. The end of a path is always
-  /// fixed.
+  /// Returns whether the node at the head of a segment is fixed, that is, must not be moved. The end of a path is
+  /// always fixed.
   bool is_head_fixed(Segment_index segment) const;
 
   /// Returns whether a segment lies on the edge of halfedge `h`.
   bool is_occupied(Halfedge_index h) const;
 
-  /// Returns the segments on an edge, from left to right as seen along its first halfedge.
+  /// Returns the segments on edge `e`, from left to right as seen along the first halfedge of `e`.
   std::vector<Segment_index> bundle(Edge_index e) const;
 
   /// @}
@@ -88,18 +89,18 @@ public:
   /// \pre `next(joint.incoming)` is a segment
   /// @{
 
-  /// Returns the two segment ends that meet at a joint. The wedge on the side of the joint extends clockwise from the
-  /// first end to the second.
+  /// Returns the two segment ends that meet at a joint, in such an order that the wedge on `joint.side` extends
+  /// clockwise from the first end to the second.
   std::pair<Segment_end, Segment_end> ends(const Joint& joint) const;
 
-  /// Returns the next segment end clockwise around the same vertex, possibly the given end itself after a full turn. If
+  /// Returns the next segment end clockwise around the same vertex; this is the given end if there is no other end. If
   /// the border of the surface, or an edge that only other networks hold, comes first, the result is a null end, for
   /// which `Segment_end::is_none()` returns `true`.
   Segment_end next_clockwise(const Segment_end& end) const;
 
-  /// Returns whether the two ends of a joint are adjacent on one edge, with no face between them on the side of the
-  /// joint. The wedge of such a joint has angle zero. A wedge that extends around the whole vertex also begins and ends
-  /// at the same edge, but its angle is positive.
+  /// Returns whether the curve turns back at a joint: its two ends are adjacent on one edge, and no face lies between
+  /// them on `joint.side`. The wedge on this side has angle zero. A wedge that extends around the whole vertex also
+  /// begins and ends at one edge, but has a positive angle; for such a wedge, the result is `false`.
   bool is_turning_back(const Joint& joint) const;
 
   /// @}

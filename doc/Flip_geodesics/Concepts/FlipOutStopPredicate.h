@@ -4,12 +4,12 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `FlipOutStopPredicate` describes a predicate that can end a shortening early. `shorten()` keeps a
- * reference to it and calls it from one thread.
+ * The concept `FlipOutStopPredicate` describes a predicate that can end a shortening early. `shorten()` evaluates the
+ * predicate from one thread.
  *
- * The predicate is evaluated after the outcome of a step has been computed, but before the curve changes. Lengths
- * therefore never fall below the limit of a predicate, not even in a step in which a curve contracts to a point. If the
- * predicate rejects a step, the flips of the step are rolled back.
+ * Before a step takes effect, `shorten()` computes its outcome and evaluates the predicate. If the predicate rejects
+ * the step, `shorten()` rolls the step back. A predicate can therefore keep lengths from falling below a limit, even if
+ * the next step would contract a curve to a point.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Never_stop_predicate}
@@ -27,15 +27,15 @@
 class FlipOutStopPredicate
 {
 public:
-  /// Returns `Stop_decision::CONTINUE` to accept the step, and otherwise the reason for rejecting it.
-  /// `Stop_decision::CURVE_LENGTH_LIMIT` keeps the curve of the step unchanged from now on, while other curves continue
-  /// to be shortened. All other values except `Stop_decision::CONTINUE` end the shortening.
+  /// Returns `Stop_decision::CONTINUE` to accept the step, and otherwise the reason for rejecting it. If the result is
+  /// `Stop_decision::CURVE_LENGTH_LIMIT`, the curve of the step is not changed any more, but other curves are still
+  /// shortened. All values other than these two end the shortening.
   Stop_decision operator()(const Shortening_step& step) const;
 
   /// (Optional) Returns a predicate of the same type in its initial state; for example, a restarted
   /// `Time_stop_predicate` starts its timer again. `geodesic_paths()`, `geodesics_through()` and
-  /// `geodesic_path_through()` shorten several curves, one after the other or in several threads. They call this member
-  /// before they shorten a curve, and evaluate the returned predicate for this curve. If this member is missing, the
-  /// same predicate is evaluated for all curves.
+  /// `geodesic_path_through()`, which shorten several curves, call this member before they shorten each curve, and
+  /// evaluate the returned predicate for this curve. If this member is missing, these functions evaluate the same
+  /// predicate for all curves.
   FlipOutStopPredicate restarted() const;
 };

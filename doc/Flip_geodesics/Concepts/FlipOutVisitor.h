@@ -10,25 +10,25 @@
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` also take a visitor, and call `go_further()` and
  * `on_flip()`; the visitor of `refine()` must be a model of `RefinementVisitor`. `Geodesic_distance_field::compute()`,
- * `Logarithmic_map`, `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call only
- * `go_further()`, as do `geodesic_distances()` and `logarithmic_map()` unless they grow a tree. Each of these functions
- * reports by a status whether it was stopped. After a stop, nothing is certified, no output is written, and all objects
- * remain usable.
+ * `Logarithmic_map`, `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call
+ * `go_further()` and no other required member, as do `geodesic_distances()` and `logarithmic_map()` unless they grow a
+ * tree. The report of each of these functions states whether the visitor stopped the function. After a stop, nothing is
+ * certified, no output is written, and all objects remain usable.
  *
- * Other long computations call only `go_further()`, at regular intervals. After it has returned `false`, they do not
- * call it again, and their results are the following:
+ * The computations in the following table call only `go_further()`, at regular intervals. After `go_further()` has
+ * returned `false`, they do not call it again, and have the results listed:
  *
  * | computation | result if it is stopped |
  * |---|---|
  * | `Shortest_edge_path`, `shortest_halfedges_through()`, `shortest_loop()` | no halfedges |
- * | the search for the edge path of `geodesic_path()`, `geodesic_paths()`, `add_shortest_path()` | no path, and the status `Shortening_status::STOPPED_BY_VISITOR` |
+ * | the search for the edge path in `geodesic_path()`, `geodesic_paths()`, `add_shortest_path()` | no path, and the status `Shortening_status::STOPPED_BY_VISITOR` |
  * | `Landmark_distances`, `Geodesic_landmarks`, `geodesic_landmarks()` | `is_complete()` returns `false`; all bounds are zero |
  * | `Loop_basis` | `is_complete()` returns `false`; the basis is empty |
  * | `handle_and_tunnel_loops()`, `add_cut_graph()` | no loops, no curves |
  * | `isolines()`, `voronoi_boundaries()` | no output |
  *
- * `shorten_cut_graph()` and `geodesic_loop_basis()` shorten curves several times. After one of these shortenings has
- * been stopped, the others take no further steps.
+ * `shorten_cut_graph()` and `geodesic_loop_basis()` shorten curves several times. After the visitor has stopped one of
+ * these shortenings, the following ones do not take any steps.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
@@ -44,20 +44,20 @@
 class FlipOutVisitor
 {
 public:
-  /// Returns whether the computation continues. `shorten()` calls it before each step. If it returns `false`, the
-  /// shortening ends, and the curves that could still be shortened have the status
-  /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls it before each pair of end points.
+  /// Returns whether the computation should continue. `shorten()` calls this member before each step. If the result is
+  /// `false`, the shortening ends, and the curves that could still be shortened have the status
+  /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls this member before each pair of end points.
   /// Searches, distance fields and computations of loops, landmarks and isolines call it at regular intervals, about
-  /// once per thousand steps, each of which takes at most a microsecond on average.
+  /// once per thousand steps, that is, about once per millisecond or more often.
   bool go_further();
 
   /// (Optional) Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of rows
-  /// that are complete, from 0 to 1. If this member is missing, progress is not reported.
+  /// that are complete, from 0 to 1. If this member is missing, `geodesic_distance_matrix()` does not report progress.
   void on_progress(double fraction);
 
-  /// Is called after the edge of halfedge `h` has been flipped. In a shortening, the curve has not been moved yet. The
-  /// flips of a rejected step are rolled back without a call of this member; only `triangulation.log_position()` shows
-  /// that this has happened.
+  /// Is called after the edge of halfedge `h` has been flipped. In a shortening, the joint whose wedge contains the
+  /// edge has not been moved yet. This member is not called when the flips of a rejected step are rolled back; only
+  /// `triangulation.log_position()` indicates the rollback.
   template <class Triangulation>
   void on_flip(const Triangulation& triangulation, Halfedge_index h);
 

@@ -4,20 +4,21 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulation` describes a triangulation of a surface whose edges are straight and can be
- * flipped. `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
+ * The concept `IntrinsicTriangulation` describes a triangulation of a surface with straight edges that can be flipped.
+ * `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
  * `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`, `Geodesic_tree`, `intrinsic_faces()`, `Operators` and
- * the solvers that are built on it require this concept. The table in Section \ref Flip_geodesicsAsked lists the
- * requirements of each algorithm.
+ * the solvers that are built on `Operators` require this concept. The table in Section \ref Flip_geodesicsAsked lists
+ * the requirements of each algorithm.
  *
  * The elements are identified by the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, and are numbered from
- * 0. The edge with number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: loops,
- * several edges between two vertices, and faces that are glued to themselves are allowed. Every face is a triangle and
- * lies on the left of its halfedges; a border halfedge has no face. The surface is an oriented manifold.
+ * 0. The edge with number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: edges from
+ * a vertex to itself, several edges between two vertices, and faces that are glued to themselves are allowed. Every
+ * face is a triangle and lies on the left of its halfedges; a border halfedge has no face. The surface is oriented and
+ * manifold; only an `IntrinsicTriangulationOfMesh` may have non-manifold vertices.
  *
- * If `Traits::Has_drift` is `CGAL::Tag_true`, finished curves and trees are measured on the input, and faces are
- * recomputed from it. In this case `shorten()`, `Geodesic_tree` and `flip_to_delaunay()` require
- * `IntrinsicTriangulationOfMesh`.
+ * If `Traits::Has_drift` is `CGAL::Tag_true`, the library measures finished curves and trees on the input mesh, and
+ * recomputes inaccurate faces from the input mesh. In this case, `shorten()`, `Geodesic_tree` and `flip_to_delaunay()`
+ * require `IntrinsicTriangulationOfMesh`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Intrinsic_triangulation<TriangleMesh\,Traits\,Metric>}
@@ -32,15 +33,15 @@ public:
   /// \name Types
   /// @{
 
-  /// A model of `IntrinsicTriangulationTraits`. The algorithms use its types `Turn` and `Has_drift`, and its functor
-  /// `Turn_key`.
+  /// A model of `IntrinsicTriangulationTraits`. Algorithms that require only this concept use the types `Turn` and
+  /// `Has_drift` of the traits and the functor `Turn_key`.
   typedef unspecified_type Traits;
 
   /// `Traits::Turn`.
   typedef unspecified_type Turn;
 
-  /// A model of `IntrinsicTriangulationWalker`: a handle that stores the position of a halfedge in memory, which makes
-  /// walks of many steps fast. Copyable, assignable, and comparable by `==` and `!=`.
+  /// A model of `IntrinsicTriangulationWalker`: a handle that stores the position of a halfedge in memory, so that
+  /// walks of many steps are fast. Copyable, assignable, and comparable by `==` and `!=`.
   typedef unspecified_type Walker;
 
   /// A position in the log of flips, an integer.
@@ -61,9 +62,9 @@ public:
   static Halfedge_index twin(Halfedge_index h);
   /// Returns the edge of a halfedge.
   static Edge_index edge(Halfedge_index h);
-  /// Returns the next halfedge of the face. \pre `h` is not on the border
+  /// Returns the next halfedge around the face on the left of `h`. \pre `h` is not on the border
   Halfedge_index next(Halfedge_index h) const;
-  /// Returns the previous halfedge of the face. \pre `h` is not on the border
+  /// Returns the previous halfedge around the face on the left of `h`. \pre `h` is not on the border
   Halfedge_index previous(Halfedge_index h) const;
   /// Returns the vertex at which `h` starts.
   Vertex_index tail(Halfedge_index h) const;
@@ -71,13 +72,13 @@ public:
   Vertex_index head(Halfedge_index h) const;
   /// Returns whether `h` has no face on its left.
   bool is_border(Halfedge_index h) const;
-  /// Returns the next halfedge clockwise around the tail, or `null_index` at the border.
+  /// Returns the next halfedge clockwise around the tail of `h`, or `null_index` if the border comes first.
   Halfedge_index clockwise(Halfedge_index h) const;
-  /// Returns the next halfedge counterclockwise around the tail, or `null_index` at the border.
+  /// Returns the next halfedge counterclockwise around the tail of `h`, or `null_index` if the border comes first.
   Halfedge_index counterclockwise(Halfedge_index h) const;
   /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Halfedge_index outgoing(Vertex_index v) const;
-  /// Prefetches the face on the left of `h`, which will be read soon. The function may be empty.
+  /// Prefetches the face on the left of `h`, which will be read soon. A model may leave this function empty.
   void prefetch_face(Halfedge_index h) const;
 
   /// @}
@@ -88,7 +89,7 @@ public:
   const Traits& traits() const;
   /// Returns the length of the edge of `h`, rounded.
   double length(Halfedge_index h) const;
-  /// Adds to `turn` the corner on the right of `h` at its tail, and returns `clockwise(h)`. If the result is
+  /// Adds to `turn` the corner on the right of `h` at the tail of `h`, and returns `clockwise(h)`. If the result is
   /// `null_index`, `turn` is unchanged.
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const;
   /// Returns whether `turn`, the angle clockwise from `from` to `to` around a vertex, is at least \f$\pi\f$.
@@ -100,22 +101,22 @@ public:
   /// \name Flips
   /// @{
 
-  /// Returns whether the edge of `h` can be flipped: it is not on the border, not held, the diagonal of a convex
-  /// quadrilateral, and not the only edge at one of its ends.
+  /// Returns whether the edge of `h` can be flipped: it is not on the border and not held, it is the diagonal of a
+  /// convex quadrilateral, and each of its ends has another edge.
   bool is_flippable(Halfedge_index h) const;
   /// Flips the edge of `h`. If `(h, hn, hp)` and `(t, tn, tp)` are the faces on its two sides, the new faces are
   /// `(h, hp, tn)` and `(t, tp, hn)`. \pre `is_flippable(h)`
   void flip(Halfedge_index h);
   /// Returns the end of the log, which grows with each flip.
   Log_position log_position() const;
-  /// Rolls back flips in reverse order until the log ends at `position`. The former state is restored bitwise.
+  /// Rolls back flips in reverse order until the log ends at `position`. This restores the former state bitwise.
   void rollback(Log_position position);
-  /// Returns the size of the flip records in bytes, for `Memory_stop_predicate`.
+  /// Returns the memory of the records of flips, in bytes, for `Memory_stop_predicate`.
   std::size_t memory_of_records() const;
 
   /// @}
   /// \name Held edges
-  /// Each network holds every edge on which it has segments, exactly once. Functions that flip edges, such as
+  /// Each network places exactly one hold on every edge on which it has segments. Functions that flip edges, such as
   /// `shorten()` for another network and `flip_to_delaunay()`, do not flip edges that are held.
   /// @{
 
@@ -136,7 +137,7 @@ public:
 
   /// Returns a walker at `h`.
   Walker walker(Halfedge_index h) const;
-  /// Returns a walker at `h`, given the `place()` of a walker at `h` or its twin.
+  /// Returns a walker at `h`, given the `place()` of a walker at `h` or at the twin of `h`.
   Walker walker(Walker::Place place, Halfedge_index h) const;
   /// Returns whether the two faces of the edge of `h` together have an angle of at least \f$\pi\f$ at the head of `h`.
   /// \pre both faces exist

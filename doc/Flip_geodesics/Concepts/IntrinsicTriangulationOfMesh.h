@@ -6,9 +6,9 @@
  *
  * The concept `IntrinsicTriangulationOfMesh` refines `IntrinsicTriangulation` by the correspondence with the mesh from
  * which the triangulation was constructed: the sequence of input edges that each edge crosses, and the positions of
- * inserted vertices. Certification, measuring, extraction, subdivision, searches, drawn polylines, splines, refinement,
- * `logarithmic_map()` and saving require it, as do `shorten()`, `Geodesic_tree` and `flip_to_delaunay()` if
- * `Traits::Has_drift` is `CGAL::Tag_true`.
+ * inserted vertices. This concept is required by certification, the measurement of curves, extraction, subdivision,
+ * searches, drawn polylines, splines, refinement, `logarithmic_map()` and saving, and, if `Traits::Has_drift` is
+ * `CGAL::Tag_true`, by `shorten()`, `Geodesic_tree` and `flip_to_delaunay()`.
  *
  * Edge sequences are exact. Since an edge is straight across the faces that its sequence connects, the sequence and the
  * input determine the edge, regardless of the rounding errors that the triangulation has accumulated.
@@ -16,8 +16,8 @@
  * `shorten()` and `certify()` measure the edges of a model `t` with the object that `edge_straightness(t)` returns.
  * This function is found by argument-dependent lookup; `Intrinsic_triangulation.h` declares it for all models.
  *
- * The mesh may have non-manifold vertices, at which several umbrellas of faces meet. Curves and trees pass through them
- * from one umbrella to another. The angle between directions in different umbrellas is undefined.
+ * The mesh may have non-manifold vertices, at which several umbrellas of faces meet. Curves and trees can pass through
+ * such a vertex from one umbrella to another. The angle between directions in different umbrellas is undefined.
  *
  * \cgalRefines{IntrinsicTriangulation}
  *
@@ -39,12 +39,12 @@ public:
   /// A model of `IntrinsicMetric` for meshes of this type.
   typedef unspecified_type Metric;
 
-  /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`,
-  /// `bool is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped
-  /// halfedge. For an insertion, `number` is the number of the inserted vertex, counted from 0. If `is_on_edge()`, the
-  /// vertex was inserted on the edge of `h`, otherwise into its face; `gap()` is the number of edges in the former edge
-  /// sequence of `h` that are crossed before the input face that contains the vertex. Any other entry records that the
-  /// face of `h` was recomputed from the input.
+  /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`, `bool
+  /// is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped halfedge.
+  /// For an insertion, `number` is the number of vertices that had been inserted before. The vertex was inserted on the
+  /// edge of `h` if `is_on_edge()`, and otherwise into the face of `h`; `gap()` is the number of edges in the former
+  /// edge sequence of `h` that are crossed before the input face that contains the vertex. Any other entry records that
+  /// the face of `h` was recomputed from the input.
   typedef unspecified_type Flip_record;
 
   /// @}
@@ -62,21 +62,20 @@ public:
   /// \name Correspondence
   /// @{
 
-  /// Returns the number of input edges that an edge crosses, or -1 if the edge is an input edge or a part of one.
+  /// Returns the number of input edges that edge `e` crosses, or -1 if `e` is an input edge or a part of one.
   Index crossings(Edge_index e) const;
 
   /// Returns the input edges that a halfedge crosses, from its tail to its head. Algorithms that accept models of
-  /// `IntrinsicTriangulation` treat a class with this member as a model of the present concept: they report whether
-  /// coordinates were rounded, and measure finished curves.
+  /// `IntrinsicTriangulation` treat a class with this member as a model of `IntrinsicTriangulationOfMesh`: they
+  /// measure finished curves, and their reports take into account whether the metric is rounded.
   Edge_sequence edge_sequence(Halfedge_index h) const;
 
   /// Returns the number of input edges that start at the common tail of `from` and `to`, strictly inside the wedge
-  /// clockwise from `from` to `to`. If `from == to`, the wedge is the full turn. At an inserted vertex on an input
-  /// edge, this edge counts as two edges that start there. \pre the wedge does not contain a border
+  /// clockwise from `from` to `to`. If `from == to`, the wedge is the full turn. An input edge with an inserted
+  /// vertex on it counts as two edges that start at this vertex. \pre the wedge does not contain the border
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const;
 
-  /// Returns a number that changes whenever the edge changes and that is 0 for an input edge that has never been
-  /// flipped.
+  /// Returns a number that changes whenever the edge changes, and that is 0 for an unchanged input edge.
   Index version(Edge_index e) const;
 
   /// Returns an entry of the log. \pre `i` is less than `log_position()`
@@ -86,38 +85,38 @@ public:
   /// \name Points as vertices
   /// @{
 
-  /// Returns whether the vertex was inserted. The numbers of inserted vertices follow those of the input.
+  /// Returns whether vertex `v` was inserted. The numbers of inserted vertices follow those of the input vertices.
   bool is_inserted(Vertex_index v) const;
 
   /// Returns the position of a vertex on the input in the canonical form of `Intrinsic_triangulation::location()`.
   Surface_location location(Vertex_index v) const;
 
-  /// Inserts a point as a vertex, unless a vertex already lies there. The face or edge that contains the point is
-  /// split; new edges are numbered after the others, and the log grows. If an edge is split, the function calls
+  /// Inserts a point as a vertex, unless a vertex already lies at this point. The face or edge that contains the point
+  /// is split; new edges are numbered after the others, and the log grows. If an edge is split, the function calls
   /// `on_split` with an object that has two members, both halfedges: `first` has become shorter, and `second` leads
   /// from the new vertex to the old head of `first`.
-  /// \return the vertex
+  /// \return the new or existing vertex at the point
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split);
 
-  /// Splits the edge of `h` at a point that is taken to lie on the edge, even if rounding errors have moved it off the
-  /// edge. `gap` is the number of edges in the edge sequence of `h` that are crossed before the input face that
-  /// contains the point.
+  /// Splits the edge of `h` at a point, which is taken to lie on the edge even if rounding errors have moved the point
+  /// off the edge, and returns the new vertex. `on_split` is called as by `insert()`. `gap` is the number of edges in
+  /// the edge sequence of `h` that are crossed before the input face that contains the point.
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   template <class OnSplit>
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split);
 
-  /// Splits the face on the left of `h` at a point inside it. `gap` is the number of edges in the edge sequence of `h`
-  /// that are crossed before the input face that contains the point.
+  /// Splits the face on the left of `h` at a point inside it, and returns the new vertex. `gap` is the number of edges
+  /// in the edge sequence of `h` that are crossed before the input face that contains the point.
   /// \throws Invalid_location_error if the location is not valid; nothing changes
   /// \throws Insertion_error if the point cannot be inserted; nothing changes
   Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap);
 
-  /// Replaces the geometry of the face on the left of `h` by a more accurate one, given in order starting with `h`. The
-  /// log grows.
+  /// Replaces the geometry of the face on the left of `h` by `geometry`, which is more accurate and starts with the
+  /// geometry of `h`. The log grows.
   void set_face_geometry(Halfedge_index h, const Traits::Face_geometry& geometry);
 
   /// @}

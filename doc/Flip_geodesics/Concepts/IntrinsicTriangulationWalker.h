@@ -4,9 +4,9 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation` that moves
- * to other halfedges. Its members from `tail()` to `extend_turn_clockwise()` correspond to members of the
- * triangulation.
+ * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation`, which
+ * returns walkers at neighboring halfedges. The members from `tail()` to `extend_turn_clockwise()` correspond to
+ * members of the triangulation.
  *
  * \sa `IntrinsicTriangulation`
  */
@@ -27,23 +27,26 @@ public:
   Vertex_index tail() const;
   /// Returns a walker at the opposite halfedge.
   IntrinsicTriangulationWalker twin() const;
-  /// Returns a walker at the previous halfedge of the face. \pre the halfedge is not on the border
+  /// Returns a walker at the previous halfedge around the face on the left. \pre the halfedge is not on the border
   IntrinsicTriangulationWalker previous() const;
-  /// Returns a walker at the next halfedge clockwise around the tail, or one without a halfedge at the border.
+  /// Returns a walker at the next halfedge clockwise around the tail, or, if the border comes first, a walker without a
+  /// halfedge.
   IntrinsicTriangulationWalker clockwise() const;
-  /// Returns a walker at the next halfedge counterclockwise around the tail, or one without a halfedge at the border.
+  /// Returns a walker at the next halfedge counterclockwise around the tail, or, if the border comes first, a walker
+  /// without a halfedge.
   IntrinsicTriangulationWalker counterclockwise() const;
 
   /// Returns the length of the edge.
   double length() const;
   /// Prefetches the face on the left, which will be read soon.
   void prefetch_face() const;
-  /// Adds to `turn` the corner on the right at the tail, and returns `clockwise()`. At the border, `turn` is unchanged.
+  /// Adds to `turn` the corner on the right of the halfedge at its tail, and returns `clockwise()`. If the result has
+  /// no halfedge, `turn` is unchanged.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
   /// Returns a number that is unique to the edge, never changes, and can serve as an index into arrays of edge data. A
-  /// model can return the number of the edge, or number the edges in the order in which they are first used, which
-  /// keeps such arrays short.
+  /// model can return the number of the edge, or number the edges in the order in which they are first used; such
+  /// arrays are then short.
   std::size_t edge_place() const;
   /// Returns whether the edge is held.
   bool is_held() const;

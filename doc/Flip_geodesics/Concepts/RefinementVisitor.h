@@ -18,7 +18,7 @@ class RefinementVisitor
 {
 public:
   /// Is called after vertex `v` has been inserted into a face or on an edge and the edges around it have been flipped.
-  /// It is not called for an insertion that is rolled back.
+  /// This member is not called for an insertion that is rolled back.
   template <class Triangulation>
   void on_insertion(const Triangulation& triangulation, Vertex_index v);
 };
