@@ -63,8 +63,8 @@ public:
   /// @{
 
   /// `Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const`: constructs the face whose
-  /// halfedges lead from `p` to `q`, from `q` to `r` and from `r` to `p`. `Embedded_metric` calls the functor for
-  /// each input face that is used. \pre the points differ pairwise; they may be collinear
+  /// halfedges lead from `p` to `q`, from `q` to `r` and from `r` to `p`. `Embedded_metric` calls the functor for each
+  /// input face that is used. \pre the points differ pairwise; they may be collinear
   ///
   /// A further overload, `Face_geometry operator()(const std::array<std::array<double, 3>, 3>& sides) const`, is
   /// optional. It constructs the face whose halfedges have these vectors in space. If this overload exists,
@@ -75,7 +75,7 @@ public:
 
   /// `Face_geometry operator()(double a, double b, double c) const`: constructs the face whose halfedges have these
   /// lengths, in counterclockwise order. Metrics that are defined by edge lengths, such as `Edge_length_metric`, call
-  /// it once for each input face that is used.
+  /// the functor for each input face that is used.
   /// \pre the lengths are positive and satisfy the triangle inequality; equality is allowed
   ///
   /// A further overload, `Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator)

@@ -39,7 +39,7 @@ struct Default_shortening_visitor
   {
   }
 
-  /// Is called after a step, which has moved a joint of `curve` over its wedge.
+  /// Is called after a step has shortened a curve.
   template <class Network>
   void after_flip_out(const Network&, Curve_index /* curve */)
   {
@@ -51,23 +51,23 @@ struct Default_shortening_visitor
   {
   }
 
-  /// Is called before each step; shortening stops if the result is `false`.
+  /// Returns `true`, so that the computation continues.
   bool go_further() { return true; }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of windows that a search for shortest paths may create (about 60 bytes each). The search is
-/// aborted when the number of windows, or the number of edges along which rays have started at vertices, exceeds the
-/// limit.
+/// Limits the number of windows that a search for shortest paths creates (about 60 bytes each). The search is aborted
+/// when the number of windows exceeds the limit, or when the number of rays that the search has started along edges at
+/// sources and pseudo-sources exceeds the limit.
 class Window_limit
 {
 public:
-  /// Sets the default limit, \f$10^6 + 500 n + 2 n^{3/2}\f$ for \f$n\f$ vertices, several times the number that meshes
-  /// without needles require. On smooth meshes, computing the distances from one vertex to all others requires up to
-  /// about \f$0.7 n^{3/2}\f$ windows.
+  /// Sets the default limit, \f$10^6 + 500 n + 2 n^{3/2}\f$ for \f$n\f$ vertices, which is several times the number of
+  /// windows that meshes without needles require. On smooth meshes, computing the distances from one vertex to all
+  /// others requires up to about \f$0.7 n^{3/2}\f$ windows.
   Window_limit() = default;
 
-  /// Sets an approximate maximal number of windows.
+  /// Sets the limit to a given number of windows, which a search can exceed slightly before it is aborted.
   explicit Window_limit(std::size_t windows)
     : m_windows(windows)
   {
@@ -134,7 +134,7 @@ decltype(auto) joined(const NamedParameters& np, const Others&... others)
 template <class... NamedParameters>
 using Joined = std::decay_t<decltype(joined(std::declval<const NamedParameters&>()...))>;
 
-/* Whether the names of named parameters are among the tags. */
+/* Determines whether the names of all named parameters are among the tags. */
 template <class NamedParameters, class... Tags>
 struct Has_names_of : std::false_type
 {
@@ -153,7 +153,7 @@ struct Has_names_of<Named_function_parameters<T, Tag, Base>, Tags...>
 {
 };
 
-/* Returns the named parameters of a function, which must be among the tags. */
+/* Returns the named parameters that were passed to a function. Their names must be among the tags. */
 template <class... Tags, class... NamedParameters>
 decltype(auto) options_of(const NamedParameters&... np)
 {
@@ -163,7 +163,7 @@ decltype(auto) options_of(const NamedParameters&... np)
   return joined(np...);
 }
 
-/* Returns the named parameters of a function that also accepts those for lengths and traits. */
+/* Returns the named parameters of a function that also accepts the parameters for lengths and traits. */
 template <class... Tags, class... NamedParameters>
 decltype(auto) surface_options(const NamedParameters&... np)
 {
@@ -247,7 +247,7 @@ auto metric(const Metric& metric)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets the condition under which the shortening of curves ends early.
+ * Sets the condition under which the shortening of a curve ends early.
  * \param predicate a model of `FlipOutStopPredicate`, which is copied unless it is passed by `std::ref()`
  */
 template <class StopPredicate>
@@ -261,9 +261,9 @@ auto stop_predicate(const StopPredicate& predicate)
 /*!
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the amount of work after which a search is aborted.
- * \param limit a `Window_limit`, except for the following: a `Covering_limit` for `shortest_paths_by_class()`,
- *        `Distance_field_limits` for `Geodesic_distance_field` and `Logarithmic_map`, and `Mean_limits` for
- *        `Geodesic_mean`
+ * \param limit a `Covering_limit` for `shortest_paths_by_class()`, `Distance_field_limits` for
+ *        `Geodesic_distance_field` and `Logarithmic_map`, `Mean_limits` for `Geodesic_mean`, and a `Window_limit` for
+ *        all other searches
  */
 template <class Limit>
 auto search_limit(const Limit& limit)
@@ -282,9 +282,10 @@ inline auto is_closed(bool is_closed)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets landmarks that guide searches, which is worthwhile for many searches on one mesh.
- * \param landmarks `Landmark_distances` for `geodesic_paths()` and `Shortest_edge_path`, `Geodesic_landmarks` for
- *        `shortest_path()`, computed for the mesh and its metric; they are not copied and must outlive the call
+ * Sets landmarks that guide searches. Computing landmarks is worthwhile before many searches on one mesh.
+ * \param landmarks `Landmark_distances` for `geodesic_paths()` and `Shortest_edge_path`, or `Geodesic_landmarks` for
+ *        `shortest_path()` and `add_shortest_path()`, computed for the mesh and its metric. The landmarks are not
+ *        copied; they must outlive the call and, if they are passed to a constructor, the constructed object
  */
 template <class Landmarks>
 auto landmarks(const Landmarks& landmarks)
@@ -296,7 +297,7 @@ auto landmarks(const Landmarks& landmarks)
 /*!
  * \ingroup PkgFlipGeodesicsParameters
  * Sets a property map that receives the number of the nearest source for each vertex.
- * \param map a model of `WritablePropertyMap` with the vertices of the mesh as keys and integers as values, which is
+ * \param map a model of `WritablePropertyMap` with the vertices of the mesh as keys and integers as values. The map is
  *        copied
  */
 template <class VertexSourceMap>
@@ -310,8 +311,8 @@ auto nearest_source_map(const VertexSourceMap& map)
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the greatest distance from the surface at which a point in space is accepted. A point farther away causes a
  * `Distant_point_error`; by default, points are accepted at any distance.
- * \param distance a number in the unit of the coordinates. If it is negative or NaN, the function to which it is passed
- *        throws `Invalid_parameter_error`
+ * \param distance a number in the unit of the coordinates. If the number is negative or NaN, the function to which it
+ *        is passed throws `Invalid_parameter_error`
  */
 inline auto greatest_point_distance(double distance)
 {

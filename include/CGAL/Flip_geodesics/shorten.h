@@ -24,12 +24,13 @@ namespace CGAL::Flip_geodesics {
  *
  * Shortens the curves of a network as `shorten()` does, but in any number of runs.
  *
- * The state of the joints is kept between runs, so the time of a run depends on its steps and not on the size of the
- * network. This is useful for animations, time budgets, and limits that are raised gradually. A single run that is not
- * stopped early is equivalent to a call of `shorten()`, with a bitwise identical result.
+ * A shortener keeps the state of the joints between runs, so the time of a run depends on its steps and not on the size
+ * of the network. Several runs are useful for animations, time budgets, and limits that are raised gradually. A single
+ * run is equivalent to a call of `shorten()` with the same stop predicate and visitor: the results are bitwise
+ * identical.
  *
- * While a shortener is in use, its network and triangulation must not be changed by anything else. A shortener that has
- * thrown an exception must not be used any longer; construct a new one instead.
+ * While a shortener is in use, nothing else may change its network or the triangulation. A shortener that has thrown an
+ * exception must not be used any longer; construct a new one instead.
  *
  * \tparam Network_ a model of `EdgePathGraph`
  */
@@ -49,7 +50,7 @@ public:
   using Network = Network_; ///< the type of the network
 
   /// Constructs a shortener and inspects every joint of the curves of `network`, which must outlive the shortener. The
-  /// time is linear in the number of segments and the degrees of their end points.
+  /// time is linear in the number of segments plus the sum of the degrees of their end points.
   explicit Shortener(Network& network)
     : m_network(network)
     , m_state(network)
@@ -58,10 +59,10 @@ public:
   }
 
   /*!
-   * Shortens the curves until all of them are locally shortest or one of the arguments ends the run.
+   * Shortens the curves until no step remains, or until the stop predicate or the visitor ends the run.
    *
-   * Steps that a stop predicate rejected in an earlier run are considered again, and `Shortening_step::steps` counts
-   * from 0 in each run.
+   * Each run reconsiders the steps that a stop predicate rejected in an earlier run, and counts
+   * `Shortening_step::steps` from 0.
    *
    * \param stop a model of `FlipOutStopPredicate`
    * \param visitor a model of `FlipOutVisitor`
@@ -69,8 +70,8 @@ public:
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    *
-   * Complexity: constant time per flip. With traits whose `Has_drift` is `CGAL::Tag_true`, the curves are also measured
-   * when no step remains.
+   * Complexity: typically linear in the number of flips. With traits whose `Has_drift` is `CGAL::Tag_true`, the curves
+   * are also measured when no step remains, in the time of `report()`.
    */
   template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
   bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
@@ -92,24 +93,24 @@ public:
     return m_is_finished;
   }
 
-  /// Returns whether a run has ended because no step remained.
+  /// Returns whether a run has ended because no step remained, not even a rejected one.
   bool is_finished() const { return m_is_finished; }
 
   /// Returns the number of steps taken so far in all runs \cgalCite{SC20,Algorithm 1}.
   std::size_t number_of_steps() const { return m_state.steps; }
-  /// Returns the number of edges flipped so far in all runs. This includes the flips of steps that were rolled back;
-  /// each run that is stopped adds some such flips.
+  /// Returns the number of flips so far in all runs, including the flips of steps that were rolled back.
   std::size_t number_of_flips() const { return m_state.flips; }
 
   /// Returns the length of the network in constant time. The length is updated with each step and not recomputed, so it
-  /// accumulates the rounding errors of the steps.
+  /// accumulates the rounding errors of all steps.
   double length() const { return m_state.length; }
-  /// Returns the length of a curve, which is updated with each step, like the length of the network.
+  /// Returns the length of a curve in constant time. Like the length of the network, it is updated with each step.
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
-  /// Returns a report on the curves in their current state. If the triangulation corresponds to an input mesh, the
-  /// straightness of the curves is recomputed from the input, and is certified if the predicates of the traits are
-  /// exact. The time is linear in the size of the network and the number of input edges that it crosses.
+  /// Returns a report on the curves in their current state. If the triangulation is a model of
+  /// `IntrinsicTriangulationOfMesh`, the straightness of the curves is computed from the input. The curves are also
+  /// certified if the predicates of the traits are exact and the input is not rounded. The time is linear in the number
+  /// of segments plus the number of input edges that the curves cross.
   Shortening_report report() const
   {
     Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Verdict::UNDECIDED);
@@ -150,10 +151,11 @@ private:
     return !Traits::Has_drift::value && is_point(curve) && !is_rounded() ? Verdict::PROVEN : verdict;
   }
 
-  // Returns whether coordinates or lengths of the input are rounded. The curves are then measured, but not certified.
+  // Returns whether coordinates or lengths of the input are rounded. In this case, curves are measured, but not
+  // certified.
   bool is_rounded() const { return internal::is_input_rounded(m_network.triangulation()); }
 
-  // Returns whether a loop has length zero; degenerate faces have loops of edges that are points.
+  // Returns whether a curve is closed and has length zero. Degenerate faces can have such loops as edges.
   bool is_point(Curve_index curve) const { return m_network.is_closed(curve) && m_network.length(curve) == 0; }
 
   bool has_free_wedge(Curve_index curve) const
@@ -166,7 +168,8 @@ private:
     return found;
   }
 
-  // Computes the verdicts as well if the predicates are exact and the input is not rounded.
+  // Returns the straightness of each curve. Also computes the verdicts if the predicates are exact and the input is not
+  // rounded.
   Straightnesses measured([[maybe_unused]] Verdicts& verdicts) const
   {
     Straightnesses result(static_cast<std::size_t>(m_network.number_of_curves()));
@@ -186,8 +189,8 @@ private:
     return result;
   }
 
-  // Measures the curves and continues until they are as straight as the input requires, or until recomputed vectors no
-  // longer help.
+  // Measures the curves, recomputes the faces at bends from the input, and continues to shorten. Ends when no face
+  // has been recomputed: when all curves are straight, if faces cannot be recomputed, or after 50 rounds.
   template <class Engine>
   void go_on_where_drift_hid_it(Engine& flip_out)
   {
@@ -207,8 +210,8 @@ private:
     }
   }
 
-  // Recomputes the faces in the wedges of joints that are bent although the vectors of the triangulation say otherwise,
-  // and inspects the curve again. Returns whether there were any such joints.
+  // Recomputes the faces in the wedges at the bends of a curve, which drift has hidden, and inspects the curve again.
+  // Returns whether any wedge was recomputed.
   bool refresh_bent_joints(Curve_index curve)
   {
     Straightness_meter<Network> meter(m_network);
@@ -227,7 +230,7 @@ private:
 
   Network& m_network;
   internal::Shortening_state<Network> m_state;
-  Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST; // how the last run ended; this if no step remained
+  Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST; // of the last run; this value if no step remained
   bool m_is_finished = false;
   Straightnesses m_straightness; // of the current curves, or empty
 };
@@ -247,38 +250,40 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
 /*!
  * \ingroup PkgFlipGeodesicsShortening
  *
- * Shortens each curve of a network to a geodesic within its isotopy class, by flipping edges
+ * Shortens each curve of a network to a geodesic within the isotopy class of the curve, by flipping edges
  * \cgalCite{SC20,Algorithm 2}.
  *
- * The process always terminates and is deterministic: the smallest angle is widened first; ties are broken in favor of
- * the older segment, and then of the left side. The straightness of the result is recomputed from the input. With
- * traits whose `Has_drift` is `CGAL::Tag_true`, a curve is reported as `LOCALLY_SHORTEST` only if this measurement
- * confirms this; `certify()` verifies it exactly.
+ * The process always terminates, and it is deterministic: the smallest angle is widened first; ties are broken in favor
+ * of the older segment, and then of the left side. The straightness of the resulting curves is computed from the input.
+ * With traits whose `Has_drift` is `CGAL::Tag_true`, a curve has the status `LOCALLY_SHORTEST` only if this measurement
+ * confirms that it is locally shortest up to `Straightness::tolerance()`; `certify()` then verifies with exact
+ * predicates whether it is.
  *
- * \param network the curves, which are moved while the edges around them are flipped. Curves that share edges must be
- *        ordered by `order_overlapping_curves()` first. Curves that cross still cross afterwards. No status indicates
- *        this, but `Edge_path_network::is_valid()` detects it
+ * \param network the network of the curves, which are moved while the edges around them are flipped. Curves that share
+ *        edges must first be ordered by `order_overlapping_curves()`. If curves cross before the call, they still cross
+ *        afterwards; no status indicates this, but `Edge_path_network::is_valid()` then returns `false`
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{stop_predicate}
  *     \cgalParamDescription{a predicate that can end the process early}
- *     \cgalParamType{a model of `FlipOutStopPredicate`}
+ *     \cgalParamType{a model of `FlipOutStopPredicate`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{`Never_stop_predicate`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor that is called for each step}
+ *     \cgalParamDescription{a visitor whose members are called before each step, after each flip and after each step}
  *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \return a report with one entry per curve
- * \throws Degenerate_face_error if a face that is visited has a degenerate edge or violates the triangle inequality.
- *         The network and its triangulation remain valid, and no curve is longer than before
- * \throws Invalid_coordinate_error if a coordinate or length of such a face is invalid; the same guarantee applies
+ * \throws Degenerate_face_error if a visited face has a degenerate edge or violates the triangle inequality. The
+ *         network and its triangulation remain valid, and no curve is longer than before
+ * \throws Invalid_coordinate_error if a visited face has a coordinate or length that is not finite or is out of range;
+ *         the same guarantee applies
  *
- * Complexity: constant time per flip.
+ * Complexity: typically linear in the number of segments and flips.
  *
  * \sa `Shortener`, for many short runs
  */

@@ -20,29 +20,29 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Lists the decisions of a stop predicate on the next step.
+/// Lists the decisions of a stop predicate about the next step.
 enum class Stop_decision {
   CONTINUE,           ///< take the step
   CURVE_LENGTH_LIMIT, ///< reject the step and keep its curve unchanged, but continue with the other curves
-  LENGTH_LIMIT,       ///< reject the step and end the shortening with this status
-  ANGLE_LIMIT,        ///< reject the step and end the shortening with this status
-  ITERATION_LIMIT,    ///< reject the step and end the shortening with this status
-  MEMORY_LIMIT        ///< reject the step and end the shortening with this status
+  LENGTH_LIMIT,       ///< reject the step and end the shortening with `Shortening_status::LENGTH_LIMIT`
+  ANGLE_LIMIT,        ///< reject the step and end the shortening with `Shortening_status::ANGLE_LIMIT`
+  ITERATION_LIMIT,    ///< reject the step and end the shortening with `Shortening_status::ITERATION_LIMIT`
+  MEMORY_LIMIT        ///< reject the step and end the shortening with `Shortening_status::MEMORY_LIMIT`
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Describes the next step, with the lengths before and after it.
+/// Describes the next step, with the initial lengths and the lengths after the step.
 struct Shortening_step
 {
   Curve_index curve;           ///< the curve that the step shortens
   double angle_key;            ///< the `Turn_key` of the wedge, in [0, 2]: 1 - c / (|c| + s), where c and s are
-                               ///< the cosine and the sine of its angle
-  std::size_t steps;           ///< the number of steps taken so far
+                               ///< the cosine and the sine of the angle of the wedge
+  std::size_t steps;           ///< the number of steps taken so far in this run
   double curve_initial_length; ///< the initial length of the curve
   double curve_length_after;   ///< the length of the curve if the step is taken
   double initial_length;       ///< the initial length of the network
   double length_after;         ///< the length of the network if the step is taken
-  std::size_t memory;          ///< `Intrinsic_triangulation::memory_of_records()` including this step, in bytes
+  std::size_t memory;          ///< `Intrinsic_triangulation::memory_of_records()` after the step, in bytes
 };
 
 /// \ingroup PkgFlipGeodesicsStop
@@ -56,9 +56,9 @@ struct Never_stop_predicate
 namespace internal {
 
 /*
- * Returns whether a length is below `ratio` times the initial one, or so close to this limit that rounding errors could
- * hide the fact. The lengths of a step are updated by the changes of all steps and differ from sums over the segments;
- * the margin covers an error of 2^-53 of the initial length for each of 2^21 additions.
+ * Returns whether a length is below `ratio` times the initial length, or exceeds this limit by so little that rounding
+ * errors can be the reason. The lengths of a step result from adding the changes of all previous steps, and differ
+ * from sums over the segments; the margin covers an error of 2^-53 of the initial length for each of 2^21 additions.
  */
 inline bool is_below_limit(double length, double ratio, double initial_length)
 {
@@ -69,9 +69,9 @@ inline bool is_below_limit(double length, double ratio, double initial_length)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Keeps the total length of the network, summed over its segments, at or above `ratio` times its initial length. To
-/// allow for rounding errors, a step is also rejected if it would lead to a length that exceeds the limit by less than
-/// 2^-32 of the initial length.
+/// Keeps the total length of the network, summed over its segments, at or above `ratio` times the initial length of the
+/// network. To allow for rounding errors, a positive `ratio` also causes a step to be rejected if the resulting length
+/// would exceed the limit by less than 2^-32 of the initial length.
 /// \cgalModels{FlipOutStopPredicate}
 class Length_ratio_stop_predicate
 {
@@ -97,9 +97,9 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Keeps the length of each curve, summed over its segments, at or above `ratio` times its initial length, so that even
-/// small loops survive. To allow for rounding errors, a step is also rejected if it would lead to a length that exceeds
-/// the limit by less than 2^-32 of the initial length.
+/// Keeps the length of each curve, summed over its segments, at or above `ratio` times the initial length of the curve,
+/// so that even small loops do not contract to points. To allow for rounding errors, a positive `ratio` also causes a
+/// step to be rejected if the resulting length would exceed the limit by less than 2^-32 of the initial length.
 /// \cgalModels{FlipOutStopPredicate}
 class Curve_length_ratio_stop_predicate
 {
@@ -126,7 +126,7 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the smallest angle that can be widened has reached a limit. \cgalModels{FlipOutStopPredicate}
+/// Stops when the smallest angle that can still be widened is at least a given limit. \cgalModels{FlipOutStopPredicate}
 class Angle_stop_predicate
 {
 public:
@@ -138,8 +138,8 @@ public:
     CGAL_precondition(angle > 0);
   }
 
-  /// Returns `ANGLE_LIMIT` if the angle of the wedge, which is the smallest one, has reached the limit, otherwise
-  /// `CONTINUE`.
+  /// Returns `ANGLE_LIMIT` if the angle of the wedge of the step is at least the limit, otherwise `CONTINUE`. Since
+  /// steps are taken in the order of their angles, this angle is the smallest one that can be widened.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.angle_key >= m_key ? Stop_decision::ANGLE_LIMIT : Stop_decision::CONTINUE;
@@ -184,7 +184,7 @@ struct Can_restart<StopPredicate, std::void_t<decltype(std::declval<const StopPr
 {
 };
 
-/* Returns the predicate for the next curve: a restarted one if it can be restarted, otherwise the predicate itself. */
+/* Returns the predicate for the next curve: a restarted predicate if the class has `restarted()`, otherwise `stop`. */
 template <class StopPredicate>
 decltype(auto) restarted(const StopPredicate& stop)
 {
@@ -197,9 +197,10 @@ decltype(auto) restarted(const StopPredicate& stop)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when a given time has elapsed since the construction of the object. As a stop predicate it limits the time of
-/// shortening; functions that compute several curves one after the other limit the time of each curve separately. As a
-/// visitor it limits the time of any other long computation, such as a search, a tree or a distance field.
+/// Stops when a given time has elapsed since the construction of the object. As a stop predicate, an object limits the
+/// time of a shortening. `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()` restart the timer for
+/// each curve, so the limit applies to each curve separately. As a visitor, an object limits the time of any long
+/// computation that accepts a visitor, such as a search, a tree or a distance field.
 /// \cgalModels{FlipOutStopPredicate} \cgalModels{FlipOutVisitor}
 class Time_stop_predicate : public Default_shortening_visitor
 {
@@ -230,8 +231,8 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the records of flips take more memory than a limit. The records can exceed the limit by the flips of one
-/// step until this step is rolled back, and data derived from its flips remain in memory.
+/// Stops when the records of flips take more memory than a limit. The records can temporarily exceed the limit by the
+/// flips of one step, until this step is rolled back.
 /// \cgalModels{FlipOutStopPredicate}
 class Memory_stop_predicate
 {
@@ -243,8 +244,8 @@ public:
   {
   }
 
-  /// Returns `MEMORY_LIMIT` if the records, including the flips of the step, take more than the limit, otherwise
-  /// `CONTINUE`.
+  /// Returns `MEMORY_LIMIT` if the records, including those of the flips of the step, take more memory than the limit,
+  /// otherwise `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.memory > m_limit ? Stop_decision::MEMORY_LIMIT : Stop_decision::CONTINUE;
@@ -255,19 +256,20 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops as soon as one of several predicates stops, with the decision of the first predicate that does so.
+/// Combines several predicates: a step is accepted only if all of them accept it.
 /// \cgalModels{FlipOutStopPredicate}
 template <class... Predicates>
 class Any_stop_predicate
 {
 public:
-  /// Copies the predicates, which are evaluated in this order.
+  /// Copies the predicates, which are evaluated in the given order.
   explicit Any_stop_predicate(Predicates... predicates)
     : m_predicates(predicates...)
   {
   }
 
-  /// Returns the first decision that is not `CONTINUE`, or else `CONTINUE`; later predicates are not evaluated.
+  /// Returns the decision of the first predicate whose decision is not `CONTINUE`, or `CONTINUE` if there is none. The
+  /// predicates after that one are not evaluated.
   Stop_decision operator()(const Shortening_step& step) const
   {
     Stop_decision decision = Stop_decision::CONTINUE;
@@ -279,7 +281,7 @@ public:
     return decision;
   }
 
-  /// Returns the same predicates, restarted if possible.
+  /// Returns a combination of the same predicates, in which those that have a member `restarted()` are restarted.
   Any_stop_predicate restarted() const
   {
     return std::apply(
