@@ -25,18 +25,19 @@ namespace CGAL::Flip_geodesics {
  * defines. Coordinates and edge lengths that are doubles, or of an exact number type with rational values such as that
  * of `Exact_predicates_exact_constructions_kernel`, are used exactly; others are rounded to doubles.
  *
- * Each halfedge stores its vector in doubles, as with `Intrinsic_triangulation_traits`, and a bound on the relative
- * error of the vector. If the sign is uncertain because of this error, the triangulation determines the sign from the
- * unfolded input faces: first by doubles with an a-priori error bound, or by exact predicates on points if the faces
- * lie in one plane; then by numbers of 50 digits with an error bound; and finally by exact arithmetic with the square
- * roots of the squared areas of the faces. Unless a work limit is reached, zeros are therefore proven, and flipping
- * terminates.
+ * Each halfedge stores its vector in doubles, as with `Intrinsic_triangulation_traits` in double, and a bound on the
+ * relative error of the vector. If this bound is too large to determine a sign, the triangulation determines the sign
+ * from the unfolded input faces: by doubles with an a-priori error bound, or by exact predicates on points if the faces
+ * lie in one plane or bend along parallel edges only; and if this does not suffice, by numbers of 50 digits with an
+ * error bound, or by exact arithmetic with the square roots of the squared areas of the faces. Unless a work limit is
+ * reached, zeros are therefore proven, and flipping terminates.
  *
- * Since exact arithmetic with many independent roots can take very long, it is subject to a work limit; see
+ * Since exact arithmetic with many independent roots can take a very long time, it is subject to a work limit; see
  * `sign_work_limit()`. A sign that has not been determined when the limit is reached is assumed to be zero and counted
- * in `Decision_statistics::unproven_zeros`. The verdict of `certify()` is then `PROBABLE`.
+ * in `Decision_statistics::unproven_zeros`. A certificate that depends on this assumption has the verdict
+ * `PROBABLE` instead of `PROVEN`.
  *
- * \tparam K a kernel with `Point_3` and `FT`, whose numbers can be converted to double
+ * \tparam K a kernel with `Point_3` and `FT`; numbers of type `FT` can be converted to double
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -61,8 +62,8 @@ public:
   /// Constructs traits with the default work limit, which corresponds to about a tenth of a second per sign.
   Certified_intrinsic_triangulation_traits() = default;
 
-  /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, exact arithmetic with roots
-  /// is not used.
+  /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, signs are not determined by
+  /// exact arithmetic with roots.
   explicit Certified_intrinsic_triangulation_traits(std::uint64_t sign_work_limit)
     : m_sign_work_limit(sign_work_limit)
   {
@@ -70,9 +71,10 @@ public:
 
   /*!
    * Returns the work limit for computing one sign by exact arithmetic with roots, counted in products of two 64-bit
-   * words; an operation with short integers counts as 32 such products. A product of two numbers with \f$r\f$
-   * independent roots takes \f$4^r\f$ products of integers. The earlier stages take time linear in the number of faces,
-   * except for sums of roots over developable regions with parallel rulings, to which the default limit applies.
+   * words; each operation on integers counts as at least 32 such products. A product of two numbers with \f$r\f$
+   * independent roots takes \f$4^r\f$ products of integers. All other methods take time linear in the number of faces,
+   * with one exception: if the faces bend along parallel edges only, the sign of a sum of roots is computed, with the
+   * default limit.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 
@@ -81,7 +83,7 @@ public:
   {
     double x;     ///< a coordinate, in the unit of the mesh
     double y;     ///< a coordinate, in the unit of the mesh
-    double error; ///< a bound, relative to the length
+    double error; ///< a bound on the error of the vector, relative to the length
   };
 
   /// The geometry of a face, in the order of its halfedges.
@@ -92,8 +94,8 @@ public:
   {
     double x = 1;                           ///< the real part; the argument of the complex number is the angle
     double y = 0;                           ///< the imaginary part
-    double error = 0;                       ///< a bound, relative to \f$|x|+|y|\f$
-    Comparison_result comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$, if `is_certain`
+    double error = 0;                       ///< a bound on the error, relative to \f$|x|+|y|\f$
+    Comparison_result comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$; valid if `is_certain`
     bool is_certain = true;                 ///< whether the bound suffices for the comparison
   };
 
@@ -145,11 +147,12 @@ public:
     }
   };
 
-  /// Constructs a face from vectors as `Intrinsic_triangulation_traits::Construct_face_2` does, and stores the error.
+  /// Constructs a face from vectors as `Intrinsic_triangulation_traits::Construct_face_2` does, and stores the error
+  /// bound with each vector.
   class Construct_face_2
   {
   public:
-    /// Returns the face whose halfedges have the vectors `v`, each with the relative error `error`.
+    /// Returns the face whose halfedges have the vectors `v`, each with a relative error of at most `error`.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
       return with_error(typename Plain::Construct_face_2()(v, error), error);

@@ -44,15 +44,14 @@ namespace CGAL::Flip_geodesics {
  *
  * A mesh has one radicand \f$d\f$ if the area of each face is a rational multiple of \f$\sqrt d\f$. The radicand is 1
  * for meshes in a coordinate plane and for axis-aligned boxes, and 3 for regular tetrahedra and octahedra.
- * `common_radicand()` computes it; a radicand other than 1 must be passed to the constructor. `Inexact_root_error` is
- * thrown when a face is accessed whose area is not such a multiple.
+ * `common_radicand()` computes the radicand of a mesh; a radicand other than 1 must be passed to the constructor. When
+ * a face whose area is not such a multiple is accessed, `Inexact_root_error` is thrown.
  *
- * With exact numbers, faces store squared lengths and areas. Only one root per input face is then required, that of its
+ * With exact numbers, faces store squared lengths and areas. Only one root per input face is then required, that of the
  * squared area, and flips do not require roots. With rounded numbers and intervals, faces store vectors instead.
  *
- * With a number type that allocates heap memory, the construction of a triangulation takes time linear in the size of
- * the mesh. The representations of exact numbers grow with the number of flips; Section \ref Flip_geodesicsKernelTimes
- * lists the cost of each number type.
+ * The representations of exact numbers grow with the number of flips; Section \ref Flip_geodesicsKernelTimes lists the
+ * cost of each number type.
  *
  * \tparam NT a field number type: a model of `RealEmbeddable` and `FieldWithSqrt`, or of `Field` with the functor
  *         `Is_square`, `Sqrt_extension`, `Interval_nt<>`, a rational or floating point number of Boost.Multiprecision,
@@ -110,7 +109,7 @@ public:
   struct Turn
   {
     NT x = NT(1);         ///< the real part; the argument of the complex number is the angle
-    NT y = NT(0);         ///< the imaginary part; for rational `NT`, divided by the root of the radicand
+    NT y = NT(0);         ///< the imaginary part; if `NT` is rational, divided by the root of the radicand
     bool is_empty = true; ///< whether the turn is the rotation by zero
     Uncertain<Comparison_result> comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$
   };
@@ -126,8 +125,8 @@ public:
     static_assert(has_radicand, "only a number type without square roots accepts a radicand");
   }
 
-  /// Returns the default work limit, which the concept requires. It is not used, since these traits determine all
-  /// signs.
+  /// Returns the default work limit. These traits determine all signs themselves; only functions that compute signs
+  /// from the input, such as `certify()`, use the limit.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
   /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. It is 0 for
@@ -135,8 +134,8 @@ public:
   /// about 1e-9 for `double` and 1e-51 for 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
-  /// Constructs a face from points. \throws Inexact_root_error if the area is not a rational multiple of the square
-  /// root of the radicand
+  /// Constructs a face from points. \throws Inexact_root_error if `NT` is rational or a `Sqrt_extension`, and the
+  /// area is not a rational multiple of the square root of the radicand
   class Construct_face_3 : Functor_with_unit
   {
     using Vector_3 = typename Geometry::Vector_3;
@@ -172,8 +171,8 @@ public:
     }
   };
 
-  /// Constructs a face from lengths. \throws Inexact_root_error if the area is not a rational multiple of the square
-  /// root of the radicand
+  /// Constructs a face from lengths. \throws Inexact_root_error if `NT` is rational or a `Sqrt_extension`, and the
+  /// area is not a rational multiple of the square root of the radicand
   class Construct_face_from_lengths : Functor_with_unit
   {
   public:
@@ -207,7 +206,7 @@ public:
   class Construct_face_2
   {
   public:
-    /// Returns the face whose halfedges have the vectors `v`, each with the relative error `error`.
+    /// Returns the face whose halfedges have the vectors `v`, each with a relative error of at most `error`.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
       CGAL_precondition_msg(!is_exact, "the number type must not be exact, since the vectors are rounded");
@@ -266,9 +265,9 @@ public:
 
     static bool is_positive(const NT& x) { return CGAL::certainly(Operations::sign(x) == POSITIVE); }
 
-    // The turn was below pi before, and the corner is at most pi, so their sum is below 2 pi, and zero is unambiguous.
-    // If the sign of the sine is undetermined, one summand below pi / 2 and a cosine above 0 leave only the first
-    // quadrant.
+    // The turn was below pi before, and the corner is at most pi, so their sum is below 2 pi, and a sine of zero means
+    // 0 or pi. If the sign of the sine is undetermined, but one summand is below pi / 2 and the cosine is positive, the
+    // sum is below 3/2 pi, and therefore below pi / 2.
     static Uncertain<Comparison_result> compared(const Turn& turn, bool is_half_acute)
     {
       const Uncertain<Sign> sine = sign_of_sine(turn);
@@ -342,7 +341,7 @@ public:
     }
 
   private:
-    // Numbers may be too long for double; their quotient has one value, whatever they are.
+    // The coordinates can exceed the range of double, whereas their quotient depends only on the angle.
     double key_by_cotangent(const Turn& turn) const
     {
       if(CGAL::possibly(Operations::sign(turn.y) == ZERO))
@@ -404,8 +403,8 @@ public:
     }
   };
 
-  /// Determines whether the geometry of a halfedge is so inaccurate that its face must be recomputed from the input,
-  /// which is possible only with intervals.
+  /// Determines whether the geometry of a halfedge is so inaccurate that its face must be recomputed from the input.
+  /// This can be the case only with intervals.
   class Is_inaccurate
   {
   public:
@@ -461,14 +460,14 @@ private:
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Computes a number \f$d\f$ such that the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
- * `Exact_intrinsic_triangulation_traits` over rational numbers or a `Sqrt_extension`. The number is an integer that is
+ * `Exact_intrinsic_triangulation_traits` with rational numbers or a `Sqrt_extension`. The result is an integer that is
  * not divisible by the square of a prime below 1000. If all faces are degenerate, the result is 1.
  *
  * \tparam Radicand the type of the result, a number type that can represent integers, such as
  *         `Exact_intrinsic_triangulation_traits::Radicand`
  * \param mesh a triangle mesh
  * \param metric an `Embedded_metric` or `Edge_length_metric`
- * \throws Inexact_root_error if no such number exists; `elements()` contains the vertices of a face whose area is not a
+ * \throws Inexact_root_error if no such number exists; `elements()` returns the vertices of a face whose area is not a
  *         rational multiple of the area of the first face that is not degenerate
  *
  * Complexity: linear in the size of the mesh, with arithmetic on integers of a few hundred bits.

@@ -29,7 +29,7 @@ class Intrinsic_triangulation_traits;
 
 namespace internal {
 
-/* Ends the compilation if the header is missing. */
+/* Ends the compilation if the header of the traits is not included. */
 template <class Traits>
 constexpr bool is_header_included()
 {
@@ -38,7 +38,7 @@ constexpr bool is_header_included()
   return is_defined<Traits>;
 }
 
-/* Without the header, traits in double let no other message follow. */
+/* If the header is missing, traits in double replace the undefined class, so that no other error message follows. */
 template <class K, class NT, class Traits = Exact_intrinsic_triangulation_traits<NT, K>>
 using Traits_in_number_type =
     std::conditional_t<is_header_included<Traits>(), Traits, Intrinsic_triangulation_traits<K, double>>;
@@ -49,7 +49,7 @@ using Traits_in_number_type =
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Computes angles, squared lengths and flips with numbers of type `NT`, by default the number type of the kernel.
- * Predicates are exact if this type is exact. A kernel thus selects the number type:
+ * Predicates are exact if this type is exact. The following call computes with the number type of kernel `K`:
  *
  *     const FG::Intrinsic_triangulation_traits<K> traits;
  *     FG::geodesic_path(mesh, source, target, output, CGAL::parameters::geom_traits(traits));
@@ -80,13 +80,14 @@ public:
  * Provides fast arithmetic with doubles for intrinsic triangulations. Each halfedge stores its vector, two doubles, in
  * a frame of its own face. A flip takes one complex division and no square root.
  *
- * Predicates have the tolerance `angle_tolerance()`: an angle that is less than \f$\pi\f$ by no more than this
- * tolerance counts as straight, both at joints that might be shortened and at edges that might be flipped. Since the
- * errors of vectors grow with the number of flips, `shorten()` measures the finished curves on the input.
+ * Predicates have the tolerance `angle_tolerance()`: an angle that is less than \f$\pi\f$ by at most this tolerance
+ * counts as straight, both at joints and at the ends of edges that might be flipped. Since the errors of vectors grow
+ * with the number of flips, `shorten()` measures the finished curves on the input.
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *
- * \tparam K a kernel with `Point_3` and `FT`; coordinates are rounded to double first
+ * \tparam K a kernel with `Point_3` and `FT`; coordinates are rounded to double or, if they are
+ *         exact rational numbers, their differences are
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -155,8 +156,8 @@ public:
   using typename Base::Halfedge_geometry;
 #endif
 
-  /// Stores the rotation over a fan of corners as a complex number of any magnitude. Its angle is meaningful only up to
-  /// \f$\pi\f$.
+  /// Stores the rotation over a fan of corners as a complex number of any magnitude. The angle of this number is
+  /// meaningful only up to \f$\pi\f$.
   struct Turn
   {
     double x = 1;             ///< the real part; the argument of the complex number is the angle
@@ -244,8 +245,8 @@ public:
   };
 
   /*!
-   * Computes the geometry after the flip of the edge of `h = i->j` and its twin `t` between the faces `(h, hn, hp)` and
-   * `(t, tn, tp)`.
+   * Computes the geometry after the flip of the edge with the halfedges `h`, from `i` to `j`, and `t`, between the
+   * faces `(h, hn, hp)` and `(t, tn, tp)`.
    *
    *         k                     k
    *       / ^ .                  /|^
@@ -289,7 +290,7 @@ public:
   /*!
    * Determines whether the sum of the angles opposite to the edge with the sides `h` and `t` is at most \f$\pi\f$, up
    * to `angle_tolerance()`. If the sum is \f$s\f$ before a flip, it is \f$2 \pi - s\f$ after the flip, so flipping an
-   * edge that is not Delaunay yields an edge that is. Lawson's algorithm therefore terminates as long as the drift
+   * edge that is not Delaunay yields a Delaunay edge. Lawson's algorithm therefore terminates as long as the drift
    * stays below the tolerance.
    */
   class Is_locally_delaunay
@@ -316,8 +317,8 @@ public:
     }
   };
 
-  /// Determines whether a vector is so inaccurate that its face must be recomputed. These traits do not bound errors;
-  /// `shorten()` detects drift when it measures the finished curves.
+  /// Determines whether a vector is so inaccurate that its face must be recomputed. This is never the case, since these
+  /// traits do not bound errors; instead, `shorten()` detects drift when it measures the finished curves.
   class Is_inaccurate
   {
   public:

@@ -20,16 +20,17 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsProving
-/// Contains two measures of the straightness of a curve, computed from the input alone.
+/// Contains two measures of the straightness of a curve, computed from the input and the edge sequences of the curve.
 struct Straightness
 {
-  /// The largest angle, in radians, by which a segment leaves the strip of input faces that it should cross.
+  /// The largest angle, in radians, by which the straight line between the ends of a segment leaves the strip of input
+  /// faces that the segment crosses, as seen from an end of the segment; 0 if no line leaves its strip.
   double largest_bend = 0;
-  /// The smallest angle, in radians, at an unblocked side of a joint; infinite if no such side exists.
+  /// The smallest angle, in radians, at an unblocked side of a joint, or infinity if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight: 1e-8, which
-  /// is far above the error of the measurement.
+  /// Returns the largest bend, and the largest deviation of an angle from \f$\pi\f$, that still count as straight: 1e-8
+  /// radians, which is far above the error of the measurement.
   static constexpr double tolerance() { return internal::reported_bend; }
   /// Returns the smallest angle, in radians, at which a side of a joint counts as straight: \f$\pi\f$ minus
   /// `tolerance()`.
@@ -45,10 +46,10 @@ struct Straightness
 };
 
 /// \ingroup PkgFlipGeodesicsProving
-/// Contains the verdict on one curve, and the position of a bend.
+/// Contains the verdict on one curve and, if the curve is bent, the position of a bend.
 struct Curve_certificate
 {
-  /// Constructs a certificate with a verdict, and the position of a bend if there is one.
+  /// Constructs a certificate with a verdict and, if the curve is bent, the position of a bend.
   explicit Curve_certificate(Verdict verdict, Segment_index segment = null_index, Side side = Side::LEFT)
     : segment(segment)
     , side(side)
@@ -56,13 +57,13 @@ struct Curve_certificate
   {
   }
 
-  Segment_index segment; ///< the bent segment, or the segment that arrives at the bent joint; null if neither exists
-  Side side;             ///< the side of the bent joint
+  Segment_index segment; ///< the bent segment, or the segment that arrives at the bent joint; null if nothing is bent
+  Side side;             ///< the side of the bent joint on which the angle is below \f$\pi\f$
 
   /// Returns the verdict on the curve.
   Verdict verdict() const { return m_verdict; }
 
-  /// Returns whether the curve is locally shortest, that is, `PROVEN` or `PROBABLE`.
+  /// Returns whether the curve is locally shortest, that is, whether the verdict is `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return is_confirmed(m_verdict); }
 
 private:
@@ -74,12 +75,12 @@ private:
  *
  * Measures the straightness of curves of a network from the input alone.
  *
- * The input faces that a segment crosses are unfolded, and the angles at the joints are summed over input faces. Only
- * integers are taken from the results of the flips, so rounding errors of the flips have no influence. The unfolding
- * uses doubles, with an error of a few units in the last place per face. The idea of such a check is due to
- * \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
+ * The input faces that a segment crosses are unfolded, and the angles at the joints are summed over input faces. Of the
+ * results of the flips, only edge sequences are used, which consist of integers; rounding errors of the flips therefore
+ * have no influence. The unfolding is computed in double, with an error of a few units in the last place per face. The
+ * idea of such a check is due to \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
  *
- * An object of this class becomes invalid when the triangulation changes.
+ * An object of this class becomes invalid when the edges of the triangulation change.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
@@ -97,7 +98,8 @@ public:
   {
   }
 
-  /// Measures one curve. Linear in the number of crossed input edges and the degrees of the passed vertices.
+  /// Measures one curve. Linear in the number of crossed input edges plus the sum of the degrees of the vertices
+  /// through which the curve passes.
   Straightness operator()(Curve_index curve)
   {
     Straightness result;
@@ -107,9 +109,9 @@ public:
     return result;
   }
 
-  /// Measures one curve and certifies it as the free function `certify()` does, but even if coordinates or lengths of
-  /// the mesh are rounded. The results are added to `straightness` and `statistics`. The measurement ends at the first
-  /// segment whose edge sequence does not describe a strip of faces.
+  /// Measures one curve and certifies it as the free function `certify()` does. If coordinates or lengths of the mesh
+  /// are rounded, however, the certificate refers to the rounded mesh. The results are added to `straightness` and
+  /// `statistics`. The measurement ends at the first segment whose edge sequence does not describe a strip of faces.
   Curve_certificate certify(Curve_index curve, Straightness& straightness, Decision_statistics& statistics)
   {
     Curve_certificate result(Verdict::PROVEN);
@@ -126,7 +128,7 @@ public:
       if(result.is_locally_shortest() && !(edge.has_strip && edge.is_straight))
         result = Curve_certificate(Verdict::BENT_SEGMENT, s);
     });
-    // The angle at a joint is that between the edge sequences of its segments, which are known to be correct then.
+    // The angle at a joint is that between the edge sequences of its segments, which all describe strips here.
     if(are_strips)
       for_each_joint([&](const Measured_joint& joint) {
         const auto angle = measured_angle(joint);
@@ -140,8 +142,7 @@ public:
     return result;
   }
 
-  /// Returns the angle at a side of a joint, in radians, or infinity if the side is blocked, fixed or contains the
-  /// border.
+  /// Returns the angle at a side of a joint, in radians, or infinity if the side is blocked.
   double angle(const Joint& joint) const
   {
     const auto [a, b] = m_network.ends(joint);
@@ -149,10 +150,9 @@ public:
   }
 
   /*!
-   * Recomputes the faces in the wedge at a side of a joint from the input, because drift may have made the angles of
-   * the triangulation inaccurate in needles.
-   * \return whether the angle at every corner of these faces lies between 0 and \f$\pi\f$; if not, rounding errors have
-   *         caused incorrect flips
+   * Recomputes the faces in the wedge at a side of a joint from the input. This is useful because drift can make the
+   * angles of the triangulation inaccurate, especially in needles.
+   * \return whether all faces could be recomputed; if not, rounding errors have caused incorrect flips
    */
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
   {
@@ -167,7 +167,7 @@ private:
   struct Measured_joint
   {
     Joint joint;
-    Edge_end from, to; // the wedge leads clockwise from one to the other
+    Edge_end from, to; // the wedge extends clockwise from `from` to `to`
   };
 
   void note(Segment_index s, const Edge& edge, Straightness& straightness)
@@ -210,30 +210,32 @@ struct Network_certificate
   std::vector<Curve_certificate> curves; ///< one certificate per curve, indexed by `Curve_index`
   Decision_statistics statistics;        ///< the filter failures, and how they were resolved
 
-  /// Returns the verdict on all curves, as `Shortening_report::verdict()` does.
+  /// Returns the verdict on the claim that every curve is locally shortest: the verdict on the first bent curve or, if
+  /// no curve is bent, the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. Without curves, the verdict is `UNDECIDED`.
   Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_certificate::verdict); }
 
-  /// Returns whether all curves are locally shortest, that is, `PROVEN` or `PROBABLE`.
+  /// Returns whether all curves are locally shortest, that is, whether all verdicts are `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return curves.empty() || is_confirmed(verdict()); }
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Certifies from the input alone that the curves of a network are locally shortest, regardless of the traits with which
- * they were computed.
+ * Determines from the input, by exact predicates, whether the curves of a network are locally shortest, regardless of
+ * the traits with which the curves were computed.
  *
  * The input faces that a segment crosses must unfold to a strip that contains the straight line between the ends of the
  * segment, and each unblocked side of a joint must have an angle of at least \f$\pi\f$. The comparisons are those of
  * exact real numbers, filtered by error bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or
- * lengths of the mesh must be rounded, as `Embedded_metric::is_rounded()` reports, no curve is certified, and every
- * verdict is `Verdict::UNDECIDED`.
+ * lengths of the mesh must be rounded (`Embedded_metric::is_rounded()`), no curve is certified: all verdicts are then
+ * `UNDECIDED`.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  * \return one certificate per curve
  *
- * Complexity: linear in the number of crossed input edges if the floating-point filter suffices, and also in the size
- * of the mesh if its number type allows numbers that must be rounded.
+ * Complexity: linear in the number of crossed input edges plus the sum of the degrees of the vertices through which
+ * curves pass, if the floating-point filter suffices. If the number type of the mesh allows numbers that must be
+ * rounded, the time is also linear in the size of the mesh.
  *
  * \sa `certify_curve()`
  */
@@ -245,7 +247,7 @@ Network_certificate certify(const Network& network)
   Straightness_meter<Network> meter(network);
   for(Curve_index c : internal::descriptors<Curve_index>(network.number_of_curves()))
     result.curves.push_back(meter.certify(c, straightness, result.statistics));
-  if(internal::is_input_rounded(network.triangulation())) // the measured mesh differs from the input then
+  if(internal::is_input_rounded(network.triangulation())) // the measured mesh differs from the input in this case
     for(Curve_certificate& curve : result.curves)
       curve = Curve_certificate(Verdict::UNDECIDED);
   return result;

@@ -52,36 +52,36 @@ class Given_curve_certifier;
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Contains the verdict on a curve that is given by its points, and the position and angle of its largest bend.
+/// Contains the verdict on a curve that is given by its points, and the position and angle of the largest bend.
 template <class TriangleMesh>
 struct Given_curve_certificate
 {
   /// The vertex type of the mesh.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. At a joint, it
-  /// is \f$\pi\f$ minus the angle on one side. In a segment, it is the angle by which the shortest path with the same
-  /// end points and the same crossed edges turns at the end of one of these edges. If a straight segment touches a
-  /// vertex, it is \f$2\pi\f$ minus the sum of the angles at the vertex.
+  /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. The bend at a
+  /// joint is \f$\pi\f$ minus the angle on one side. The bend of a segment is the angle by which the shortest path with
+  /// the same end points and the same crossed edges turns at the end of one of these edges. If a straight segment
+  /// touches a vertex whose angles sum to less than \f$2\pi\f$, the bend is \f$2\pi\f$ minus this sum.
   double bend = 0;
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
-  /// The number of the given point at the bend: the passed vertex or, in a segment, the first crossed edge that ends at
-  /// `vertex`.
+  /// The number of the given point at the bend: that of the vertex through which the curve passes or, in a segment,
+  /// that of a crossed edge that ends at `vertex`.
   std::size_t number = 0;
   Side side = Side::LEFT; ///< the side of a bent joint; in a segment, the side on which `vertex` lies
   /// The positions at which straight segments cross edges, indexed by the numbers of the given points. A position is 0
-  /// at the source of the halfedge and 1 at its target; if the edge is given by a location, the halfedge is the one in
-  /// the given face. The rounding error is one unit in the last place times the length of the segment, divided by the
-  /// length of the edge and by the sine of the angle at which the edge is crossed. The entries of ends and passed
-  /// vertices are 0. The vector is empty if the curve is bent.
+  /// at the source of the given halfedge and 1 at its target; if the edge is given by a location, the halfedge is that
+  /// of the given face. The rounding error is about one unit in the last place times the length of the segment, divided
+  /// by the length of the edge and by the sine of the angle at which the segment crosses the edge. The entries of ends
+  /// and of vertices through which the curve passes are 0. The vector is empty if the curve is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 
-  /// Returns the verdict. It is `BENT_JOINT` only if all segments are straight, and `UNDECIDED` if coordinates or
-  /// lengths of the mesh had to be rounded. In the latter case the other members refer to the rounded mesh.
+  /// Returns the verdict, which is `BENT_JOINT` only if all segments are straight. If coordinates or lengths of the
+  /// mesh had to be rounded, the verdict is `UNDECIDED`, and the data members refer to the rounded mesh.
   Verdict verdict() const { return m_verdict; }
 
-  /// Returns whether the curve is locally shortest, that is, `PROVEN` or `PROBABLE`.
+  /// Returns whether the curve is locally shortest, that is, whether the verdict is `PROVEN` or `PROBABLE`.
   bool is_locally_shortest() const { return is_confirmed(m_verdict); }
 
 private:
@@ -316,30 +316,32 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Certifies that a given curve, however it was computed, is locally shortest.
+ * Determines by exact predicates whether a given curve is locally shortest, however the curve was computed.
  *
- * The curve consists of segments, which lead from one end or passed vertex to the next. Each segment must be a straight
- * line across its crossed edges, and at each passed vertex, the angle on each side that does not contain the border
- * must be at least \f$\pi\f$. The segments are determined by their end points and edge sequences. The given positions
- * on crossed edges are therefore ignored, and the correct positions are returned.
+ * The curve consists of segments. Each segment leads from one end of the curve, or vertex through which the curve
+ * passes, to the next, and must be a straight line across its crossed edges. At each vertex through which the curve
+ * passes, the angle on each side that does not contain the border must be at least \f$\pi\f$. Since the end points and
+ * the edge sequence of a segment determine the segment, the function ignores the given positions on crossed edges and
+ * returns the correct positions.
  *
  * An end inside a face or on an edge is exactly the point with the given weights divided by their sum; if an end is
  * given by a position t on a halfedge, these weights are 1 - t, rounded, and t. Ends are not snapped. The angles at the
- * ends of an open curve are arbitrary.
+ * ends of an open curve can be arbitrary.
  *
  * \param mesh a triangle mesh
  * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
- *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last are the ends. Every other point
- *        is a passed vertex or a crossed edge, the latter given by a location with one weight of zero or by either
- *        halfedge of the edge. A segment without crossed edges lies on the edge, or in the face, that contains both its
- *        ends
+ *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last point of an open curve are its
+ *        ends. Every other point is a vertex through which the curve passes, or represents a crossed edge by a location
+ *        with one weight of zero or by a position on either halfedge of the edge. A segment without crossed edges lies
+ *        on the edge, or in the face, that contains both of its ends
  * \param np the named parameter `is_closed`, a `bool`: whether the curve continues from the last point to the first,
  *        which must then be a vertex and must not be repeated; `false` by default. Also `vertex_point_map` or `metric`,
  *        and `geom_traits`, as for `geodesic_path()`
  * \return the certificate of the curve
  * \throws Invalid_curve_error if the points do not form such a curve: there are too few points, two consecutive points
- *         are equal or have no common face, a point between the ends lies inside a face, or a crossed edge is on the
- *         border. `elements()` contains the number of the invalid point, if there is one
+ *         are equal or have no common face, a point other than an end lies inside a face, a crossed edge is on the
+ *         border, or a closed curve does not start at a vertex. `elements()` returns the number of the invalid point,
+ *         if there is one
  * \throws Invalid_location_error if the face of a location does not belong to the mesh, or weights of an end are
  *         negative, NaN, too small or too large
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated
@@ -347,8 +349,9 @@ private:
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: linear in the number of crossed edges and the degrees of passed vertices if the floating-point filter
- * suffices. Meshes other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
+ * Complexity: linear in the number of crossed edges plus the sum of the degrees of the vertices through which the curve
+ * passes, if the floating-point filter suffices. Meshes other than `Surface_mesh` are indexed first, in
+ * \cgalBigO{n \log n} time.
  *
  * \sa `certify()`
  */

@@ -21,8 +21,8 @@ namespace CGAL::Flip_geodesics {
 struct Delaunay_report
 {
   std::size_t flips = 0;       ///< the number of edge flips
-  std::size_t constrained = 0; ///< the number of edges that are not locally Delaunay but lie under a curve
-  /// The number of other edges that are not locally Delaunay; 0 unless the process ended early.
+  std::size_t constrained = 0; ///< the number of given edges that are not locally Delaunay but lie under a curve
+  /// The number of other given edges that are not locally Delaunay; 0 unless the process ended early.
   std::size_t remaining = 0;
   bool is_stopped = false; ///< whether the visitor ended the process
   /// Returns whether each given edge is locally Delaunay or lies under a curve.
@@ -31,7 +31,8 @@ struct Delaunay_report
 
 namespace internal {
 
-/* Limits the memory of the flip log. Ten flips per edge are many, unless faces are extremely thin. */
+/* Returns the default limit on the number of flips, which bounds the memory of the flip log. More than ten flips per
+ * edge are necessary only if faces are extremely thin. */
 inline std::size_t default_maximum_of_flips(Index number_of_edges)
 {
   return 1000000 + 1000 * static_cast<std::size_t>(number_of_edges);
@@ -64,10 +65,10 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  *
  * An edge is not flipped if the four vertices of its two faces are cocircular. With exact traits, the process
  * terminates on every input: each flip decreases a function of the triangulation, and only finitely many triangulations
- * have a smaller value. With `Intrinsic_triangulation_traits`, vertices count as cocircular within the tolerance of
- * these traits, and faces whose edges are flipped repeatedly are recomputed from the input, so errors do not
- * accumulate. The number of flips depends on the shapes of faces: about one per edge is typical, but for a long thin
- * twisted cylinder it is proportional to the aspect ratio.
+ * have a smaller value. With `Intrinsic_triangulation_traits` in double, vertices count as cocircular within the
+ * tolerance of these traits, and faces whose edges are flipped many times are recomputed from the input, so that errors
+ * do not accumulate. The number of flips depends on the shapes of faces: about one flip per edge is typical, but for a
+ * long thin twisted cylinder the number of flips per edge is proportional to the aspect ratio.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
  * \param edges a range of edge indices
@@ -76,14 +77,14 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}
  *     \cgalParamDescription{the number of flips after which the process ends early; `Delaunay_report::is_complete()`
- *       returns whether this number was sufficient}
+ *       returns whether this number of flips was sufficient}
  *     \cgalParamType{an integer}
  *     \cgalParamDefault{one million, plus a thousand for each edge}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor whose `go_further()` is called before each edge is examined, and whose
- *       `on_flip()` is called after each flip. If it throws an exception, the triangulation remains valid}
- *     \cgalParamType{a model of `FlipOutVisitor`}
+ *       `on_flip()` is called after each flip. If the visitor throws an exception, the triangulation remains valid}
+ *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
@@ -92,9 +93,9 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * \throws Invalid_parameter_error if `number_of_iterations` is negative
  * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
  * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
- * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
+ * \throws Invalid_coordinate_error if such a face has a coordinate or length that is not finite or is out of range
  *
- * Complexity: linear in the number of flips and of given edges.
+ * Complexity: linear in the number of flips plus the number of given edges.
  */
 template <class Triangulation, class EdgeRange, class... NamedParameters,
           std::enable_if_t<!internal::is_named_parameters<EdgeRange>, int> = 0>
@@ -120,7 +121,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  *
  * \return a report on all edges
  *
- * Complexity: linear in the size of the mesh and the number of flips.
+ * Complexity: linear in the size of the mesh plus the number of flips.
  */
 template <class Triangulation, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
@@ -133,10 +134,11 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParame
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Returns the edges near the curves of a network, in increasing order: for one ring, the edges of the faces around the
- * vertices that a curve passes; each further ring adds the edges of the faces around the vertices of these edges. With
- * these edges, `flip_to_delaunay()` is local. The time does not depend on the size of the mesh: it is
- * \cgalBigO{k \log k} for \f$k\f$ edges.
+ * Returns the edges near the curves of a network, sorted by index. For one ring, these are the edges of the faces
+ * around the nodes of the curves; each further ring adds the edges of the faces around the vertices of the previous
+ * edges. If these edges are passed to `flip_to_delaunay()`, only the surroundings of the curves change.
+ *
+ * Complexity: \cgalBigO{k \log k} for \f$k\f$ edges in a few rings, independent of the size of the mesh.
  */
 template <class Network>
 std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
@@ -169,8 +171,8 @@ std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// Returns whether all edges that are not under curves are locally Delaunay. Exact if the predicates of the traits are
-/// exact. Linear in the size of the mesh.
+/// Returns whether all edges that do not lie under curves are locally Delaunay. The result is exact if the predicates
+/// of the traits are exact. Linear in the size of the mesh.
 template <class Triangulation>
 bool is_delaunay(const Triangulation& triangulation)
 {

@@ -24,7 +24,8 @@ namespace CGAL::Flip_geodesics {
 
 namespace internal {
 
-/* Writes the course of an edge, from its tail to its head, or without the tail; `strip` is its own. */
+/* Writes the surface points of the edge of `h` from its tail, if `has_tail`, to its head; `strip` is the strip of the
+ * edge. */
 template <class Triangulation, class OutputIterator>
 OutputIterator write_surface_points(const Triangulation& triangulation, Halfedge_index h,
                                     const Strip<Triangulation>& strip, bool has_tail, OutputIterator out)
@@ -42,8 +43,8 @@ OutputIterator write_surface_points(const Triangulation& triangulation, Halfedge
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Writes the `Surface_point`s of an edge of a triangulation on the input mesh, from the tail of halfedge `h` to its
- * head, including both. Linear in the number of crossed edges.
+ * Writes the `Surface_point`s of an edge of a triangulation on the input mesh: the tail of halfedge `h`, the crossings
+ * with input edges, and the head of `h`. Linear in the number of crossed edges.
  */
 template <class Triangulation, class OutputIterator>
 OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_index h, OutputIterator out)
@@ -55,12 +56,12 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Extracts curves of a network as curves on the input mesh, by unfolding the edge sequences of their segments. The
+ * Extracts the curves of a network as curves on the input mesh, by unfolding the edge sequences of their segments. The
  * crossed edges and their order are exact; the positions of the crossings are rounded to double.
  *
- * If a curve passes a vertex at a distance of the order of rounding errors, consecutive points on the edges at this
- * vertex may coincide in space. The crossed edges then determine on which side of the vertex the curve passes, and
- * `Surface_point::t` is not zero.
+ * If a curve passes beside a vertex at a distance of the order of rounding errors, consecutive points on the edges at
+ * this vertex can coincide in space. The crossed edges still determine on which side of the vertex the curve passes,
+ * and `Surface_point::t` is not zero.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
@@ -81,8 +82,8 @@ public:
   }
 
   /*!
-   * Writes the `Surface_point`s of a curve, from its start to its end; a closed curve repeats its first point. Nothing
-   * is written for a curve that has contracted. Linear in the number of crossed edges.
+   * Writes the `Surface_point`s of a curve, from its start to its end; for a closed curve, the first point is repeated
+   * at the end. Nothing is written for a curve that has contracted. Linear in the number of segments and crossed edges.
    */
   template <class OutputIterator>
   OutputIterator surface_points(Curve_index curve, OutputIterator out)
@@ -136,8 +137,8 @@ public:
 
   /*!
    * Writes a curve as face locations, pairs of a face and barycentric coordinates as in
-   * `CGAL::Polygon_mesh_processing::Face_location`. The coordinates belong to the source, target and third vertex of
-   * `halfedge(face, mesh)`.
+   * `CGAL::Polygon_mesh_processing::Face_location`. The coordinates belong to the source and the target of
+   * `halfedge(face, mesh)` and to the third vertex of the face.
    */
   template <class OutputIterator>
   OutputIterator face_locations(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)
@@ -149,8 +150,9 @@ public:
 
   /*!
    * Writes a curve as `Curve_point`s, which contain the points in space, the face locations, the crossed halfedges and
-   * the tangents, or as `Curve_place`s if the metric has no points. The tangent is the direction of the straight piece
-   * in the next face, even if the two ends of this piece nearly coincide.
+   * the tangents, or as `Curve_place`s if the metric has no points. The tangent at a point is the direction of the
+   * straight piece that follows, or precedes if the point is the last one; this direction is accurate even if the two
+   * ends of the piece nearly coincide.
    */
   template <class OutputIterator>
   OutputIterator curve_points(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)
@@ -175,7 +177,7 @@ private:
   using Strip = internal::Strip<Triangulation>;
   using Direction = std::array<double, 3>;
 
-  // Reserves memory for more points; for a curve of one segment, for no others.
+  // Reserves memory for `more` points, and exactly for these if there are none yet.
   static void make_room(std::vector<Surface_point>& points, std::size_t more)
   {
     const std::size_t size = points.size() + more;
@@ -208,8 +210,8 @@ private:
     return result;
   }
 
-  // Appends the points of a curve along one segment, with the directions in which it continues, with or without the
-  // start.
+  // Appends the points of a curve along one segment and sets their tangents. The start of the segment is appended only
+  // if it is the first point of the curve.
   template <class Form>
   void append_segment(const internal::Form_converter<Triangulation, Form>& convert, Halfedge_index h,
                       std::vector<Form>& result) const

@@ -24,8 +24,8 @@ namespace CGAL::Flip_geodesics {
 /// Specifies the bounds and limits of `refine()`.
 struct Refinement_options
 {
-  /// the lower bound for the angles of all faces, in degrees; 0 means no bound. At most 30, since the process rarely
-  /// terminates with larger bounds
+  /// the lower bound for the angles of all faces, in degrees, between 0 (no bound) and 30; with larger bounds, the
+  /// process would rarely terminate
   double smallest_angle = 25;
   /// the upper bound for the lengths of all edges, at least 1e-70, in the unit of the mesh
   double longest_edge = std::numeric_limits<double>::infinity();
@@ -37,8 +37,8 @@ struct Refinement_options
 /// States how a refinement ended.
 enum class Refinement_status {
   BOUNDS_REACHED,       ///< all faces are within the bounds, or are exempt
-  BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or given up; see `Refinement_report`
-  VERTEX_LIMIT,         ///< `Refinement_options::maximum_insertions` vertices were inserted
+  BOUNDS_NOT_REACHABLE, ///< each face that violates a bound and is not exempt was refused or given up; see `refine()`
+  VERTEX_LIMIT,         ///< `Refinement_options::maximum_insertions` vertices were inserted, and did not suffice
   STOPPED_BY_VISITOR    ///< the visitor ended the refinement; the triangulation need not be Delaunay
 };
 
@@ -52,10 +52,10 @@ struct Refinement_report
                                                                 ///< the border
   std::size_t flips = 0;                                        ///< the number of flips, including those that were
                                                                 ///< undone
-  std::size_t refused = 0;        ///< the number of faces left unchanged because no point can be represented there
+  std::size_t refused = 0;        ///< the number of faces that were refused; see `refine()`
   double smallest_angle = 0;      ///< the smallest angle of all faces, in degrees
   double smallest_free_angle = 0; ///< the smallest angle of the faces that are not exempt; see `refine()`
-  std::size_t exempt = 0;         ///< the number of faces whose smallest angle is unavoidably below the bound
+  std::size_t exempt = 0;         ///< the number of exempt faces whose smallest angle is below the bound
   std::size_t missed = 0;         ///< the number of faces that violate a bound and are not exempt
   std::size_t given_up = 0;       ///< the number of faces that were given up; see `refine()`
   /// Returns whether the bounds have been reached.
@@ -94,7 +94,8 @@ Refinement_status refinement_status(End end, std::size_t missed)
   return end == End::LIMIT ? Refinement_status::VERTEX_LIMIT : Refinement_status::BOUNDS_NOT_REACHABLE;
 }
 
-/* Throws unless the bounds are in the range in which a refinement can terminate. \throws Invalid_parameter_error */
+/* Checks whether the bounds are in the range in which a refinement can terminate. \throws Invalid_parameter_error if
+ * they are not */
 inline void check_options(const Refinement_options& options)
 {
   if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
@@ -137,32 +138,35 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *
  * Refines a triangulation until no angle is too small and no edge is too long.
  *
- * The triangulation is first flipped to Delaunay. Then vertices are inserted at the circumcenters of bad faces, that
- * is, faces that violate a bound. The worst face comes first, and each insertion is followed by flips
- * \cgalCite{SSC19,section 4.3}. The edges of curves and of the border are constrained: if such an edge is in the way of
- * an insertion, a vertex on the edge splits it instead. Curves therefore remain geodesics of the same length, and the
- * surface does not change.
+ * The function first makes the triangulation Delaunay by flips. It then inserts vertices at the circumcenters of *bad*
+ * faces, that is, faces that violate a bound and are not exempt. The worst face comes first, and each insertion is
+ * followed by flips \cgalCite{SSC19,section 4.3}. The edges of curves and of the border are constrained: if such an
+ * edge lies between a face and its circumcenter, or is too close to the circumcenter, the edge is split at a new vertex
+ * instead. Curves therefore remain geodesics of the same length, and the surface does not change.
  *
- * \attention Since the positions of vertices on curves are rounded, `certify()` can find a bend of the size of a
- * rounding error at such a vertex. Call `certify()` before the refinement.
+ * \attention Since the positions of inserted vertices on curves are rounded, `certify()` can find a bend of the size of
+ * a rounding error at such a vertex. Call `certify()` before the refinement.
  *
- * Faces that cannot be improved are skipped in two cases. They are *refused* if the precision is too low to represent a
- * point inside them, and *given up* if `Refinement_options::maximum_insertions` is far too small, as on a tube whose
- * length is a million times its thickness. The second case is detected early by an estimate: a face of area \f$A\f$
- * with shortest side \f$s\f$ requires about \f$A/s^2\f$ vertices if its neighbors are equally thin, and far fewer
- * otherwise. Faces are processed in generations, each of which consists of the faces that are bad at its beginning. If
- * the sum of the estimates is more than 16 times the number of vertices that may still be inserted, and falls by less
- * than 10 % in each of two consecutive generations, the faces with the largest estimates are given up, together with
- * all other bad faces whose shortest sides are not longer. The other faces are improved until the sum stagnates again.
+ * Bad faces are skipped in two cases. A face is *refused* if the precision is too low to represent the point at which a
+ * vertex must be inserted. Faces are *given up* if `Refinement_options::maximum_insertions` is far too small, as on a
+ * tube whose length is a million times its thickness. The second case is detected early by an estimate: a face of area
+ * \f$A\f$ with shortest side \f$s\f$ requires about \f$A/s^2\f$ vertices if its neighbors are equally thin, and far
+ * fewer otherwise. Faces are processed in generations, each of which consists of the faces that are bad at its
+ * beginning. If the sum of the estimates is more than 16 times the number of vertices that may still be inserted, and
+ * falls by less than 10 % in each of two consecutive generations, the faces with the largest estimates are given up,
+ * together with all bad faces whose shortest side is at most as long as that of one of these faces. The other faces are
+ * improved until the sum stagnates again.
  *
- * Edges that are too long are never given up. They are divided, the longest first, until no such edge is left or the
- * limit is reached. Because of this order, the vertices are distributed evenly over the surface even if the limit is
- * reached first. Edges of length \f$L\f$ require about \f$A/L^2\f$ vertices on a surface of area \f$A\f$.
+ * Faces with edges that are too long are never given up. Such edges are divided, the longest first, until none is left
+ * or the limit on insertions is reached. Because of this order, the vertices are distributed evenly over the surface
+ * even if the limit is reached first. An upper bound \f$L\f$ on the lengths of edges requires about \f$A/L^2\f$
+ * vertices on a surface of area \f$A\f$.
  *
- * Two kinds of faces are exempt from the bound on angles. In one kind, the smallest angle lies between two constrained
- * edges that meet at less than 60 degrees, or at a vertex whose angles sum to less than 60 degrees; no insertion could
- * enlarge this angle. In the other, the shortest side connects two such edges at equal distances from their common
- * vertex; an insertion there would cause another one closer to the vertex, and so on without end \cgalCite{S02}.
+ * Two kinds of faces are *exempt* from the bound on angles. In a face of the first kind, the smallest angle lies
+ * between two constrained edges that meet at an angle of less than 60 degrees, or at a vertex whose angles sum to less
+ * than 60 degrees; no insertion could enlarge this angle. In a face of the second kind, the shortest side connects two
+ * such edges at equal distances from their common vertex; an insertion at this side would cause another insertion
+ * closer to the vertex, and so on without end \cgalCite{S02}.
  *
  * \param network an `Edge_path_network` whose triangulation, a model of `IntrinsicTriangulationOfMesh`, is refined
  * \param options the bounds; in practice, the process terminates by itself for bounds on angles of up to about 25
@@ -186,11 +190,11 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  *         triangulation is unchanged
  * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
  * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
- * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
+ * \throws Invalid_coordinate_error if such a face has a coordinate or length that is not finite or is out of range
  *
- * Complexity: about linear in the number of flips and insertions and in the number of crossings of the refined faces,
- * with a logarithmic factor for the queue. The number of points already inserted into an input face does not slow down
- * further insertions.
+ * Complexity: about linear in the number of flips and insertions plus the number of input edges that cross the refined
+ * faces, with a logarithmic factor for the queue. Points already inserted into an input face do not slow down further
+ * insertions into this face.
  */
 template <class Network, class... NamedParameters, std::enable_if_t<internal::has_curves<Network>, int> = 0>
 Refinement_report refine(Network& network, const Refinement_options& options = Refinement_options(),

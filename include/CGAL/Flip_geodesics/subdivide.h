@@ -35,7 +35,7 @@ namespace CGAL::Flip_geodesics {
 struct Subdivision_vertex
 {
   Surface_point on_input;                     ///< the position of the vertex on the input mesh
-  Vertex_index intrinsic_vertex = null_index; ///< the vertex of the triangulation, or null
+  Vertex_index intrinsic_vertex = null_index; ///< the corresponding vertex of the triangulation, or null
   Halfedge_index intrinsic_halfedge =
       null_index; ///< the first halfedge of the intrinsic edge on which a vertex without `intrinsic_vertex` lies
   double intrinsic_t = 0; ///< the position on `intrinsic_halfedge`, strictly between 0 at the tail and 1 at the head
@@ -44,19 +44,21 @@ struct Subdivision_vertex
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Represents a triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation, with maps back
- * to both. Such a mesh is constructed by `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
+ * Represents a triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation, with maps from
+ * the elements of the subdivision back to the input mesh and to the triangulation. Such a mesh is constructed by
+ * `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
  *
- * Each face lies in one face of the input. The vertices are those of the triangulation, in its order, followed by the
- * crossings of intrinsic edges with input edges, by the midpoints of curve edges that were split (see
- * `cut_along_curves()`), and, after a cut, by copies of vertices. `insert_curves()` and `cut_along_curves()` can omit
- * inserted vertices that lie on no curve. The connectivity is exact, regardless of rounding errors in positions. The
- * mesh is oriented and manifold, and has the components, borders and genus of the input unless it is cut open. Since
- * positions are rounded, very thin faces may be geometrically degenerate.
+ * Each face lies in one face of the input. The vertices are those of the triangulation, in the order of their indices,
+ * followed by the crossings of intrinsic edges with input edges, by the midpoints of edges that were split (see
+ * `insert_curves()` and `cut_along_curves()`), and, after a cut, by copies of vertices. `insert_curves()` and
+ * `cut_along_curves()` omit crossings and inserted vertices that do not lie on curves, where this is possible. The
+ * connectivity is exact, regardless of rounding errors in positions. The mesh is oriented, is manifold if the input is,
+ * and has the components, borders and genus of the input unless it is cut open. Since positions are rounded, very thin
+ * faces can be geometrically degenerate.
  *
- * No two edges have the same two end points, with one exception: the common subdivision of a mesh in which two faces
- * share all three vertices, or two edges share both end points, may contain such edges, which cannot be stored in files
- * of points and faces.
+ * No two edges have the same two end points, with one exception: if two faces of the input mesh share all three
+ * vertices, or two of its edges share both end points, its common subdivision can have such edges. A mesh with such
+ * edges cannot be stored in a file that lists points and faces.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and its edges must
  *         not be flipped while the subdivision is used
@@ -92,54 +94,57 @@ public:
   /// Returns the origin of a vertex.
   Subdivision_vertex vertex_origin(vertex_descriptor v) const { return get(m_vertex_origin, v); }
 
-  /// Returns the lowest-numbered halfedge of the input face that contains a face. In the input mesh, this halfedge is
+  /// Returns the lowest-numbered halfedge of the input face that contains face `f`. In the input mesh, this halfedge is
   /// `triangulation.input().halfedge(input_face(f))`, and the input face is the face of that halfedge.
   Input_halfedge_index input_face(face_descriptor f) const { return get(m_faces, f).input; }
 
-  /// Returns the lowest-numbered halfedge of the intrinsic face that contains a face, or `null_index` if not all
-  /// intrinsic edges are in the mesh.
+  /// Returns the lowest-numbered halfedge of the intrinsic face that contains face `f`, or `null_index` if the
+  /// subdivision was constructed by `insert_curves()` or `cut_along_curves()`, and therefore does not contain all
+  /// intrinsic edges.
   Halfedge_index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
 
-  /// Returns the area of a face, measured in the plane of the input face. The area is not negative, and is 0 if the
-  /// rounding errors of the corners would reverse the face.
+  /// Returns the area of a face, measured in the plane of the input face. The area is not negative; it is 0 if rounding
+  /// errors of the corners reverse the orientation of the face.
   double area(face_descriptor f) const { return get(m_faces, f).area; }
 
-  /// Returns the barycentric coordinates of the corners of a face in its input face. The corners are the source, the
-  /// target and the third vertex of `halfedge(f, mesh())`; the coordinates of each corner belong to the tails of
-  /// `input_face(f)` and the two halfedges after it.
+  /// Returns the barycentric coordinates of the corners of face `f` in the input face that contains it. The corners are
+  /// the source and the target of `halfedge(f, mesh())` and the third vertex of `f`; the coordinates of each corner
+  /// belong to the tails of `input_face(f)` and of the next two halfedges of the input face.
   const std::array<std::array<double, 3>, 3>& corners(face_descriptor f) const { return get(m_faces, f).corners; }
 
-  /// Returns the input halfedge on which a halfedge lies, in the same direction, or `null_index`.
+  /// Returns the input halfedge along which halfedge `h` lies in the same direction, or `null_index` if `h` does not
+  /// lie on an input edge.
   Input_halfedge_index input_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).input; }
 
-  /// Returns the intrinsic halfedge on which a halfedge lies, in the same direction, or `null_index`.
+  /// Returns the intrinsic halfedge along which halfedge `h` lies in the same direction, or `null_index` if `h` does
+  /// not lie on an intrinsic edge.
   Halfedge_index intrinsic_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).intrinsic; }
 
-  /// Returns the halfedges of the mesh along intrinsic halfedge `h`, in its direction; empty if the edge is not in the
-  /// mesh. If the mesh is cut open along the edge, they are the halfedges on the side of the cut that lies on the left
-  /// of `h`.
+  /// Returns the halfedges of the mesh along intrinsic halfedge `h`, in the direction of `h`. The result is empty if
+  /// the mesh does not contain the edge. If the mesh is cut open along the edge, the result consists of the halfedges
+  /// on the side of the cut that lies on the left of `h`.
   std::vector<halfedge_descriptor> halfedges_along(Halfedge_index h) const
   {
     const std::size_t i = static_cast<std::size_t>(h.idx());
     return {m_along.begin() + m_first_along[i], m_along.begin() + m_first_along[i + 1]};
   }
 
-  /// Returns a map that marks the edges on curves; it marks none in a common subdivision.
+  /// Returns a map that marks the edges on curves. In a common subdivision, no edges are marked.
   const Edge_is_constrained_map& edge_is_constrained_map() const { return m_is_constrained; }
 
   /// @}
   /// \name Data Transfer
-  /// The maps `in` are models of `ReadablePropertyMap`, the maps `out` models of `WritablePropertyMap`; none has a
-  /// default. The keys of a `VertexMap` or `FaceMap` are vertices or faces of the mesh, of type `vertex_descriptor` or
-  /// `face_descriptor`. Those of an `InputMap` are vertices or faces of the input mesh. Those of an `IntrinsicMap` are
-  /// vertices of type `Vertex_index`, or faces represented by their lowest-numbered halfedges, of type
-  /// `Halfedge_index`. The value type of `out` must be constructible from that of `in`; values that are interpolated or
-  /// averaged must support sums and products with `double`. The functions take linear time, with a logarithmic factor
-  /// if values are averaged.
+  /// The maps `in` must be models of `ReadablePropertyMap`, and the maps `out` models of `WritablePropertyMap`. The
+  /// keys of a `VertexMap` are vertices of the subdivision, of type `vertex_descriptor`, and those of a `FaceMap` are
+  /// faces of the subdivision, of type `face_descriptor`. The keys of an `InputMap` are vertices or faces of the input
+  /// mesh. The keys of an `IntrinsicMap` are vertices of type `Vertex_index`, or faces represented by their
+  /// lowest-numbered halfedges, of type `Halfedge_index`. The value type of `out` must be constructible from that of
+  /// `in`; values that are interpolated or averaged must support sums and products with `double`. The functions take
+  /// linear time, with a logarithmic factor if values are averaged.
   /// @{
 
-  /// Interpolates vertex values of the input, with keys of the `vertex_descriptor` type of the input mesh, linearly in
-  /// its faces.
+  /// Interpolates values of input vertices linearly in the faces of the input. The keys of `in` have the
+  /// `vertex_descriptor` type of the input mesh.
   template <class InputMap, class VertexMap>
   void interpolate_from_input(InputMap in, VertexMap out) const
   {
@@ -173,7 +178,8 @@ public:
     }
   }
 
-  /// Restricts vertex values of the mesh to those vertices of the triangulation that are vertices of the mesh.
+  /// Copies vertex values of the subdivision to those vertices of the triangulation that are vertices of the
+  /// subdivision.
   template <class VertexMap, class IntrinsicMap>
   void restrict_to_intrinsic(VertexMap in, IntrinsicMap out) const
   {
@@ -182,7 +188,7 @@ public:
         put(out, vertex_origin(v).intrinsic_vertex, get(in, v));
   }
 
-  /// Assigns face values of the input mesh, with keys of type `Input_face`, to the faces contained in each input face.
+  /// Assigns the value of each input face to the faces that it contains. The keys of `in` have the type `Input_face`.
   template <class InputMap, class FaceMap>
   void spread_from_input(InputMap in, FaceMap out) const
   {
@@ -190,8 +196,7 @@ public:
       put(out, f, get(in, input_face_descriptor(f)));
   }
 
-  /// Assigns values of intrinsic faces to the faces contained in each intrinsic face. \pre all intrinsic edges are in
-  /// the mesh
+  /// Assigns the value of each intrinsic face to the faces that it contains. \pre all intrinsic edges are in the mesh
   template <class IntrinsicMap, class FaceMap>
   void spread_from_intrinsic(IntrinsicMap in, FaceMap out) const
   {
@@ -397,8 +402,8 @@ namespace internal {
 
 /*
  * Removes the pieces of intrinsic edges that do not belong to a curve, and the crossings and inserted vertices that
- * they leave on input edges. The parts of a face are convex then, unless a curve ends or bends at an inserted vertex
- * inside it; in such faces all pieces are kept.
+ * they leave on input edges. The parts of an input face are then convex, unless a curve ends or bends at an inserted
+ * vertex inside the face; in such faces all pieces are kept.
  */
 template <class Network>
 class Curve_filter
@@ -435,7 +440,7 @@ public:
 private:
   bool is_kept(Overlay_halfedge h) const { return m_overlay.input_halfedge(h) != null_index || is_on_curve(h); }
 
-  // Returns whether only an input edge without a curve passes the target of h.
+  // Returns whether only an input edge without a curve passes through the target of h.
   bool is_passed(Overlay_halfedge h) const
   {
     return m_overlay.input_halfedge(h) != null_index && m_overlay.has_two_edges_at_target(h) && !is_on_curve(h) &&
@@ -459,8 +464,8 @@ private:
     }
   }
 
-  // Returns whether the next kept piece, or the next input edge, is more than pi away from h, counterclockwise around
-  // its origin.
+  // Returns whether the angle counterclockwise around the origin of h, from h to the next kept piece or input edge, is
+  // more than pi.
   bool is_reflex_after(Overlay_halfedge h) const
   {
     const Overlay_halfedge next = [&] {
@@ -503,8 +508,8 @@ void cut(Overlay<Triangulation>& overlay, Overlay_layout<Triangulation>& layout,
 }
 
 /*
- * Returns the edges to be cut, by their first halfedges, neither end of which lies on the border or on another such
- * edge: their two sides would have both ends in common.
+ * Returns the first halfedges of those edges to be cut whose ends lie neither on the border nor on another edge to be
+ * cut. The two sides of such a cut would have both end points in common.
  */
 template <class Triangulation, class Predicate>
 std::vector<Overlay_halfedge> slits_of_one_edge(const Overlay<Triangulation>& overlay, const Predicate& is_on_curve)
@@ -535,13 +540,13 @@ auto same_vertices(const Overlay<Triangulation>& overlay)
   return Per_overlay_vertex<Overlay_vertex>(all.begin(), all.end());
 }
 
-/* A subdivision with an output mesh of a given type, or of the type of the input if that is `void`. */
+/* A subdivision with an output mesh of type `OutputMesh`, or of the type of the input if `OutputMesh` is `void`. */
 template <class OutputMesh, class Triangulation>
 using Subdivision_as =
     Surface_subdivision<Triangulation, std::conditional_t<std::is_void<OutputMesh>::value,
                                                           typename Triangulation::Triangle_mesh, OutputMesh>>;
 
-/* Returns the input with the curves as edges, cut open along them if requested. */
+/* Returns the input mesh with the curves as edges, cut open along the curves if requested. */
 template <class OutputMesh, class Network>
 auto subdivide_along_curves(const Network& network, const typename Network::Triangulation::Triangle_mesh& mesh,
                             bool is_cutting)
@@ -576,8 +581,8 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * Computes the common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which the edges
  * of both are chains of edges, with maps back to both \cgalCite{SSC19,section 3.4.1}, \cgalCite{GSC21}.
  *
- * A function that is linear in the faces of either triangulation is linear in the faces of the subdivision, and can
- * therefore be transferred to the subdivision exactly.
+ * A function that is linear in each face of the input mesh, or in each face of the intrinsic triangulation, is linear
+ * in each face of the subdivision, and can therefore be transferred to the subdivision exactly.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, constructed from `mesh`
  * \param mesh the input mesh
@@ -586,9 +591,10 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * \throws Invalid_mesh_error if the result has too many elements for 32-bit indices, or a face that has not been
  *         accessed before is not a triangle
  * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
- * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
+ * \throws Invalid_coordinate_error if such a face has a coordinate or length that is not finite or is out of range
  *
- * Complexity: linear in the number of faces of the mesh and the number of crossings of the two triangulations.
+ * Complexity: linear in the number of faces of the mesh plus the number of crossings of intrinsic edges with input
+ * edges.
  */
 template <class OutputMesh = void, class Triangulation>
 auto common_subdivision(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh)
@@ -607,11 +613,11 @@ auto common_subdivision(const Triangulation& triangulation, const typename Trian
  * others are kept.
  *
  * `Surface_subdivision::edge_is_constrained_map()` marks the edges of the curves. Overlapping parts of curves share
- * edges. Two edges with the same two end points, which occur only if two faces of the mesh share all vertices, are
- * split at their midpoints.
+ * edges. Edges with the same two end points, which occur only if two faces of the mesh share all three vertices or two
+ * edges share both end points, are split at their midpoints.
  *
  * \param network a model of `CurveNetwork`; its curves need not be geodesics
- * \param mesh the input mesh of its triangulation
+ * \param mesh the input mesh of the triangulation of the network
  * \return a `Surface_subdivision`, as for `common_subdivision()`
  * \throws Invalid_mesh_error as `common_subdivision()` does
  * \throws Degenerate_face_error as `common_subdivision()` does
@@ -626,14 +632,14 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Cuts the input mesh open along the curves of a network. The curves are inserted as by `insert_curves()`. Each of
- * their edges that is not on the border is then doubled, and a vertex is duplicated if this separates the faces around
- * the vertex.
+ * Cuts the input mesh open along the curves of a network. The curves are first inserted as by `insert_curves()`. Each
+ * edge of a curve that is not on the border is then doubled, and a vertex is duplicated if the cuts separate the faces
+ * around the vertex.
  *
  * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
  * single vertices; a closed curve becomes two borders, and a curve from border to border becomes two chains of border
- * edges. If a slit consists of one edge, its two sides would have both end points in common; each side therefore
- * receives a vertex at its midpoint.
+ * edges. If a slit consists of one edge, the two sides of the slit would have both end points in common; each side
+ * therefore receives a vertex at its midpoint.
  *
  * \param network, mesh as for `insert_curves()`
  * \return a `Surface_subdivision`, as for `common_subdivision()`
@@ -650,8 +656,9 @@ auto cut_along_curves(const Network& network, const typename Network::Triangulat
 namespace internal {
 
 /*
- * Finds the input location of a point near an intrinsic edge, given by its vector from the tail of the edge in the
- * frame of the face strip of the edge: in that input face along the edge in which the smallest weight is largest.
+ * Finds the input location of a point near an intrinsic edge. The point is given by its vector from the tail of the
+ * edge, in the frame of the face strip of the edge. Of the input faces along the edge, the face is chosen in which the
+ * smallest weight of the point is largest.
  */
 template <class Triangulation>
 class Location_finder
@@ -664,7 +671,7 @@ public:
   {
   }
 
-  /* Considers the faces along an edge; `along` is the vector in units of the edge itself. */
+  /* Considers the faces along an edge; `along` is the vector of the point, divided by the vector of the edge. */
   void look_along(const Edge_sequence& sequence, const Vector& along)
   {
     if(sequence.crossed.empty())
@@ -765,7 +772,8 @@ private:
  *
  * Returns the rounded input location of the point that divides the intrinsic edge `edge(h)` at the fraction `t` of its
  * length from the tail of `h`. The returned location is on an input edge if and only if the whole intrinsic edge lies
- * along one; otherwise it is moved into a face. Linear in the number of crossed input edges.
+ * along an input edge; otherwise the location is inside a face, if necessary by moving the point into the face. Linear
+ * in the number of crossed input edges.
  * \pre 0 < `t` < 1
  */
 template <class Triangulation>
@@ -781,11 +789,11 @@ Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_i
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Returns the rounded input location of the point of an intrinsic face with given barycentric coordinates, which belong
- * to the tail of `h`, its head, and the third vertex.
+ * to the tail of `h`, the head of `h`, and the third vertex of the face on the left of `h`.
  *
- * Every input face that meets the intrinsic face also meets one of its sides, so the face that contains the point is
- * found among the input faces along the sides. Linear in the number of input edges that the sides cross. \pre `h` is
- * not on the border, and the coordinates are not negative and sum to one
+ * Every input face that meets the intrinsic face also meets one of its sides; the face that contains the point is
+ * therefore found among the input faces along the sides. Linear in the number of input edges that the sides cross.
+ * \pre `h` is not on the border, and the coordinates are not negative and sum to one
  */
 template <class Triangulation>
 Surface_location location_in_face(const Triangulation& triangulation, Halfedge_index h,
