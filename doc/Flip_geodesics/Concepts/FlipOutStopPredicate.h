@@ -7,9 +7,9 @@
  * The concept `FlipOutStopPredicate` describes a predicate that can end a shortening early. `shorten()` evaluates the
  * predicate from one thread.
  *
- * Before a step takes effect, `shorten()` computes its outcome and evaluates the predicate. If the predicate rejects
- * the step, `shorten()` rolls the step back. A predicate can therefore keep lengths from falling below a limit, even if
- * the next step would contract a curve to a point.
+ * Before a step takes effect, `shorten()` computes the outcome of the step and evaluates the predicate. If the
+ * predicate rejects the step, `shorten()` rolls the step back. A predicate can therefore keep lengths from falling
+ * below a limit, even if the next step would contract a curve to a point.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Never_stop_predicate}

@@ -5,8 +5,8 @@
  * \cgalConcept
  *
  * The concept `FlipOutVisitor` describes an observer of a shortening, for progress, interruption and animation.
- * `shorten()` calls its members from one thread. An exception thrown by a member propagates through `shorten()`; the
- * curves are then valid, and none of them is longer than before.
+ * `shorten()` calls the members of the visitor from one thread. If a member throws an exception, the exception
+ * propagates through `shorten()`; the curves are then valid, and none of them is longer than before.
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` also take a visitor, and call `go_further()` and
  * `on_flip()`; the visitor of `refine()` must be a model of `RefinementVisitor`. `Geodesic_distance_field::compute()`,
@@ -16,7 +16,7 @@
  * certified, no output is written, and all objects remain usable.
  *
  * The computations in the following table call only `go_further()`, at regular intervals. After `go_further()` has
- * returned `false`, they do not call it again, and have the results listed:
+ * returned `false`, they do not call it again, and return the following results:
  *
  * | computation | result if it is stopped |
  * |---|---|
@@ -24,7 +24,8 @@
  * | the search for the edge path in `geodesic_path()`, `geodesic_paths()`, `add_shortest_path()` | no path, and the status `Shortening_status::STOPPED_BY_VISITOR` |
  * | `Landmark_distances`, `Geodesic_landmarks`, `geodesic_landmarks()` | `is_complete()` returns `false`; all bounds are zero |
  * | `Loop_basis` | `is_complete()` returns `false`; the basis is empty |
- * | `handle_and_tunnel_loops()`, `add_cut_graph()` | no loops, no curves |
+ * | `handle_and_tunnel_loops()` | no loops |
+ * | `add_cut_graph()` | no curves |
  * | `isolines()`, `voronoi_boundaries()` | no output |
  *
  * `shorten_cut_graph()` and `geodesic_loop_basis()` shorten curves several times. After the visitor has stopped one of
@@ -48,7 +49,7 @@ public:
   /// `false`, the shortening ends, and the curves that could still be shortened have the status
   /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls this member before each pair of end points.
   /// Searches, distance fields and computations of loops, landmarks and isolines call it at regular intervals, about
-  /// once per thousand steps, that is, about once per millisecond or more often.
+  /// once per thousand steps, which is usually at least once per millisecond.
   bool go_further();
 
   /// (Optional) Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of rows

@@ -4,8 +4,8 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces, whether they
- * are computed from points or given in another form. A model must be cheap to copy, since a triangulation keeps a copy.
+ * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces. These can be
+ * computed from points or given in another form. A model must be cheap to copy, since a triangulation keeps a copy.
  *
  * The argument `mesh` of the members is a mesh whose vertices and halfedges are numbered by consecutive integers, such
  * as the one that `Intrinsic_triangulation::input()` returns.
@@ -76,7 +76,7 @@ public:
   /// `Exact_rational`, `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer type of any size. `length()` must
   /// return the square root of this number, rounded. The three lengths of a face must satisfy the triangle inequality;
   /// equality is allowed. If this member exists, the default traits are `Certified_intrinsic_triangulation_traits`,
-  /// whose predicates then refer to the exact squared lengths, and so do certificates. Traits that do not accept exact
+  /// and their predicates and all certificates refer to the exact squared lengths. Traits that do not accept exact
   /// squared lengths, such as `Intrinsic_triangulation_traits` in double, receive rounded lengths.
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 

@@ -14,7 +14,7 @@
  * 0. The edge with number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: edges from
  * a vertex to itself, several edges between two vertices, and faces that are glued to themselves are allowed. Every
  * face is a triangle and lies on the left of its halfedges; a border halfedge has no face. The surface is oriented and
- * manifold; only an `IntrinsicTriangulationOfMesh` may have non-manifold vertices.
+ * manifold; only a model of `IntrinsicTriangulationOfMesh` may have non-manifold vertices.
  *
  * If `Traits::Has_drift` is `CGAL::Tag_true`, the library measures finished curves and trees on the input mesh, and
  * recomputes inaccurate faces from the input mesh. In this case, `shorten()`, `Geodesic_tree` and `flip_to_delaunay()`

@@ -42,9 +42,9 @@ public:
   /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`, `bool
   /// is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped halfedge.
   /// For an insertion, `number` is the number of vertices that had been inserted before. The vertex was inserted on the
-  /// edge of `h` if `is_on_edge()`, and otherwise into the face of `h`; `gap()` is the number of edges in the former
-  /// edge sequence of `h` that are crossed before the input face that contains the vertex. Any other entry records that
-  /// the face of `h` was recomputed from the input.
+  /// edge of `h` if `is_on_edge()` returns `true`, and otherwise into the face of `h`; `gap()` is the number of edges
+  /// in the former edge sequence of `h` that are crossed before the input face that contains the vertex. Any other
+  /// entry records that the face of `h` was recomputed from the input.
   typedef unspecified_type Flip_record;
 
   /// @}
@@ -78,7 +78,7 @@ public:
   /// Returns a number that changes whenever the edge changes, and that is 0 for an unchanged input edge.
   Index version(Edge_index e) const;
 
-  /// Returns an entry of the log. \pre `i` is less than `log_position()`
+  /// Returns entry `i` of the log, counted from 0. \pre `i` is less than `log_position()`
   Flip_record flip_record(Log_position i) const;
 
   /// @}
@@ -96,23 +96,23 @@ public:
   /// `on_split` with an object that has two members, both halfedges: `first` has become shorter, and `second` leads
   /// from the new vertex to the old head of `first`.
   /// \return the new or existing vertex at the point
-  /// \throws Invalid_location_error if the location is not valid; nothing changes
-  /// \throws Insertion_error if the point cannot be inserted; nothing changes
+  /// \throws Invalid_location_error if the location is not valid; in this case nothing changes
+  /// \throws Insertion_error if the point cannot be inserted; in this case nothing changes
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split);
 
   /// Splits the edge of `h` at a point, which is taken to lie on the edge even if rounding errors have moved the point
   /// off the edge, and returns the new vertex. `on_split` is called as by `insert()`. `gap` is the number of edges in
   /// the edge sequence of `h` that are crossed before the input face that contains the point.
-  /// \throws Invalid_location_error if the location is not valid; nothing changes
-  /// \throws Insertion_error if the point cannot be inserted; nothing changes
+  /// \throws Invalid_location_error if the location is not valid; in this case nothing changes
+  /// \throws Insertion_error if the point cannot be inserted; in this case nothing changes
   template <class OnSplit>
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split);
 
   /// Splits the face on the left of `h` at a point inside it, and returns the new vertex. `gap` is the number of edges
   /// in the edge sequence of `h` that are crossed before the input face that contains the point.
-  /// \throws Invalid_location_error if the location is not valid; nothing changes
-  /// \throws Insertion_error if the point cannot be inserted; nothing changes
+  /// \throws Invalid_location_error if the location is not valid; in this case nothing changes
+  /// \throws Insertion_error if the point cannot be inserted; in this case nothing changes
   Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap);
 
   /// Replaces the geometry of the face on the left of `h` by `geometry`, which is more accurate and starts with the

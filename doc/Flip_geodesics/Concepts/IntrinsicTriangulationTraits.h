@@ -8,7 +8,7 @@
  * stored for each halfedge, the change of these data by a flip, and the comparison of angles. A triangulation computes
  * its geometry only by the functors of its traits, so the choice of the traits determines the number type.
  *
- * A model must be default constructible and copyable, since a triangulation keeps a copy. Functors may refer to the
+ * A model must be default constructible and copyable; a triangulation keeps a copy. Functors may refer to the
  * traits object that returned them, but must not rely on a state of their own, since the library requests a new functor
  * for each call.
  *
@@ -88,8 +88,8 @@ public:
   /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: constructs the
   /// face from the vectors of its halfedges, given as pairs (x, y) in one frame; each vector has an error of at most
   /// `error` times its length. The functor is called when a face is computed from the input, independently of the flips
-  /// that created the face: after `Is_inaccurate` has returned `true`; for faces around inserted points; and, if
-  /// `Has_drift` is `CGAL::Tag_true`, for the faces at the bends of a finished curve.
+  /// that created the face, for example after `Is_inaccurate` has returned `true`, around an inserted point, or, if
+  /// `Has_drift` is `CGAL::Tag_true`, at a bend of a finished curve.
   typedef unspecified_type Construct_face_2;
 
   /// @}

@@ -4,8 +4,8 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation`, which
- * returns walkers at neighboring halfedges. The members from `tail()` to `extend_turn_clockwise()` correspond to
+ * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation`. The
+ * handle returns walkers at neighboring halfedges. Its members from `tail()` to `extend_turn_clockwise()` correspond to
  * members of the triangulation.
  *
  * \sa `IntrinsicTriangulation`

@@ -459,9 +459,10 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * Computes a number \f$d\f$ such that the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
- * `Exact_intrinsic_triangulation_traits` with rational numbers or a `Sqrt_extension`. The result is an integer that is
- * not divisible by the square of a prime below 1000. If all faces are degenerate, the result is 1.
+ * Computes a number \f$d\f$ such that the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$. If
+ * \f$d\f$ is not 1, `Exact_intrinsic_triangulation_traits` of rational numbers or of a `Sqrt_extension` must be
+ * constructed with this number. The result is an integer that is not divisible by the square of a prime below 1000. If
+ * all faces are degenerate, the result is 1.
  *
  * \tparam Radicand the type of the result, a number type that can represent integers, such as
  *         `Exact_intrinsic_triangulation_traits::Radicand`

@@ -86,8 +86,8 @@ public:
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *
- * \tparam K a kernel with `Point_3` and `FT`; coordinates are rounded to double or, if they are
- *         exact rational numbers, their differences are
+ * \tparam K a kernel with `Point_3` and `FT`; coordinates are rounded to double, except that the
+ *         differences of exact rational coordinates are computed first and then rounded
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
