@@ -206,7 +206,7 @@ class Time_stop_predicate : public Default_shortening_visitor
 {
 public:
   /// Sets the limit and starts the timer.
-  /// \param limit a duration of `std::chrono`, for example `std::chrono::seconds(5)`
+  /// \param limit a duration, for example of type `std::chrono::seconds`
   explicit Time_stop_predicate(std::chrono::duration<double> limit)
     : m_limit(limit)
     , m_start(std::chrono::steady_clock::now())
