@@ -471,7 +471,7 @@ private:
  * \throws Inexact_root_error if no such number exists; `elements()` returns the vertices of a face whose area is not a
  *         rational multiple of the area of the first face that is not degenerate
  *
- * Complexity: linear in the size of the mesh, with arithmetic on integers of a few hundred bits.
+ * Complexity: linear in the size of the mesh, with arithmetic on integers that typically have a few hundred bits.
  */
 template <class Radicand, class TriangleMesh, class Metric>
 Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)

@@ -138,8 +138,8 @@ public:
   public:
     /// Returns the face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const;
-    /// Returns the face whose halfedges have the exact squared lengths `squares[i] / denominator`. Each coordinate is
-    /// computed exactly and then rounded. \tparam Integer see `IntrinsicTriangulationTraits`
+    /// Returns the face whose halfedges have the exact squared lengths `squares[i] / denominator`. The
+    /// coordinates have errors of a few units in the last place. \tparam Integer see `IntrinsicTriangulationTraits`
     template <class Integer>
     Face_geometry operator()(const std::array<Integer, 3>& squares, const Integer& denominator) const;
   };

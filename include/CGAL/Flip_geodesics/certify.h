@@ -142,7 +142,8 @@ public:
     return result;
   }
 
-  /// Returns the angle at a side of a joint, in radians, or infinity if the side is blocked.
+  /// Returns the angle at a side of a joint, in radians, or infinity if the side is blocked by another segment, the
+  /// border or a fixed node.
   double angle(const Joint& joint) const
   {
     const auto [a, b] = m_network.ends(joint);

@@ -62,7 +62,8 @@ struct Given_curve_certificate
   /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. The bend at a
   /// joint is \f$\pi\f$ minus the angle on one side. The bend of a segment is the angle by which the shortest path with
   /// the same end points and the same crossed edges turns at the end of one of these edges. If a straight segment
-  /// touches a vertex whose angles sum to less than \f$2\pi\f$, the bend is \f$2\pi\f$ minus this sum.
+  /// touches a vertex whose angles sum to less than \f$2\pi\f$, the bend is \f$2\pi\f$ minus this sum. If a segment is
+  /// bent, the joints are not examined.
   double bend = 0;
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
   /// The number of the given point at the bend: that of the vertex through which the curve passes or, in a segment,

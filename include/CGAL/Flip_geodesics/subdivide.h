@@ -57,8 +57,8 @@ struct Subdivision_vertex
  * faces can be geometrically degenerate.
  *
  * No two edges have the same two end points, with one exception: if two faces of the input mesh share all three
- * vertices, or two of its edges share both end points, its common subdivision can have such edges. A mesh with such
- * edges cannot be stored in a file that lists points and faces.
+ * vertices, or two edges of the input mesh share both end points, the common subdivision can have such edges. A mesh
+ * with such edges cannot be stored in a file that lists points and faces.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and its edges must
  *         not be flipped while the subdivision is used
@@ -99,8 +99,7 @@ public:
   Input_halfedge_index input_face(face_descriptor f) const { return get(m_faces, f).input; }
 
   /// Returns the lowest-numbered halfedge of the intrinsic face that contains face `f`, or `null_index` if the
-  /// subdivision was constructed by `insert_curves()` or `cut_along_curves()`, and therefore does not contain all
-  /// intrinsic edges.
+  /// subdivision was constructed by `insert_curves()` or `cut_along_curves()`.
   Halfedge_index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
 
   /// Returns the area of a face, measured in the plane of the input face. The area is not negative; it is 0 if rounding
@@ -163,7 +162,7 @@ public:
   }
 
   /// Interpolates values of intrinsic vertices linearly in the intrinsic faces, which are flat.
-  /// \pre all intrinsic edges are in the mesh
+  /// \pre the subdivision was constructed by `common_subdivision()`
   template <class IntrinsicMap, class VertexMap>
   void interpolate_from_intrinsic(IntrinsicMap in, VertexMap out) const
   {
@@ -196,7 +195,8 @@ public:
       put(out, f, get(in, input_face_descriptor(f)));
   }
 
-  /// Assigns the value of each intrinsic face to the faces that it contains. \pre all intrinsic edges are in the mesh
+  /// Assigns the value of each intrinsic face to the faces that it contains. \pre the subdivision was constructed by
+  /// `common_subdivision()`
   template <class IntrinsicMap, class FaceMap>
   void spread_from_intrinsic(IntrinsicMap in, FaceMap out) const
   {
@@ -216,7 +216,7 @@ public:
   }
 
   /// Assigns to each intrinsic face the area-weighted average of the values of the faces that it contains.
-  /// \pre all intrinsic edges are in the mesh
+  /// \pre the subdivision was constructed by `common_subdivision()`
   template <class FaceMap, class IntrinsicMap>
   void average_to_intrinsic(FaceMap in, IntrinsicMap out) const
   {
