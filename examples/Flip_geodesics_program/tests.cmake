@@ -231,6 +231,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --source 0,12,13,0.3,0.3 --map point_map.csv)
   flip_geodesics_add_program_test(trace_from_points 0 "from point 0,1,0.25 at 0.5\n.*3 LENGTH" trace torus.off --trace
                                   0,1,0.25,0.5,2 --trace 0,12,13,0.3,0.3,1,2 --trace 1.5,0,0,0,1)
+  # Against the order of the vertices in the face.
+  flip_geodesics_add_program_test(trace_from_reversed_points 0 "\n0 0 1 2 0.25[0-9]* 0.25[0-9]* .*\n1 0 1 2 0.(19999|2)[0-9]* 0.3" trace
+                                  seam.obj --trace 1,0,0.5,4.71238898038469,0.25 --trace 1,0,2,0.3,0.3,0,0.2 --polylines -)
   file(WRITE ${program_dir}/sources.txt "5 100 # two vertices\n0,1,0.25\n")
   flip_geodesics_add_program_test(distance_map 0 "vertex,distance,source\n0,[^\n]*,2\n1," distance torus.off
                                   --sources sources.txt --map - --matrix matrix.csv --values -o distances.vtp -o

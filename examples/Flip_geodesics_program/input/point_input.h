@@ -147,10 +147,14 @@ public:
 
   const Input_mesh& mesh() const { return m_input_mesh; }
 
+  /// Whether the halfedge of the last location leads from b to a, since a face lists the vertices in the other order.
+  bool is_reversed() const { return m_is_reversed; }
+
   /// \param name where the word is, for messages \throws Bad_input
   Surface_location operator()(std::string_view word, const std::string& name)
   {
     const std::vector<double> n = read_numbers(word, name);
+    m_is_reversed = false;
     if(n.size() == 3 && word.substr(0, word.rfind(',')).find_first_not_of("0123456789,+-") != std::string_view::npos)
       return nearest_point({n[0], n[1], n[2]}, name);
     if(n.size() != 1 && n.size() != 3 && n.size() != 5)
@@ -175,8 +179,7 @@ private:
     return {index_of(m_mesh.opposite(h)), {{1, 0, 0}}};
   }
 
-  Surface_location in_face(Vertex_index a, const std::vector<double>& n, std::string_view word,
-                           const std::string& name) const
+  Surface_location in_face(Vertex_index a, const std::vector<double>& n, std::string_view word, const std::string& name)
   {
     const Vertex_index b = read_vertex(m_input_mesh, n[1], name);
     const Vertex_index c = n.size() == 5 ? read_vertex(m_input_mesh, n[2], name) : Vertex_index();
@@ -185,8 +188,10 @@ private:
       throw Bad_input(name + ": '" + printable(word) +
                       "' is outside its edge or face; t and u must be at least 0, and their sum at most 1");
     const auto weight = [](double x) { return x < 1e-100 ? 0 : x; }; // the least positive one of a location
-    if(const auto location = location_between(m_mesh, a, b, c, weight(t), weight(u)))
+    if(const auto location = location_between(m_mesh, a, b, c, weight(t), weight(u))) {
+      m_is_reversed = m_mesh.source(mesh_halfedge(location->halfedge)) != mesh_vertex(a);
       return *location;
+    }
     throw Bad_input(name + ": '" + printable(word) +
                     "' names vertices that do not form an edge or face of the mesh; correct " +
                     (c.is_valid() ? "them" : "them, or write x.0,y.0,z for a point in space"));
@@ -195,6 +200,7 @@ private:
   const Input_mesh& m_input_mesh;
   const Mesh& m_mesh;
   std::optional<Surface_projector> m_project;
+  bool m_is_reversed = false;
 };
 
 /// A point, called as the user does.

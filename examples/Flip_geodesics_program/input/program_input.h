@@ -107,6 +107,8 @@ inline std::vector<Trace_request> read_traces(const Options& options, const Inpu
     if(!(request.length >= 0))
       throw Bad_input(name + ": the length must not be negative");
     request.source = read_named_point(read_point, text.substr(0, middle), "--trace");
+    const bool is_vertex = kind(request.source.at) == CGAL::Flip_geodesics::Location_kind::VERTEX;
+    request.is_reversed = read_point.is_reversed() && !is_vertex;
     requests.push_back(request);
   }
   return requests;

@@ -52,14 +52,14 @@ inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Vertex_index a, V
   return is_of_face ? h : Mesh::null_halfedge();
 }
 
-/// The point (1-t-u) a + t b + u c of an edge, or of a face if c is given. Nothing if the mesh does not have such an
-/// edge or face.
+/// The point (1-t-u) a + t b + u c of an edge, or of a face if c is given, in a face. Nothing if the mesh does not have
+/// such an edge or face.
 inline std::optional<CGAL::Flip_geodesics::Surface_location> location_between(const Mesh& mesh, Vertex_index a,
                                                                               Vertex_index b, Vertex_index c, double t,
                                                                               double u)
 {
   using Location = CGAL::Flip_geodesics::Surface_location;
-  if(const auto h = halfedge_between(mesh, a, b, c); h != Mesh::null_halfedge())
+  if(const auto h = halfedge_between(mesh, a, b, c); h != Mesh::null_halfedge() && !mesh.is_border(h))
     return Location{index_of(h), {{1 - t - u, t, u}}};
   if(const auto h = halfedge_between(mesh, b, a, c); h != Mesh::null_halfedge())
     return Location{index_of(h), {{t, 1 - t - u, u}}};
@@ -124,8 +124,9 @@ struct Named_point
 struct Trace_request
 {
   Named_point source;
-  double angle; ///< of its direction at the source, as `Polar_coordinates` have it, or from the halfedge of the source
+  double angle; ///< of its direction at the source, as in `Polar_coordinates`, or from the halfedge of the source
   double length;
+  bool is_reversed; ///< whether the angle is measured from the opposite of this halfedge
 };
 
 /// The cut graph of the surface.

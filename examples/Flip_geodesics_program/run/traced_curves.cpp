@@ -9,6 +9,8 @@
 #include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -44,8 +46,9 @@ Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
   }
   try {
     std::vector<FG::Surface_point> points;
-    const FG::Trace_report trace = tracer.trace(request.source.at, FG::Surface_direction{zero, request.angle},
-                                                request.length, std::back_inserter(points));
+    const double angle = request.angle + (request.is_reversed ? boost::math::constants::pi<double>() : 0);
+    const FG::Trace_report trace =
+        tracer.trace(request.source.at, FG::Surface_direction{zero, angle}, request.length, std::back_inserter(points));
     for(const FG::Surface_point& p : points)
       result.points.push_back({p, point_in_space(triangulation, p), p.is_inside_face()});
     result.status = to_string(trace.status);
