@@ -15,6 +15,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/Soup_repair.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -292,6 +293,7 @@ Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const Poly
       parameters::choose_parameter(parameters::get_parameter(options, internal_np::snapping_tolerance), 0.0));
   CGAL_precondition_msg(0 <= tolerance && tolerance < 1, "the weld tolerance must be at least 0 and less than 1");
   using Point_3 = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
+  static_assert(internal::is_point_in_space<Point_3>, "the points of a polygon soup must be points of a kernel");
   using Kernel = internal::Repair_kernel<Point_3>;
   auto visitor = internal::make_visitor(options);
   const auto report = [&](std::size_t percentage) { internal::report_progress(visitor.get(), percentage, 100); };

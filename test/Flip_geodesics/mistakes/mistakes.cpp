@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/insert_curves.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/polygon_soup_to_triangle_mesh.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
@@ -24,6 +25,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -188,6 +190,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   const FG::Edge_length_metric wrong(lengths, mesh);
 #elif MISTAKE == 56
   const FG::Weighted_metric wrong(mesh, embedded, Map_without_get());
+#elif MISTAKE == 57
+  FG::polygon_soup_to_triangle_mesh(std::vector<std::array<double, 3>>(), std::vector<std::vector<int>>(), changed);
 #else
   FG::insert_curves(changed, isolines,
                     CGAL::parameters::edge_is_constrained_map(boost::make_assoc_property_map(marks)));

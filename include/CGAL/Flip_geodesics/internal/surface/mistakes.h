@@ -210,6 +210,14 @@ bool is_input_rounded(const Triangulation& triangulation)
     return static_cast<void>(triangulation), false;
 }
 
+/* Detects points in space. */
+template <class T, class = void>
+constexpr bool is_point_in_space = false;
+template <class T>
+constexpr bool
+    is_point_in_space<T, std::void_t<decltype(std::declval<const T&>().x()), decltype(std::declval<const T&>().y()),
+                                     decltype(std::declval<const T&>().z())>> = true;
+
 struct Known_piece;
 
 /*

@@ -803,14 +803,6 @@ template <class T, class Mesh>
 constexpr bool has_face_location<T, Mesh, std::void_t<decltype(std::declval<const T&>().location)>> =
     is_face_location_of<std::decay_t<decltype(std::declval<const T&>().location)>, Mesh>;
 
-/* Detects points in space. */
-template <class T, class = void>
-constexpr bool is_point_in_space = false;
-template <class T>
-constexpr bool
-    is_point_in_space<T, std::void_t<decltype(std::declval<const T&>().x()), decltype(std::declval<const T&>().y()),
-                                     decltype(std::declval<const T&>().z())>> = true;
-
 /* Detects the other surface points that `surface_location()` accepts, and variants. */
 template <class T, class Mesh>
 constexpr bool is_point_by_index =
