@@ -103,7 +103,8 @@ public:
       if(is_like_an_option(argument))
         return describe_unknown(argument.substr(0, argument.find('=')), *given.front(), help);
     if(word != remaining.end())
-      return "'" + *word + "' is unexpected: there is one mesh, and every other value must follow its option" + help;
+      return "'" + *word + "' is unexpected: a command takes one mesh, and every other value must follow its option" +
+             help;
     return describe_misuse(error) + help;
   }
 
@@ -126,8 +127,9 @@ private:
   };
 
   static constexpr const char* m_points =
-      "A POINT is a vertex `v`; `x,y,z` in space, with a decimal point or an exponent in x or y; `a,b,t`, the point "
-      "(1-t) a + t b of an edge; or `a,b,c,t,u`, the point (1-t-u) a + t b + u c of a face";
+      "A POINT is `v`, a vertex; `a,b,t`, the point (1-t) a + t b of an edge; `a,b,c,t,u`, the point "
+      "(1-t-u) a + t b + u c of a face; or `x,y,z` with a decimal point or an exponent in x or y, the point of the "
+      "mesh nearest to this point in space";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 
@@ -236,7 +238,8 @@ private:
     add("MESH", "FILE", m_options.mesh, "read an OFF, OBJ, PLY, STL or TS file; - for standard input")
         ->group("Positionals")
         ->required();
-    add("--format", "NAME", m_options.format, "read MESH in the format off, obj, ply, stl or ts [by the extension]");
+    add("--format", "NAME", m_options.format,
+        "read MESH in this format: off, obj, ply, stl or ts [that of the extension]");
     const std::string command = name;
     CLI::Option* const repair = command == "repair" || command == "info"
                                     ? nullptr
@@ -256,8 +259,8 @@ private:
 
   void add_ends()
   {
-    m_group = std::string("Curves (use one of these options). ") + m_points;
-    CLI::Option* const from = add("--from", "POINT", m_options.from, "start a path at this point; requires --to");
+    m_group = std::string("Curves (given in one of these ways). ") + m_points;
+    CLI::Option* const from = add("--from", "POINT", m_options.from, "start the path at this point; requires --to");
     CLI::Option* const to = add("--to", "POINT", m_options.to, "end the path at this point; requires --from");
     from->needs(to);
     to->needs(from);
@@ -273,18 +276,18 @@ private:
 
   void add_files_of_paths()
   {
-    add("--edges", "FILE", m_options.edges, "read one path along edges per line, given by its vertices");
-    add("--points", "FILE", m_options.points, "read one path per line, given by points through which it passes");
+    add("--edges", "FILE", m_options.edges, "read one edge path per line, given by its vertices");
+    add("--points", "FILE", m_options.points, "read one path per line, given by the points through which it passes");
     add_draw();
-    add("--snap", m_options.is_snapped, "move the polylines of --draw to edges before shortening")
+    add("--snap", m_options.is_snapped, "replace the polylines of --draw by nearby edge paths before shortening")
         ->needs(m_command->get_option("--draw"));
   }
 
   CLI::Option* add_draw()
   {
-    return add(
-        "--draw", "FILE", m_options.draw,
-        "read one polyline per line, given by its points (closed if `o` precedes them), or a file NAME.polylines.txt");
+    return add("--draw", "FILE", m_options.draw,
+               "read one polyline per line, given by its points (after `o` if it is closed); in a file "
+               "NAME.polylines.txt, a line contains the number of points and their coordinates");
   }
 
   CLI::Option* add_loop()
@@ -295,17 +298,19 @@ private:
   void add_network()
   {
     add("--network", "FILE", m_options.network,
-        "read one path per line, given by its vertices; `o v v ...` is a loop, and `! v ...` fixes vertices");
+        "read one edge path per line, given by its vertices; a line `o v v ...` is a loop, and a line `! v ...` fixes "
+        "the curves at vertices");
   }
 
-  void add_seams() { add("--seams", m_options.has_seams, "use the texture seams of an OBJ file as curves"); }
+  void add_seams() { add("--seams", m_options.has_seams, "use the texture seams of MESH, an OBJ file, as curves"); }
 
   void add_networks()
   {
     add_network();
     add("--segmentation", "FILE", m_options.segmentation,
         "read one face label per line, and use the boundaries between faces with different labels as curves");
-    add("--free-junctions", m_options.has_free_junctions, "allow the junctions of these boundaries to move")
+    add("--free-junctions", m_options.has_free_junctions,
+        "allow the junctions of the boundaries of --segmentation to move")
         ->needs(m_command->get_option("--segmentation"));
     add_seams();
   }
@@ -313,7 +318,8 @@ private:
   void add_splines()
   {
     add("--bezier", "FILE", m_options.bezier,
-        "read one Bezier curve per line, given by its control points; `s ...` is a B-spline, and `o ...` a closed one");
+        "read one Bezier curve per line, given by its control points; a line `s ...` is a B-spline, and a line "
+        "`o ...` a closed B-spline");
     add("--rounds", "NUMBER", m_options.rounds, {0, 16}, "halve the pieces of splines this many times [5]")
         ->needs(m_command->get_option("--bezier"));
   }
@@ -333,16 +339,16 @@ private:
   void add_mollify()
   {
     add("--mollify", "MARGIN", m_options.mollify, {0, 1, true, true},
-        "lengthen all edges by the same amount until each face satisfies the triangle inequality with a margin of this "
-        "fraction of the mean edge length");
+        "lengthen all edges by the smallest common amount with which each face satisfies the triangle inequality with "
+        "a margin of this fraction of the mean edge length");
   }
 
   void add_weights()
   {
     add("--face-weights", "FILE", m_options.face_weights,
-        "multiply lengths in faces by the weights in this file: one per line, or lines `face weight`");
+        "weight the surface by one factor per face, averaged at the vertices: one per line, or lines `face weight`");
     add("--edge-weights", "FILE", m_options.edge_weights,
-        "multiply lengths of edges by the weights in this file: lines `v w weight`");
+        "multiply the lengths of edges by weights: lines `v w weight`, where v and w are the ends of the edge");
     exclude("--face-weights", {"--edge-weights"});
     if(m_command->get_option_no_throw("--kernel") != nullptr)
       exclude("--kernel", {"--face-weights", "--edge-weights"}); // certified
@@ -350,7 +356,8 @@ private:
 
   void add_avoid()
   {
-    const std::string on_barrier = m_command->get_name() == "shortest" ? "; no path may end on a barrier" : "";
+    const std::string on_barrier =
+        m_command->get_name() == "shortest" ? "; the ends of paths must not lie on a barrier" : "";
     add("--avoid", "FILE", m_options.obstacles,
         "read one obstacle per line: the vertices of a barrier along edges, or faces `f n n ...`" + on_barrier);
   }
@@ -370,7 +377,7 @@ private:
   void add_search()
   {
     add("--search", "NAME", m_options.search,
-        "search for initial edge paths by lookback (an any-angle A*), astar or dijkstra [lookback]")
+        "search for initial edge paths by the method lookback (an any-angle A*), astar or dijkstra [lookback]")
         ->check(one_of({"lookback", "astar", "dijkstra"}));
   }
 
@@ -384,27 +391,28 @@ private:
   {
     const bool are_joint = m_command->get_name() == "network";
     add("--stop-length", "RATIO", m_options.stop_length, {0, 1},
-        are_joint ? "stop before the total length falls below this fraction of the initial total length [0]"
-                  : "stop before the length falls below this fraction of the initial length [0]");
+        are_joint ? "stop shortening before the total length falls below this fraction of the initial total length [0]"
+                  : "stop shortening a curve before its length falls below this fraction of its initial length [0]");
   }
 
   void add_files_of_curves()
   {
     m_group = "Results";
     CLI::Option* const output =
-        add_outputs("-o,--output,--mesh", "write surface and curves (.obj, .ply, .vtp, .glb), curves (.polylines.txt), "
-                                          "or what --json, --stats or --page writes (.json, .csv, .html); may be "
-                                          "repeated");
+        add_outputs("-o,--output,--mesh", "write the surface and the curves (.obj, .ply, .vtp, .glb), the curves alone "
+                                          "(.polylines.txt), or the result of --json, --stats or --page (.json, .csv, "
+                                          ".html); can be repeated");
     add("--tubes", "RADIUS", m_options.results.tubes, not_negative,
-        "draw curves as tubes of this radius; 0 draws lines [1/500 of the diagonal of the bounding box]")
+        "draw curves as tubes of this radius, or as lines if it is 0 [1/500 of the diagonal of the bounding box; 0 if "
+        "the curves have more than 100000 points]")
         ->needs(output);
     add("--sample", "DISTANCE", m_options.sample, positive,
-        "write equally spaced points of the curves, at most this far apart, instead of their crossings with edges");
+        "replace the points of each curve by equally spaced points that are at most this far apart");
     add("--page", "FILE", m_options.results.page,
         "write an HTML page that shows the surface, the curves and the flips");
     add("--polylines", "FILE", m_options.results.polylines,
-        "write one line per point: `curve a b t x y z` at vertices and crossed edges, `curve a b c t u x y z` "
-        "elsewhere");
+        "write one line per point: `curve a b t x y z` for a point of an edge, or `curve a b c t u x y z` for a point "
+        "of a face");
     add("--stats", "FILE", m_options.results.stats, "write lengths, statuses and times of the curves as CSV");
     add("--insert", "FILE", m_options.meshes.insertion,
         "write the mesh with the curves as edges (.off, .obj, .ply, .stl, .vtp)");
@@ -454,7 +462,7 @@ private:
           "  flip_geodesics loops torus.off --cut-graph --cut disk.off");
     m_group = "Curves [a basis of the homology]";
     add("--handles", m_options.are_handles, "compute handle loops, then tunnel loops, of the enclosed solid");
-    add("--cut-graph", m_options.is_cut_graph, "compute curves that cut each component open to a disk");
+    add("--cut-graph", m_options.is_cut_graph, "compute curves that cut each component open into a disk");
     exclude("--handles", {"--cut-graph"});
     add_arithmetic();
     add_stop_length();
@@ -462,18 +470,18 @@ private:
     add_threads();
     add_files_of_curves();
 
-    begin("network", "Shorten the curves of a network, the boundaries of regions, or texture seams together",
+    begin("network", "Shorten curves together: a network, the boundaries of regions, or texture seams",
           "  flip_geodesics network bunny.off --network curves.txt --stop-length 0.9 -o curves.ply\n"
           "  flip_geodesics network bunny.off --segmentation labels.seg -o boundaries.ply\n"
           "  flip_geodesics network textured.obj --seams --cut pieces.off");
-    m_group = "Curves (use one of these options)";
+    m_group = "Curves (given in one of these ways)";
     add_networks();
     require_single({"--network", "--segmentation", "--seams"});
     add_arithmetic();
     add_weights();
     add_stop_length();
     add("--stop-curve-length", "RATIO", m_options.stop_curve_length, {0, 1},
-        "stop before the length of a curve falls below this fraction of its initial length [0]");
+        "stop shortening a curve before its length falls below this fraction of its initial length [0]");
     add_files_of_curves();
 
     begin("spline", "Compute geodesic Bezier curves and B-splines",
@@ -489,7 +497,7 @@ private:
     add_threads();
     add_files_of_curves();
 
-    begin("refine", "Flip and refine the triangulation that contains the curves as edges",
+    begin("refine", "Flip or refine a triangulation that contains given curves as edges",
           "  flip_geodesics refine bunny.off --from 0 --to 1000 --refine 25 --subdivision refined.off\n"
           "  flip_geodesics refine bunny.off --network curves.txt --delaunay --subdivision common.vtp\n"
           "  flip_geodesics refine bunny.off --loop loop.txt --refine 0 --longest-edge 0.01 --subdivision fine.ply");
@@ -551,8 +559,8 @@ private:
           "  flip_geodesics trace bunny.off --trace 0,1.57,20 --cut slit.off");
     m_group = m_points;
     add("--trace", "POINT,ANGLE,LENGTH", m_options.traces,
-        "trace a geodesic of this length from a point at an angle in radians, across at most 1000000 edges; may be "
-        "repeated")
+        "trace a geodesic of this length from a point, at an angle in radians, across at most 1000000 edges and "
+        "vertices; can be repeated")
         ->allow_extra_args(false)
         ->required();
     m_group = "Metric and obstacles";
@@ -567,9 +575,9 @@ private:
           "  flip_geodesics distance bunny.off --sources points.txt --map distances.csv --values -o distances.vtp");
     m_group = m_points;
     add("--source", "POINT", m_options.sources,
-        "measure distances from a point, or from vertices `v,v,...`; may be repeated")
+        "measure distances from a point, or from vertices `v,v,...`; can be repeated")
         ->allow_extra_args(false);
-    add("--sources", "FILE", m_options.sources_file, "read sources from a file, separated by blanks or line breaks");
+    add("--sources", "FILE", m_options.sources_file, "read points as sources, separated by blanks or line breaks");
     require_one_of({"--source", "--sources"});
     add_isolines();
     add("--spacing", "DISTANCE", m_options.spacing, positive, "compute isolines at all multiples of this distance");
@@ -584,7 +592,7 @@ private:
     add_files_of_curves();
     add("--map", "FILE", m_options.results.map, "write one line `vertex,distance,source` per vertex as CSV");
     add("--values", m_options.results.has_values,
-        "add the distances of the vertices to .ply and .vtp files, which become binary, and to .json files")
+        "add the distances of the vertices to .ply and .vtp files, which are then binary, and to .json files")
         ->needs(m_command->get_option("--output"));
     add("--matrix", "FILE", m_options.results.matrix, "write the distances between the sources as CSV");
     exclude("--isolines", {"--spacing"});
@@ -606,7 +614,7 @@ private:
 
   void add_commands_of_meshes()
   {
-    begin("cut", "Cut a mesh along drawn polylines, which may cross",
+    begin("cut", "Cut a mesh along drawn polylines, which are allowed to cross",
           "  flip_geodesics cut bunny.off --draw pen.polylines.txt --cut pieces.off\n"
           "  flip_geodesics cut bunny.off --draw pen.txt --insert lines.ply\n"
           "  flip_geodesics cut bunny.off --draw pen.txt -o lines.glb --stats lines.csv");
@@ -614,11 +622,11 @@ private:
     add_draw()->required();
     add_files_of_curves();
 
-    begin("certify", "Certify that given curves are locally shortest",
+    begin("certify", "Check whether given curves are locally shortest",
           "  flip_geodesics certify bunny.off --draw curves.polylines.txt\n"
           "  flip_geodesics certify bunny.off --draw edges.txt --stats verdicts.csv\n"
           "  flip_geodesics certify bunny.off --draw curves.polylines.txt --quiet --json -");
-    m_group = "Curves, each with a point on every edge that it crosses";
+    m_group = "Curves, with a point on each edge that they cross and at each vertex through which they pass";
     add_draw()->required();
     add_files_of_curves();
 
@@ -626,19 +634,19 @@ private:
           "  flip_geodesics repair polygons.obj --output mesh.off\n"
           "  flip_geodesics repair scan.stl --weld 1e-9 --output scan.ply\n"
           "  flip_geodesics repair - --format off --output - --output-format off");
-    add_outputs("-o,--output", "write .off, .obj, .ply, .stl or .vtp; may be repeated")->required();
+    add_outputs("-o,--output", "write the mesh (.off, .obj, .ply, .stl, .vtp); can be repeated")->required();
 
     begin("flatten", "Cut a connected surface open and flatten it conformally to texture coordinates",
           "  flip_geodesics flatten bunny.off --output flat.obj\n"
           "  flip_geodesics flatten bunny.off --network seams.txt --output flat.glb\n"
           "  flip_geodesics flatten textured.obj --seams --output flat.obj");
-    m_group = "Curves along which the mesh is cut after they have been shortened [a cut graph]";
+    m_group = "Curves that are shortened, and along which the mesh is then cut [a cut graph]";
     add_network();
     add_seams();
     exclude("--network", {"--seams"});
     m_group = "The flattened mesh";
     add_vertex_limit();
-    add_outputs("-o,--output", "write .obj or .glb with texture coordinates; may be repeated")->required();
+    add_outputs("-o,--output", "write the mesh with texture coordinates (.obj, .glb); can be repeated")->required();
 
     begin("info", "Print components, borders, genus, size and defects of a mesh",
           "  flip_geodesics info bunny.off\n"
@@ -650,7 +658,7 @@ private:
           "  flip_geodesics view polygons.obj --repair --output polygons.html\n"
           "  flip_geodesics view - --format stl --output scan.html");
     m_group = "Results";
-    add("-o,--output", "FILE", m_options.results.live, "write this .html file")->required();
+    add("-o,--output", "FILE", m_options.results.live, "write the page to this .html file")->required();
   }
 
   // Letters to insert, to drop or to exchange until one text is the other (Levenshtein distance).

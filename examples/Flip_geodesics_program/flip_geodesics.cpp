@@ -88,7 +88,7 @@ void check_names_of_results(const Options& options)
     for(const std::string& input : names_of_inputs(options))
       if(!options.is_replacing_input && !input.empty() && is_same_file(name, input) && is_plain_file(input))
         throw Bad_input(printable(name) +
-                        ": a result would replace an input file; specify another file, or add --force");
+                        ": a result would replace this input file; specify another file, or add --force");
     results.push_back(name);
   }
   if(!options.output_format.empty() && std::none_of(results.begin(), results.end(), is_standard_output))

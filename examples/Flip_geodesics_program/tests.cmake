@@ -139,7 +139,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --memory-limit 0.0001)
   flip_geodesics_add_program_test(shortest_inserted 0 "1 WITHIN_ROUNDING" shortest torus.off --from 0 --to 150 --insert
                                   shortest.off)
-  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 curve encountered degenerate edges.*for it\n"
+  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 WITHIN_ROUNDING.*1 curve was computed after degenerate edges had been contracted\n"
                                   shortest zero_length.off --pairs zero_length.txt)
   flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; omit --landmarks or use --mollify"
                                   shortest zero_length.off --pairs zero_length.txt --landmarks 2)
@@ -174,7 +174,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   # Points on edges need not share a face if degenerate edges between them were contracted.
   file(WRITE ${program_dir}/coincident.off "OFF\n6 8 0\n1 0 0\n0 0 1\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n"
                                            "3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
-  flip_geodesics_add_program_test(samples_of_contracted 2 "--sample: curve --from, --to passes degenerate edges; use --repair"
+  flip_geodesics_add_program_test(samples_of_contracted 2 "--sample: curve --from, --to passes through degenerate edges; use --repair"
                                   path coincident.off --from 0 --to 1 --sample 0.2)
   flip_geodesics_add_program_test(cut_along_contracted 2 "--insert and --cut: a curve passes degenerate edges; use --repair"
                                   shortest coincident.off --from 0 --to 1 --ways 1 --cut x.off)
@@ -194,7 +194,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   far_from_origin.polylines.txt)
   set_tests_properties(program_certify_distant PROPERTIES DEPENDS program_distant_curve)
   foreach(format polylines.txt html json csv)
-    flip_geodesics_add_program_test(tubes_in_${format} 2 "--tubes requires --output with a file .obj" path torus.off --from
+    flip_geodesics_add_program_test(tubes_in_${format} 2 "--tubes requires an .obj, .ply, .vtp or .glb file; use --output" path torus.off --from
                                     0 --to 150 --tubes 0.02 -o x.${format})
   endforeach()
   flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" path torus.off --points points.txt --polylines
@@ -215,7 +215,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --from 0 --to 1e70,0,0)
   flip_geodesics_add_program_test(shortest_tree_from_point 2 "--shortest requires a vertex as the source, and 0,12,0.3 is not one. omit"
                                   log torus.off --source 0,12,0.3 --shortest)
-  flip_geodesics_add_program_test(shortest_tree_from_location_of_vertex 0 "shortest 287 of them, confirmed" log torus.off
+  flip_geodesics_add_program_test(shortest_tree_from_location_of_vertex 0 "shortest 287 paths, confirmed" log torus.off
                                   --source 0,12,0 --shortest)
   flip_geodesics_add_program_test(shortest_between_points 0 "1 WITHIN_ROUNDING\ncertificates: 1 PROVEN" shortest
                                   torus.off --from 0 --to 0.1,0.2,0.3 --cut shortest_cut.off)
@@ -246,7 +246,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(distance_without_path 0 "\n1,1,0\n.*\n3,inf,\n4,inf,\n5,inf,\n" distance
                                   two_parts.off --source 0 --map -)
   flip_geodesics_add_program_test(values_alone 2 "--values requires --output" distance torus.off --source 0 --values)
-  flip_geodesics_add_program_test(values_of_obj 2 "--values requires --output with a file .ply, .vtp or .json" distance
+  flip_geodesics_add_program_test(values_of_obj 2 "--values requires a .ply, .vtp or .json file; use --output" distance
                                   torus.off --source 0 --isolines 0.3 --values -o values.obj)
   flip_geodesics_add_program_test(values_in_json 0 "\"distances\":.0," distance torus.off --source 0 --values -o -
                                   --output-format json --quiet)
@@ -264,7 +264,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt)
   flip_geodesics_add_program_test(crossing_page 0 "2 LOCALLY_SHORTEST" spline torus.off --bezier crossing_bezier.txt
                                   --page crossing.html)
-  flip_geodesics_add_program_test(crossing_inserted 1 "line 1.*curves cross at one of.*the given points" spline
+  flip_geodesics_add_program_test(crossing_inserted 1 "line 1.*the curve crosses itself, which --draw, .*--insert, .*move its points" spline
                                   torus.off --bezier crossing_line.txt --insert crossing.off)
   flip_geodesics_add_program_test(bezier 0 "2 LOCALLY_SHORTEST.*length  *[1-9][0-9.]* of [1-9]" spline torus.off
                                   --bezier bezier.txt --kernel certified)
@@ -310,7 +310,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   path collapsed.off --repair --from 0 --to 1)
   flip_geodesics_add_program_test(only_repaired 0 "11 vertices, 7 triangles.*repair: 1 polygon" repair pyramid.off
                                   --output repaired.off)
-  flip_geodesics_add_program_test(output_format_of_curves 2 "x.off: the extension .*--output. use one of obj ply vtp glb polylines.txt csv html json" path
+  flip_geodesics_add_program_test(output_format_of_curves 2 "x.off: the extension .*--output. use one of obj, ply, vtp, glb, polylines.txt, csv, html, json" path
                                   torus.off --from 0 --to 1 --output x.off)
   flip_geodesics_add_program_test(outputs 0 "1 curve" path torus.off --from 0 --to 150 -o several.obj -o several.glb -o
                                   several.json -o several.csv -o several.html --output several.polylines.txt)
@@ -366,7 +366,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon triangulated: more than three" info
                                   pyramid.off)
   flip_geodesics_add_program_test(info_near_borders 0 "nearly coincide with others and stay open" info seam.off)
-  flip_geodesics_add_program_test(info_short_edges 0 "length 1e-170 to .*\n  3 edges have lengths outside 1e-70 to 1e70" info
+  flip_geodesics_add_program_test(info_short_edges 0 "length 1e-170 to .*\n  3 edges have lengths outside the range from 1e-70 to 1e70" info
                                   tiny.off)
   file(WRITE ${program_dir}/giant.off "OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n")
   flip_geodesics_add_program_test(info_long_edges 0 "length 1e.300 to 1.41421e.300;.*\n  3 edges have lengths outside" info
@@ -411,14 +411,14 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   no_seam.obj --from 0 --to 1.0,1.0,0.5)
   flip_geodesics_add_program_test(output_format_with_extension 0 "^2 0 0 0 1 1 0\n$" path no_seam.obj --from 0 --to 2 -o -
                                   --output-format .polylines.txt --quiet)
-  flip_geodesics_add_program_test(format_of_result 2 "not known as an input format.*--output-format for a result" path
+  flip_geodesics_add_program_test(format_of_result 2 "not known as an input format.*; for a result, use --output-format" path
                                   torus.off --from 0 --to 2 -o x.obj --format polylines.txt)
   flip_geodesics_add_program_test(format_on_standard_output 2 "standard output, and --format that of the mesh; use one of obj"
                                   path torus.off --from 0 --to 2 -o - --format off)
   flip_geodesics_add_program_test(trace_limit 0 "at most 1000000 edges" trace --help)
   if(TARGET CGAL::Eigen3_support)
     flip_geodesics_add_program_test(flatten 0 "cuts?. .*flattened in .* steps" flatten torus.off --output flat.obj)
-    flip_geodesics_add_program_test(flatten_limit 2 "^flip_geodesics: the subdivided mesh would have [^\n]*more than the 100 allowed[^\n]*--vertex-limit\n$"
+    flip_geodesics_add_program_test(flatten_limit 2 "^flip_geodesics: the subdivided mesh would have [^\n]*but at most 100 are allowed[^\n]*--vertex-limit\n$"
                                     flatten torus.off --vertex-limit 100 --output x.obj --quiet)
     flip_geodesics_add_program_test(flatten_disk 0 "0 cuts.*flattened" flatten seam.obj --output flat.glb)
     # Finer faces are needed at corners.
@@ -457,7 +457,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(flatten_tiny_faces 0 "0 cuts.*flattened in" flatten tiny_faces.off --output
                                     flat_tiny_faces.obj)
   endif()
-  flip_geodesics_add_program_test(flatten_format 2 "x.ply: the extension .*--output. use one of obj glb json" flatten
+  flip_geodesics_add_program_test(flatten_format 2 "x.ply: the extension .*--output. use one of obj, glb, json" flatten
                                   torus.off --output x.ply)
   flip_geodesics_add_program_test(segmentation 0 "LOCALLY_SHORTEST" network torus.off --segmentation parts.seg)
   flip_geodesics_add_program_test(segmentation_stop 0 "LENGTH_LIMIT" network torus.off --segmentation parts.seg
@@ -476,7 +476,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(seams_of_off 2 "obj file" network torus.off --seams)
   flip_geodesics_add_program_test(tree 0 "287 LOCALLY_SHORTEST.*paths +287 from vertex 5, the longest to vertex" log
                                   torus.off --source 5 --map map.csv --mesh tree.ply)
-  flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST.*shortest 287 of them, confirmed" log torus.off
+  flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST.*shortest 287 paths, confirmed" log torus.off
                                   --source 5 --shortest --kernel certified)
   flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" log torus.off --source 288)
   flip_geodesics_add_program_test(isolines 0 "ISOLINE +at distance 0.3\n.*9 curves: 3 BOUNDARY 6 ISOLINE" distance
@@ -583,7 +583,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(${name}_of_edge_weights 0 "curves?: " ${name} torus.off ${arguments} --edge-weights
                                     edge_weights.csv)
     flip_geodesics_add_program_test(${name}_of_spoilt_weights 2
-                                    "spoilt.csv: with these weights, the sides of the face of vertices [0-9]+, [0-9]+ and" ${name}
+                                    "spoilt.csv: with these weights, the sides of the face with vertices [0-9]+, [0-9]+ and" ${name}
                                     torus.off ${arguments} --edge-weights spoilt.csv)
   endforeach()
   flip_geodesics_add_program_test(mollified_weights 0 "added to the length of every edge.*certificates: 1 PROVEN" path
@@ -608,11 +608,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --from 0 --to 150 --face-weights repeated_face.csv)
   file(WRITE ${program_dir}/repeated_edge.csv "0,1,0.5\n1,0,0.7\n")
   flip_geodesics_add_program_test(weight_of_edge_repeated 2
-                                  "repeated_edge.csv line 2: the edge of vertices 1 and 0 is given two weights" path
+                                  "repeated_edge.csv line 2: the edge between vertices 1 and 0 is given two weights" path
                                   torus.off --from 0 --to 150 --edge-weights repeated_edge.csv)
   flip_geodesics_add_program_test(weights_mixed 2 "mixed_weights.csv line 2: the line has 1 item. write either one weight" path torus.off --from 0
                                   --to 150 --face-weights mixed_weights.csv)
-  flip_geodesics_add_program_test(weight_of_no_edge 2 "no_edge.csv line 2: no edge joins vertices 1 and 5. correct the line" path torus.off
+  flip_geodesics_add_program_test(weight_of_no_edge 2 "no_edge.csv line 2: no edge connects vertices 1 and 5. correct the line" path torus.off
                                   --from 0 --to 150 --edge-weights no_edge.csv)
   flip_geodesics_add_program_test(weight_missing 2 "short_edge.csv line 1: the line has 2 items. write two vertices" path
                                   torus.off --from 0 --to 150 --edge-weights short_edge.csv)
@@ -684,7 +684,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(hexadecimal_file 2 "hexadecimal.txt line 1: '0x1' is not a point" path torus.off
                                   --pairs hexadecimal.txt)
   flip_geodesics_add_program_test(zeros_in_limits 0 "8 LOCALLY_SHORTEST" path torus.off --random 08 --seed 09)
-  flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is not a point. write a vertex" path torus.off --from 0 --to
+  flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is not a point. write `v` for a vertex" path torus.off --from 0 --to
                                   0x1)
   flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is not a whole number" spline torus.off --bezier
                                   bezier.txt --rounds 0x1)
@@ -729,7 +729,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n")
   flip_geodesics_add_program_test(refine_thread 0 "bounds cannot be reached: [1-9][0-9]* faces" refine thread.off --from
                                   0 --to 1 --refine 25 --insertion-limit 5000)
-  flip_geodesics_add_program_test(subdivision_limit 2 "^flip_geodesics: the subdivided mesh would have [0-9]+ vertices, more than the 288 allowed[^\n]*--vertex-limit\n$"
+  flip_geodesics_add_program_test(subdivision_limit 2 "^flip_geodesics: the subdivided mesh would have [0-9]+ vertices, but at most 288 are allowed[^\n]*--vertex-limit\n$"
                                   refine torus.off --from 0 --to 150 --subdivision x.off --vertex-limit 288 --quiet)
   flip_geodesics_add_program_test(vertex_limit_of_nothing 2 "--vertex-limit requires --subdivision" refine torus.off --from
                                   0 --to 150 --refine 25 --vertex-limit 288)
@@ -780,7 +780,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length_field 2 "length zero; use --repair" distance zero_length.off --source 0
                                   --isolines 1)
   flip_geodesics_add_program_test(zero_length_trace 1 "length zero; use --repair" trace zero_length.off --trace 3,0,1)
-  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 curve encountered degenerate edges.*for it\n"
+  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 curve was computed after degenerate edges had been contracted\n"
                                   path zero_length.off --pairs zero_length.txt --kernel certified)
   flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 curves encountered" log zero_length.off --source 0 --map
                                   zero_length.csv)
@@ -918,7 +918,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(no_file 2 "missing.off" path missing.off --random 2)
   flip_geodesics_add_program_test(unknown_format 2 "pairs.txt: the extension does not determine the format.*--format" path pairs.txt
                                   --random 2)
-  flip_geodesics_add_program_test(format_of_no_name 2 "--format xyz: not known as an input format; use one of obj off" path torus.off
+  flip_geodesics_add_program_test(format_of_no_name 2 "--format xyz: not known as an input format; use one of obj, off" path torus.off
                                   --format xyz --random 2)
   flip_geodesics_add_program_test(given_twice 2 "--from is given 2 times. give it once" path torus.off --from 0 --from 1
                                   --to 5)

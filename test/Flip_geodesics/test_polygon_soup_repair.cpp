@@ -655,7 +655,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_repaired_is_said)
     }
     return "none";
   };
-  BOOST_CHECK_EQUAL(reason({{}, {}}), "the polygon soup is empty");
+  BOOST_CHECK_EQUAL(reason({{}, {}}), "the polygon soup has no polygons");
   BOOST_CHECK_EQUAL(reason({{{0, 0, 0}}, {{0, 0, 0}}}),
                     "no triangle remains after the repair: 1 polygon removed: fewer than three distinct corners; 1 "
                     "point left without faces");

@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a.stl", "solid\n"), "a.stl line 1: the file ends without endsolid");
   check_has(message("a.stl", "facet\n"), "too few for a binary STL file");
   check_has(message("a.ts", "VRTX 1 0 0 0\nTRGL 1 1 2\n"),
-            "a.ts line 2: face 0 refers to a vertex that is not defined");
+            "a.ts line 2: face 0 refers to a vertex that no earlier line defines");
   // A file of another kind.
   check_has(message("a.ts", "hello\nworld\n"), "a.ts: no line starts with GOCAD, VRTX or TRGL, so this is not a TS");
   check_has(message("a.ts", "END\n"), "this is not a TS file");

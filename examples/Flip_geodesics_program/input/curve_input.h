@@ -39,7 +39,7 @@ inline void check_chain(const Mesh& mesh, const Curve_request& curve)
 inline void check_not_empty(const std::vector<Curve_request>& curves, const Input_text& input)
 {
   if(curves.empty())
-    throw Bad_input(input.name() + ": the file contains no curve; write one per line");
+    throw Bad_input(input.name() + ": the file contains no curves; write one per line");
 }
 
 inline void check_fixed_vertices(const Network_request& network, const Input_text& input)
@@ -88,10 +88,9 @@ inline std::vector<Vertex_index> read_vertices(const Input_mesh& mesh, Text_scan
   const std::string name = words.place();
   std::vector<Vertex_index> vertices;
   for(const std::string_view item : items_of_line(words))
-    vertices.push_back(
-        mesh.vertex(read_number<long long>(
-                        words, item, "write numbers of vertices, counted from 0 and separated by blanks or commas"),
-                    name));
+    vertices.push_back(mesh.vertex(
+        read_number<long long>(words, item, "write vertex numbers, counted from 0 and separated by blanks or commas"),
+        name));
   return vertices;
 }
 

@@ -129,7 +129,8 @@ inline Network_request read_segmentation(const Input_mesh& input_mesh, const Inp
     throw Bad_input(input.name() + ": " + error.what() + "; repair the mesh");
   }
   if(network.number_of_curves() == 0)
-    throw Bad_input(input.name() + ": all faces have the same label; use at least two labels");
+    throw Bad_input(input.name() +
+                    ": no edge separates faces with different labels; use at least two labels in one component");
   return data::requests(network, input.name());
 }
 

@@ -130,7 +130,7 @@ private:
   {
     std::string line = name + ": vertex " + std::to_string(point) + " was split by the repair into the vertices";
     for(const std::size_t part : parts)
-      line += ' ' + std::to_string(part);
+      line += (part == parts.front() ? " " : ", ") + std::to_string(part);
     m_splits.emplace(point, line + "; " + "vertex " + std::to_string(parts.front()) + " is used");
   }
 

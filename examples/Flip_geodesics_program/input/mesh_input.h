@@ -53,7 +53,7 @@ inline std::string names_of_mesh_formats()
 {
   std::string names;
   for(const auto& [name, reader] : mesh_formats())
-    names += ' ' + name;
+    names += (names.empty() ? "" : ", ") + name;
   return names;
 }
 
@@ -63,7 +63,7 @@ inline Soup read_soup(const Input_text& input)
   const auto format = mesh_formats().find(input.format());
   if(format != mesh_formats().end())
     return format->second(input);
-  throw Bad_input(input.name() + ": the extension does not determine the format; use --format with one of" +
+  throw Bad_input(input.name() + ": the extension does not determine the format; use --format with one of " +
                   names_of_mesh_formats());
 }
 

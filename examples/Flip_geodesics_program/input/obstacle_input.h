@@ -19,7 +19,7 @@ namespace program {
 inline std::size_t read_face(const Input_mesh& mesh, const Text_scanner& words, std::string_view item)
 {
   const auto f =
-      read_number<long long>(words, item, "write numbers of faces, counted from 0 and separated by blanks or commas");
+      read_number<long long>(words, item, "write face numbers, counted from 0 and separated by blanks or commas");
   const std::size_t number_of_faces = mesh.number_of_faces_in_file();
   if(f < 0 || f >= static_cast<long long>(number_of_faces))
     words.fail("face " + std::to_string(f) + " does not exist; use 0 to " + std::to_string(number_of_faces - 1));
@@ -39,7 +39,7 @@ inline Obstacles read_obstacles(const Input_mesh& input_mesh, const Input_text& 
     if(words.take('f')) {
       const std::vector<std::string_view> items = items_of_line(words);
       if(items.empty())
-        words.fail("the line has no faces; write numbers of faces, counted from 0, after the `f`");
+        words.fail("the line has no faces; write face numbers, counted from 0, after the `f`");
       for(const std::string_view item : items)
         is_in_file[read_face(input_mesh, words, item)] = 1;
       return;
@@ -123,9 +123,9 @@ inline Weights read_edge_weights(const Input_mesh& input_mesh, const Input_text&
     const std::string edge = std::to_string(ends[0].idx()) + " and " + std::to_string(ends[1].idx());
     const Mesh::Halfedge_index h = mesh.halfedge(mesh_vertex(ends[0]), mesh_vertex(ends[1]));
     if(h == Mesh::null_halfedge())
-      words.fail("no edge joins vertices " + edge + "; correct the line");
+      words.fail("no edge connects vertices " + edge + "; correct the line");
     const Mesh::Edge_index e = mesh.edge(h);
-    result.of_edges[e] = read_weight(words, items[2], "the edge of vertices " + edge, is_weighted[e] != 0);
+    result.of_edges[e] = read_weight(words, items[2], "the edge between vertices " + edge, is_weighted[e] != 0);
     is_weighted[e] = 1;
   });
   if(are_none)

@@ -78,7 +78,8 @@ private:
     const auto found =
         std::find_if(mesh.faces_begin(), mesh.faces_end(), [&](Mesh::Face_index f) { return !is_degenerate(mesh, f); });
     if(found == mesh.faces_end())
-      throw Bad_input("all faces of the mesh are degenerate, so points cannot be projected onto it; correct the mesh");
+      throw Bad_input(
+          "all faces of the mesh are degenerate, so points cannot be projected onto them; correct the mesh");
     return *found;
   }
 
@@ -112,7 +113,8 @@ private:
 {
   throw Bad_input(
       name + ": '" + printable(word) +
-      "' is not a point; write a vertex, x,y,z in space, a,b,t on an edge or a,b,c,t,u in a face, without blanks");
+      "' is not a point; write `v` for a vertex, `x,y,z` in space, `a,b,t` on an edge or `a,b,c,t,u` in a face, "
+      "without blanks");
 }
 
 inline std::vector<double> read_numbers(std::string_view word, const std::string& name)

@@ -23,8 +23,8 @@ namespace program {
 inline Input_mesh read_input_mesh(const Options& options, Progress& progress)
 {
   if(!options.format.empty() && mesh_formats().count(options.format) == 0)
-    throw Bad_input("--format " + printable(options.format) + ": not known as an input format; use one of" +
-                    names_of_mesh_formats() + ", or --output-format for a result");
+    throw Bad_input("--format " + printable(options.format) + ": not known as an input format; use one of " +
+                    names_of_mesh_formats() + "; for a result, use --output-format");
   const Input_text input = read_text(options.mesh, options.format);
   const bool is_info = options.command == "info", is_repair = options.is_repaired || options.command == "repair";
   if(is_info)
@@ -55,8 +55,8 @@ inline std::vector<Network_request> read_requests(const Options& options, const 
     const CGAL::Flip_geodesics::Surface_location source = Point_reader(mesh)(word, "--source");
     if(options.is_shortest && kind(source) != CGAL::Flip_geodesics::Location_kind::VERTEX)
       throw Bad_input("--shortest requires a vertex as the source, and " + printable(word) +
-                      " is not one; omit --shortest, or use distance --map for the shortest distances from any point "
-                      "and shortest --pairs for the paths");
+                      " is not one; omit --shortest, or use `distance --map` for the shortest distances from any point "
+                      "and `shortest --pairs` for the paths");
     return {{{}, {}, source}};
   }
   const std::vector<Curve_request> curves =

@@ -113,8 +113,8 @@ private:
         m_words.fail("the number of " + what + ", '" + printable(word) + "', " + error + "; correct the header");
     }
     if(number < 0 || static_cast<unsigned long long>(number) > m_input.bytes().size())
-      m_words.fail("the header announces a number of " + what + " that " + std::to_string(m_input.bytes().size()) +
-                   " bytes cannot hold; correct the header");
+      m_words.fail("the header announces a number of " + what + " that a file of " +
+                   std::to_string(m_input.bytes().size()) + " bytes cannot contain; correct the header");
     return static_cast<std::size_t>(number);
   }
 

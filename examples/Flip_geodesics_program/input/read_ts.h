@@ -68,7 +68,7 @@ private:
   void add(long long number, std::size_t vertex, const Element& element)
   {
     if(!m_vertices.emplace(number, vertex).second)
-      m_words.fail(element, "has the same number as another one; correct it");
+      m_words.fail(element, "has the same number as another vertex; correct it");
   }
 
   void read_vertex()
@@ -85,7 +85,7 @@ private:
   {
     const auto found = m_vertices.find(read_number(element));
     if(found == m_vertices.end())
-      m_words.fail(element, "refers to a vertex that is not defined before it; correct it");
+      m_words.fail(element, "refers to a vertex that no earlier line defines; correct it");
     return found->second;
   }
 

@@ -42,7 +42,8 @@ inline void sort_outputs(Options& options)
     else if(place->empty())
       *place = name;
     else
-      throw Bad_input(name_of_result(name) + ": another result has the format " + format + "; use only one");
+      throw Bad_input(name_of_result(name) + ": another result has the format " + format +
+                      "; use only one in this format");
   }
   names.outputs = meshes;
 }
@@ -54,7 +55,7 @@ inline void check_result_format(const Options& options, const std::string& optio
     return;
   std::string formats;
   for(const std::string& format : known)
-    formats += ' ' + format + (format == "polylines" ? ".txt" : "");
+    formats += (formats.empty() ? " " : ", ") + format + (format == "polylines" ? ".txt" : "");
   throw Bad_input(is_standard_output(name)
                       ? "--output-format determines the format of " + option + " on standard output" +
                             (options.format.empty() ? "" : ", and --format that of the mesh") + "; use one of" + formats
@@ -95,9 +96,9 @@ inline void check_formats_of_results(const Options& options)
     });
   };
   if(names.has_values && !has_output_in({"ply", "vtp"}) && names.json.empty())
-    throw Bad_input("--values requires --output with a file .ply, .vtp or .json; use one of these");
+    throw Bad_input("--values requires a .ply, .vtp or .json file; use --output with one of these extensions");
   if(names.tubes && !has_output_in({"obj", "ply", "vtp", "glb"}))
-    throw Bad_input("--tubes requires --output with a file .obj, .ply, .vtp or .glb; use one of these");
+    throw Bad_input("--tubes requires an .obj, .ply, .vtp or .glb file; use --output with one of these extensions");
   check_result_format(options, "--subdivision", options.meshes.subdivision, meshes);
   check_result_format(options, "--insert", options.meshes.insertion, meshes);
   check_result_format(options, "--cut", options.meshes.cut, meshes);

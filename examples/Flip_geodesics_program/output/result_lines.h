@@ -132,9 +132,8 @@ public:
     if(!m_verdicts.empty())
       print_counts(out << "certificates:", m_verdicts);
     if(m_number_on_contracted > 0)
-      out << counted(m_number_on_contracted, "curve", "curves")
-          << " encountered degenerate edges, which were contracted for "
-          << (m_number_on_contracted == 1 ? "it\n" : "them\n");
+      out << counted(m_number_on_contracted, "curve was", "curves were")
+          << " computed after degenerate edges had been contracted\n";
     if(m_length > 0 && m_length == m_initial_length && !m_is_tree)
       out << format("length   %.6g\n", m_length);
     else if(m_length > 0 && !m_is_tree)

@@ -93,7 +93,8 @@ public:
       m_triangulation.rollback();
     } catch(const FG::Crossing_curves_error& error) {
       const std::string vertex = std::to_string(error.elements().front());
-      throw Bad_input(name + error.what() + "; separate the curves, or use --network with a line `! " + vertex + "`");
+      throw Bad_input(name + error.what() + "; separate them, or fix them there by a line `! " + vertex +
+                      "` in a file for --network");
     } catch(const FG::Ambiguous_order_error& error) {
       throw Bad_input(name + error.what() + "; move the curves to different edges");
     } catch(const FG::Error&) {
@@ -107,8 +108,10 @@ private:
   std::string message(const std::exception& error) const
   {
     const auto* const crossing = dynamic_cast<const CGAL::Flip_geodesics::Crossing_curves_error*>(&error);
-    if(crossing != nullptr && crossing->elements().front() >= m_mesh.number_of_vertices())
-      return "curves cross at one of the given points, or between them";
+    if(crossing != nullptr &&
+       (crossing->elements().size() > 1 || crossing->elements().front() >= m_mesh.number_of_vertices()))
+      return "the curve crosses itself, which --draw, --stop-length, --insert, --cut and the command `refine` do not "
+             "allow; move its points, or omit these options";
     return with_advice(error, m_options.are_zero_edges_refused ? "omit --refuse-zero-edges or use --mollify"
                                                                : "use --mollify");
   }

@@ -54,9 +54,9 @@ inline std::string describe_shortest_paths(const CGAL::Flip_geodesics::Distances
   if(!report.is_confirmed())
     return "shortest not confirmed: the search for shorter paths was aborted or encountered degenerate faces\n";
   std::ostringstream out;
-  out << "shortest " << readable(report.vertices - report.longer) << " of them, confirmed; "
-      << readable(report.longer_before) << " were longer at first, by up to " << 100 * report.largest_excess_before
-      << " %\n";
+  out << "shortest " << readable(report.vertices - report.longer) << " paths, confirmed; "
+      << readable(report.longer_before) << " were longer before the search, by up to "
+      << 100 * report.largest_excess_before << " %\n";
   return out.str();
 }
 
@@ -71,9 +71,9 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
     return "; the bounds cannot be reached: " + std::to_string(report.given_up) +
            " faces would require far more vertices than allowed, and " +
            std::to_string(report.missed - report.given_up) +
-           " are too small for double precision or adjacent to such faces";
+           " faces are too small for double precision, or adjacent to a face that is too small";
   case Refinement_status::VERTEX_LIMIT:
-    return "; ended because the maximum number of vertices was reached";
+    return "; ended because the limit on inserted vertices was reached";
   case Refinement_status::STOPPED_BY_VISITOR:
     return "; interrupted";
   }
@@ -113,7 +113,8 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     Progress_visitor visitor(progress);
     const FG::Delaunay_report report =
         FG::flip_to_delaunay(network.triangulation(), CGAL::parameters::visitor(std::ref(visitor)));
-    text << "delaunay " << report.flips << " flips, " << report.constrained << " edges fixed by curves\n";
+    text << "delaunay " << report.flips << " flips; " << report.constrained
+         << " edges of curves are not locally Delaunay\n";
   }
   if(options.refine) {
     FG::Refinement_options bounds;

@@ -100,8 +100,8 @@ double usable_tolerance(const Mesh& mesh, double wanted)
   const double diagonal = size_of(mesh);
   if(wanted > 0 && wanted < 1e-6 * diagonal) {
     std::ostringstream message;
-    message << "--tolerance " << wanted << " is less than a millionth of the size of the mesh; use at least "
-            << 1e-6 * diagonal;
+    message << "--tolerance " << wanted
+            << " is less than a millionth of the diagonal of the bounding box; use at least " << 1e-6 * diagonal;
     throw Bad_input(message.str());
   }
   return wanted > 0 ? wanted : 0.001 * diagonal;
@@ -267,7 +267,7 @@ void check_that_sources_are_apart(const Triangulation& triangulation, const Mesh
       if(p->first != q->first && CGAL::squared_distance(p->first, q->first) <= rounding * rounding &&
          distance(p->second, q->second) <= rounding)
         throw Bad_input("--voronoi: the distance between " + request.sources[p->second].name + " and " +
-                        request.sources[q->second].name + " is below the rounding errors; omit one of them");
+                        request.sources[q->second].name + " is below the rounding errors; omit one of these sources");
 }
 
 void add_boundaries(const Slit_surface& surface, const Field_on_mesh& field, const Field_request& request,

@@ -165,7 +165,7 @@ Flattened_mesh flattened_along(const Mesh& mesh, const Network_request& cut, con
   std::string defect;
   if(turned > 0)
     defect = "the texture is not injective: in the plane, " + counted(turned, "triangle is", "triangles are") +
-             " degenerate or inverted; remesh the surface, or cut it differently by --network";
+             " degenerate or inverted; remesh the surface, or cut it along other curves with --network";
   return {std::move(subdivision.mesh()), report.str(), defect};
 }
 
@@ -201,7 +201,7 @@ Flattened_mesh flattened_mesh(const Mesh&, const std::string&, const Network_req
                               Progress&)
 {
   throw Bad_input(
-      "the program was compiled without Eigen, which flattening requires; install Eigen and compile it again");
+      "the program was compiled without Eigen, which flattening requires; install Eigen and recompile the program");
 }
 
 #endif

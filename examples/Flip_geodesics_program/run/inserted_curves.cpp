@@ -257,7 +257,8 @@ void sample_curves(const Mesh& mesh, double distance, std::vector<Curve_result>&
       FG::sample_curve(mesh, locations, 1 + static_cast<std::size_t>((std::max)(1.0, pieces)),
                        boost::make_function_output_iterator(add));
     } catch(const FG::Invalid_curve_error&) { // it changes between coincident vertices
-      throw Bad_input("--sample: curve " + curve.name + " passes degenerate edges; use --repair or omit --sample");
+      throw Bad_input("--sample: curve " + curve.name +
+                      " passes through degenerate edges; use --repair or omit --sample");
     }
   }
 }

@@ -25,9 +25,9 @@ auto limited_subdivision(const Triangulation& triangulation, const Mesh& mesh, c
   for(FG::Index e = 0; e < triangulation.number_of_edges(); ++e)
     number += static_cast<std::size_t>(std::max(triangulation.crossings(FG::Edge_index(e)), FG::Index(0)));
   if(number > most_vertices)
-    throw Bad_input("the subdivided mesh would have " + readable(number) + " vertices, more than the " +
+    throw Bad_input("the subdivided mesh would have " + readable(number) + " vertices, but at most " +
                     readable(most_vertices) +
-                    " allowed, which thin triangles can require; remesh the surface, or increase --vertex-limit");
+                    " are allowed; thin triangles can cause this: remesh the surface, or increase --vertex-limit");
   return FG::common_subdivision(triangulation, mesh);
 }
 

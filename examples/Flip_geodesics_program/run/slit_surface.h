@@ -92,8 +92,8 @@ void check_faces(const Slit_surface& surface, const Metric& metric, const std::s
     const auto vertex = [&](Input_halfedge_index side) {
       return std::to_string(surface.vertex_of_mesh(numbered.tail(side)).idx());
     };
-    throw Bad_input(name + ": with these weights, the sides of the face of vertices " + vertex(h) + ", " + vertex(hn) +
-                    " and " + vertex(hp) +
+    throw Bad_input(name + ": with these weights, the sides of the face with vertices " + vertex(h) + ", " +
+                    vertex(hn) + " and " + vertex(hp) +
                     " violate the triangle inequality; use weights that vary less, or --mollify");
   }
 }

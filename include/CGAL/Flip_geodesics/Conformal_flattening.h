@@ -248,11 +248,11 @@ private:
     if(reached != m_faces.size())
       throw Flattening_error("the cut surface is not connected: only " + std::to_string(reached) + " of " +
                              std::to_string(m_faces.size()) +
-                             " faces are connected to the first one; flatten each component separately");
+                             " faces are connected to the first face; flatten each component separately");
     if(m_surface.euler_characteristic() != 1)
       throw Flattening_error("the cut surface is not a disk, since its Euler characteristic is " +
                              std::to_string(m_surface.euler_characteristic()) +
-                             " instead of 1; cut it along a cut graph");
+                             " instead of 1; cut the surface along a cut graph");
   }
 
   void check_faces() const
@@ -410,7 +410,7 @@ private:
   void check_angles(double tolerance) const
   {
     if(!(m_angle_error <= tolerance))
-      throw Flattening_error("the angle sums still differ from 2 pi by " + internal::written(m_angle_error) +
+      throw Flattening_error("the angle sums still differ from 2 pi by up to " + internal::written(m_angle_error) +
                              ", since some faces are too thin for double precision; remesh the surface");
   }
 

@@ -172,7 +172,7 @@ public:
       for(Segment_index fixed : freed)
         set_head_fixed(fixed, true);
       internal::throw_naming<Crossing_curves_error>(
-          "the nodes of a curve cannot be freed, because curves cross at vertex ", v);
+          "the nodes of a curve cannot be freed, because two curves, or two parts of one curve, cross at vertex ", v);
     }
   }
 
@@ -508,7 +508,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
                                               const NamedParameters&... np)
 {
   static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                "the second argument must be a range of vertices of the triangulation, of type Vertex_index");
+                "the second argument must be a range of vertices of the triangulation (Vertex_index)");
   std::vector<Vertex_index> v;
   for(Vertex_index vertex : vertices) {
     internal::check_vertex(vertex, triangulation.number_of_vertices(), v.size());

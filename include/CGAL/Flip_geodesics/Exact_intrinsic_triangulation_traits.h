@@ -488,11 +488,11 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
       radicand = internal::without_squares(square);
     if(!internal::exact_root(square * radicand)) {
       const Index a = input.tail(h).idx(), b = input.tail(input.next(h)).idx(), c = input.tail(input.previous(h)).idx();
-      throw Inexact_root_error(
-          "the area of the face with vertices " + std::to_string(a) + ", " + std::to_string(b) + ", " +
-              std::to_string(c) +
-              " is not a rational multiple of that of the first face; use a number type with square roots",
-          {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+      throw Inexact_root_error("the area of the face with vertices " + std::to_string(a) + ", " + std::to_string(b) +
+                                   ", " + std::to_string(c) +
+                                   " is not a rational multiple of that of the first nondegenerate face; use a number "
+                                   "type with square roots",
+                               {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
     }
   }
   return radicand == 0 ? Radicand(1) : internal::converted<Radicand>(radicand);

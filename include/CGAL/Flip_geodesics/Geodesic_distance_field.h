@@ -517,7 +517,8 @@ private:
     if(offset > internal::greatest_offset * (side.length + std::abs(side.x) + side.y))
       throw_unusable_offset(
           offset,
-          ", which is so large compared with the sides of its face that adding it would cause large rounding errors");
+          ", which is so large compared with the sides of the face at the source that adding it to distances would "
+          "cause large rounding errors");
   }
 
   [[noreturn]] void throw_unusable_offset(double offset, const char* reason) const
@@ -594,7 +595,7 @@ private:
     if(m_extent != Distance_field_extent::EVERYWHERE)
       internal::throw_naming<Invalid_parameter_error>(
           "a field with the extent VERTICES_ONLY is queried in the face of halfedge ", at.halfedge,
-          ", at a point that is not a vertex; compute it with the extent EVERYWHERE");
+          ", at a point that is not a vertex; construct the field with the extent EVERYWHERE");
     return query()(at.halfedge, internal::normalized(at.weights));
   }
 

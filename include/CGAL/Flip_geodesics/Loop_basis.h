@@ -295,7 +295,7 @@ private:
   void make(const VertexRange& base_points, internal::Interruption* interruption)
   {
     static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                  "the base points must be a range of vertices of the triangulation, of type Vertex_index");
+                  "the base points must be a range of vertices of the triangulation (Vertex_index)");
     const auto& input = checked_input(*m_triangulation);
     const auto length = weight(*m_triangulation);
     m_forest = internal::Edge_forest(input, base_points, length, interruption);
@@ -349,7 +349,7 @@ private:
   void check_closed_chain(const HalfedgeRange& halfedges) const
   {
     static_assert(internal::is_range_of<HalfedgeRange, Input_halfedge_index>,
-                  "the curve must be a range of Input_halfedge_index, the halfedges of the input");
+                  "the curve must be a range of halfedges of the input (Input_halfedge_index)");
     check_complete();
     const auto& input = m_triangulation->input();
     Vertex_index start = null_index, end = null_index;

@@ -350,7 +350,8 @@ public:
       if(m_is_given[v] != 0)
         result[v] = fixed[v] = values[v];
       if(!std::isfinite(fixed[v]) || (density.size() != 0 && !std::isfinite(density[v])))
-        throw Invalid_coordinate_error("the value at vertex " + std::to_string(v) + " is not finite",
+        throw Invalid_coordinate_error("the given value or the density at vertex " + std::to_string(v) +
+                                           " is not finite",
                                        {static_cast<std::size_t>(v)});
     }
     if(m_system.inner().rows() == 0)

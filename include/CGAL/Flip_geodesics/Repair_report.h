@@ -50,7 +50,7 @@ inline std::string describe(Repair repair, std::size_t count)
   case Repair::POINTS_WELDED:
     return counted("point", "points", "moved to other points within the weld tolerance");
   case Repair::POLYGONS_WITHOUT_POINTS:
-    return counted("polygon", "polygons", "removed: a corner does not exist or is not finite");
+    return counted("polygon", "polygons", "removed: a corner does not exist or has a coordinate that is not finite");
   case Repair::POLYGONS_COLLAPSED:
     return counted("polygon", "polygons", "removed: fewer than three distinct corners");
   case Repair::CORNERS_REPEATED:
@@ -187,7 +187,7 @@ private:
     const bool is_one = m_record.near_border_edges == 1;
     text << m_record.near_border_edges << " border edge" << (is_one ? " nearly coincides" : "s nearly coincide")
          << " with others and stay" << (is_one ? "s" : "") << " open: a weld tolerance above "
-         << m_record.near_border_distance << " stitches them";
+         << m_record.near_border_distance << " stitches " << (is_one ? "it" : "them");
     return text.str();
   }
 

@@ -127,7 +127,8 @@ public:
                                       ? Surface_location{halfedge(crossing->first, i), {{1, 1, 0}}}
                                       : location(given[i], i);
       if(is_closed && i == 0 && kind(at) != Location_kind::VERTEX)
-        throw Invalid_curve_error("a closed curve does not start at a vertex; start it at a vertex on it", {0});
+        throw Invalid_curve_error(
+            "a closed curve does not start at a vertex; let it start at a vertex through which it passes", {0});
       if(is_end || kind(at) == Location_kind::VERTEX)
         arrive(m_places.add(at), i, i > 0 && i + 1 == given.size() && !is_closed);
       else if(kind(at) == Location_kind::EDGE)
@@ -186,7 +187,8 @@ private:
       return {halfedge(crossing->first, number), {{1 - crossing->second, crossing->second, 0}}};
     if(const auto* point = std::get_if<Point_of_face>(&given)) {
       if(!is_face(point->first, m_mesh))
-        throw_naming<Invalid_location_error>("point ", Element{number}, " of the curve is not in any face of the mesh");
+        throw_naming<Invalid_location_error>("point ", Element{number},
+                                             " of the curve has a face that does not belong to the mesh");
       return {input.index(graph_halfedge(point->first, m_mesh)), point->second};
     }
     const Vertex_index v = m_triangulation.index(std::get<Vertex>(given));

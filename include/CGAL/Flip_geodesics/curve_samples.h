@@ -364,7 +364,7 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
   static_assert(internal::Has_points<typename Surface::Metric>::value,
                 "the metric has no points in space: use Located_curve to obtain the locations");
   if(number < 2)
-    throw Invalid_parameter_error("fewer than two samples are requested, but the start and the end are samples");
+    throw Invalid_parameter_error("fewer than two samples are requested, but the start and the end are always samples");
   const Surface surface = internal::make_surface(mesh, options);
   const Located_curve<Surface> located = internal::located_curve(surface, mesh, curve);
   const internal::Curve_sampler<Surface, TriangleMesh> sample(surface, mesh, located);

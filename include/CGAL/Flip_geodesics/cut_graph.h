@@ -21,7 +21,7 @@ template <class Network, class VertexRange>
 Index add_cut_graph(Network& network, const VertexRange& base_points, Interruption* interruption)
 {
   static_assert(is_range_of<VertexRange, Vertex_index>,
-                "the base points must be a range of vertices of the triangulation, of type Vertex_index");
+                "the base points must be a range of vertices of the triangulation (Vertex_index)");
   const auto& triangulation = network.triangulation();
   const Cut_edges<typename Network::Triangulation> cut(triangulation, base_points, interruption);
   const auto degree = degrees(triangulation, cut.marks());

@@ -160,7 +160,7 @@ private:
     case Degeneracy_remedy::CONTRACT:
       return "; contract such edges (Zero_length_edges) or lengthen them (Mollified_metric)";
     case Degeneracy_remedy::MOLLIFY:
-      return "; lengthen them (Mollified_metric)";
+      return "; lengthen such edges (Mollified_metric)";
     }
     return "";
   }

@@ -895,7 +895,7 @@ Distances_report logarithmic_map(const TriangleMesh& mesh, const Source& source,
 {
   static_assert(internal::is_mesh_vertex<TriangleMesh, Source>,
                 "a vertex of the mesh is expected here; the order of the arguments is mesh, source, property map; for "
-                "other points pass "
+                "a source that is not a vertex, pass "
                 "targets and an output, and include tangent_vectors.h");
   const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
   const auto computed = internal::compute_logarithmic_map(mesh, Mesh_vertex<TriangleMesh>(source), options);

@@ -122,7 +122,7 @@ public:
       largest = (std::max)(largest, m_weights[i]);
     }
     if(!(largest > 0))
-      throw Invalid_parameter_error("the weights of the points of a mean are all zero; one of them must be positive");
+      throw Invalid_parameter_error("the weights of the points of a mean are all zero; at least one must be positive");
     double sum = 0;
     for(double& weight : m_weights)
       sum += weight /= largest;

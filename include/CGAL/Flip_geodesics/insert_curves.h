@@ -131,7 +131,7 @@ double snapping_tolerance_of(const NamedParameters& np)
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), default_snap));
   if(!(result >= 0 && result < largest))
     throw Invalid_parameter_error("the snapping tolerance is " + internal::written(result) +
-                                  ", but must be between 0 and 1/3");
+                                  ", but must be at least 0 and less than 1/3");
   return result;
 }
 

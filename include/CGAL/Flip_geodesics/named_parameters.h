@@ -158,8 +158,8 @@ template <class... Tags, class... NamedParameters>
 decltype(auto) options_of(const NamedParameters&... np)
 {
   static_assert(Has_names_of<Joined<NamedParameters...>, Tags...>::value,
-                "the function does not accept at least one of these named parameters; its reference page lists those "
-                "that it accepts");
+                "at least one of these named parameters is not accepted by the function, whose reference page lists "
+                "the accepted ones");
   return joined(np...);
 }
 

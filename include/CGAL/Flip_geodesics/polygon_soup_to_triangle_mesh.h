@@ -147,7 +147,7 @@ template <class Kernel>
 void check_repaired(const Triangle_soup<Kernel>& soup, const Repair_record& record)
 {
   if(record.number_of_polygons == 0)
-    throw Invalid_mesh_error("the polygon soup is empty");
+    throw Invalid_mesh_error("the polygon soup has no polygons");
   if(soup.triangles.empty()) {
     std::string reasons;
     for(const std::string& line : Internals<Repair_report>::make(record).lines())

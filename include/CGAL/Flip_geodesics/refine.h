@@ -217,7 +217,8 @@ Refinement_report refine(Triangulation& triangulation, const Refinement_options&
                          const NamedParameters&... np)
 {
   if(triangulation.number_of_holds() > 0)
-    throw Occupied_triangulation_error("a triangulation that has curves must be refined through their network");
+    throw Occupied_triangulation_error(
+        "a triangulation that has curves cannot be refined without their network; pass the network to refine()");
   auto visitor = internal::make_visitor(internal::options_of<internal_np::visitor_t>(np...));
   return internal::refine(
       triangulation, [](const auto&) {}, options, visitor.get());

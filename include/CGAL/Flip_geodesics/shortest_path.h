@@ -209,7 +209,7 @@ public:
       is_same = input.is_border(m_edges[i].halfedge) == m_edges[i].is_border &&
                 triangulation.metric().length(input, m_edges[i].halfedge) == m_edges[i].length;
     if(!is_same)
-      throw Input_mismatch_error("the landmarks were computed for another mesh, or another metric");
+      throw Input_mismatch_error("the landmarks were computed for another mesh or another metric");
   }
 
 private:
@@ -775,7 +775,8 @@ Shortest_path_report find_shortest_path(const Whole& whole, Triangulation& trian
                                                   search_limit_of<Window_limit>(np), visitor.get());
   if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(whole))
     throw Degenerate_face_error(
-        "a shortest path may pass through vertices that coincide because of degenerate faces; repair the mesh", {});
+        "the shortest path possibly passes through vertices that coincide because of degenerate faces; repair the mesh",
+        {});
   note_contraction(whole, report.shortening);
   if(network.number_of_curves() != 0) // not stopped by the visitor
     write(network);

@@ -306,7 +306,7 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
                              OutputIterator out, const NamedParameters& np)
 {
   if(!(length >= 0 && std::isfinite(length)))
-    throw Invalid_parameter_error("the length of a geodesic to be traced must be finite and not negative");
+    throw Invalid_parameter_error("the length of a geodesic must be finite and not negative");
   const Direction_finder<Triangulation> finder(triangulation);
   const auto walk = [&](const auto& is_constrained) {
     const Trace_limits<std::decay_t<decltype(is_constrained)>> limits = {

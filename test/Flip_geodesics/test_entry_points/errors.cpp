@@ -145,5 +145,5 @@ BOOST_AUTO_TEST_CASE(errors_name_the_vertex_at_which_umbrellas_meet)
   mesh.set_halfedge(apex, Surface::null_halfedge());
   const Triangulation triangulation(mesh);
   check_elements<FG::Invalid_mesh_error>([&] { FG::Loop_basis<Triangulation>{triangulation}; }, {0},
-                                         "umbrellas of the surface meet only at vertex 0");
+                                         "several umbrellas of faces meet at vertex 0");
 }

@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(points_in_space_and_points_of_curves_are_ends)
                         [](const auto& error) { return error.elements() == std::vector<std::size_t>{1}; });
   BOOST_CHECK_EXCEPTION(with_limit(2.5e-7), FG::Distant_point_error, [](const auto& error) {
     return std::string(error.what())
-               .find("is 0.5 away from the surface, more than greatest_point_distance() allows, which is 2.5e-07") !=
+               .find("is at a distance of 0.5 from the surface, but greatest_point_distance is 2.5e-07") !=
            std::string::npos;
   });
   BOOST_CHECK_THROW(with_limit(-1), FG::Invalid_parameter_error);

@@ -372,7 +372,7 @@ inline std::string checked_text(std::istream& in)
   if(!(start >> magic >> version) || magic != first_word)
     throw File_format_error("the stream does not contain a saved network: its first word is not " + first_word, {0});
   if(version < 1 || version > network_version)
-    throw File_format_error("the saved network has version " + std::to_string(version) + ", and only versions 1 to " +
+    throw File_format_error("the saved network has version " + std::to_string(version) + ", but only versions 1 to " +
                                 std::to_string(network_version) + " are known",
                             {1});
   if(!has_end)
@@ -476,7 +476,7 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
      fingerprint != internal::input_fingerprint(triangulation))
     throw Input_mismatch_error("the network was saved for another mesh, of " + std::to_string(vertices) +
                                " vertices and " + std::to_string(halfedges / 2) +
-                               " edges, or for the same one with other edge lengths");
+                               " edges, or for the same mesh with other edge lengths");
   const std::vector<internal::Log_entry> log = internal::read_log(words, version, text.size());
   const internal::Network_state state = internal::read_state(words, text.size());
   constexpr std::size_t usual = 1u << 24; // ids of replaced segments take memory, too

@@ -278,7 +278,7 @@ private:
     if(!std::isfinite(length))
       throw Invalid_coordinate_error(
           "the face with vertices " + std::to_string(piece.corners[0]) + ", " + std::to_string(piece.corners[1]) +
-              ", " + std::to_string(piece.corners[2]) + " has a coordinate that is NaN or too large",
+              ", " + std::to_string(piece.corners[2]) + " has a corner with a coordinate that is NaN or too large",
           {static_cast<std::size_t>(piece.corners[0]), static_cast<std::size_t>(piece.corners[1]),
            static_cast<std::size_t>(piece.corners[2])});
     m_lengths[half / 2] = length;

@@ -331,8 +331,8 @@ private:
     if(!is_occupied(h))
       return;
     const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
-    throw_naming<Crossing_curves_error>("a segment of the curve crosses another curve at the edge between vertices ", v,
-                                        " and ", w);
+    throw_naming<Crossing_curves_error>(
+        "a segment of a curve crosses the curve itself or another one at the edge between vertices ", v, " and ", w);
   }
 
   Network& m_network;

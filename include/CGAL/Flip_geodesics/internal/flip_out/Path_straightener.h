@@ -380,8 +380,8 @@ private:
     if(m_triangulation.holds(Triangulation::edge(h)) == 0 && m_drawn.count(Triangulation::edge(h)) == 0)
       return;
     const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
-    throw_naming<Crossing_curves_error>("a segment of a polyline crosses a curve at the edge between vertices ", v,
-                                        " and ", w);
+    throw_naming<Crossing_curves_error>(
+        "a segment of a polyline crosses the polyline itself or a curve at the edge between vertices ", v, " and ", w);
   }
 
   Network& m_network;

@@ -96,9 +96,10 @@ inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& err
 {
   if(error.remedy() != Degeneracy_remedy::CONTRACT)
     return error;
-  return {error.problem() +
-              "; after contracting such edges and degenerate faces, no surface connects the ends of the curve",
-          error.elements(), Degeneracy_remedy::MOLLIFY};
+  return {
+      error.problem() +
+          "; after the contraction of such edges and of degenerate faces, no surface connects the ends of the curve",
+      error.elements(), Degeneracy_remedy::MOLLIFY};
 }
 
 /*

@@ -90,9 +90,8 @@ private:
     const double distance = 2 * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     m_points.distances[i] = distance;
     if(!(distance <= m_greatest_distance))
-      throw_naming<Distant_point_error>("point ", Element{i}, " is ", distance,
-                                        " away from the surface, more than greatest_point_distance() allows, which is ",
-                                        m_greatest_distance);
+      throw_naming<Distant_point_error>("point ", Element{i}, " is at a distance of ", distance,
+                                        " from the surface, but greatest_point_distance is ", m_greatest_distance);
   }
 
   const Triangulation& m_triangulation;

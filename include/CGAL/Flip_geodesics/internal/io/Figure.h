@@ -748,7 +748,7 @@ void write_plainly(std::ostream& out, int precision, const Write& write)
   if(out && plain.flush())
     return;
   out.setstate(std::ios::badbit);
-  throw File_write_error("the file could not be written completely; check the free space on the disk");
+  throw File_write_error("the output could not be written completely; check the stream or the free space on the disk");
 }
 
 template <class Writer>

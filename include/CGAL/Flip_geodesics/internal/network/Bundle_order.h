@@ -180,7 +180,8 @@ struct Order_conflict
   {
     std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx())};
     if(w == null_index)
-      throw Crossing_curves_error("curves cross at vertex " + std::to_string(v.idx()), elements);
+      throw Crossing_curves_error("two curves, or two parts of one curve, cross at vertex " + std::to_string(v.idx()),
+                                  elements);
     elements.push_back(static_cast<std::size_t>(w.idx()));
     throw Ambiguous_order_error("no order was found for the curves along the edge from vertex " +
                                     std::to_string(v.idx()) + " to vertex " + std::to_string(w.idx()),

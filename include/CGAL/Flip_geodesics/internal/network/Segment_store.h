@@ -292,7 +292,7 @@ public:
     const Halfedge_index h = halves.first;
     const std::array<Halfedge_index, 2> chain = {h, halves.second};
     if(m_triangulation->holds(Triangulation::edge(h)) > (is_occupied(h) ? 1 : 0))
-      throw Occupied_triangulation_error("a curve of another network lies on the edge that would be split");
+      throw Occupied_triangulation_error("a curve of another network lies on an edge that must be split");
     std::vector<Segment_index> segments = bundle(Triangulation::edge(h));
     if(!is_first_side(h))
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
@@ -873,7 +873,7 @@ template <class Triangulation, class HalfedgeRange>
 void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfedges, bool is_closed)
 {
   static_assert(is_range_of<HalfedgeRange, Halfedge_index>,
-                "the curve must be a range of halfedges of the triangulation, of type Halfedge_index");
+                "the curve must be a range of halfedges of the triangulation (Halfedge_index)");
   std::size_t position = 0;
   Halfedge_index first = null_index, last = null_index;
   for(Halfedge_index h : halfedges) {

@@ -305,7 +305,9 @@ private:
       if(m_result.outgoing[member->second] == null_index)
         return member->second;
     throw_naming<Degenerate_face_error>(
-        "at vertex ", v, ", contraction yields more umbrellas than there are coincident vertices to represent them");
+        "at vertex ", v,
+        ", the contraction of degenerate edges yields more umbrellas than there are coincident vertices to represent "
+        "them");
   }
 
   void collect_members(const Vertices& merged)

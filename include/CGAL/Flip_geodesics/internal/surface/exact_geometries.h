@@ -183,7 +183,7 @@ double sign_tolerance()
 
 [[noreturn]] inline void throw_inexact_root()
 {
-  throw Inexact_root_error("the area of a face is not a rational multiple of the root of the radicand; "
+  throw Inexact_root_error("the area of a face is not a rational multiple of the square root of the radicand; "
                            "common_radicand() computes the radicand of a mesh, if it has one");
 }
 

@@ -25,7 +25,8 @@ namespace CGAL::Flip_geodesics::internal {
 
 [[noreturn]] inline void throw_meeting_umbrellas(Vertex_index v)
 {
-  throw_naming<Invalid_mesh_error>("umbrellas of the surface meet only at vertex ", v, "; duplicate the vertex");
+  throw_naming<Invalid_mesh_error>("several umbrellas of faces meet at vertex ", v,
+                                   "; duplicate the vertex for each umbrella");
 }
 
 /*
@@ -67,7 +68,7 @@ template <class Input_mesh>
     if(others[v] > 0)
       throw_meeting_umbrellas(v);
   }
-  throw Invalid_mesh_error("umbrellas of the surface meet only at a vertex");
+  throw Invalid_mesh_error("several umbrellas of faces meet at a vertex");
 }
 
 /* Calls `use(border)` for each border, a chain of halfedges with the surface on the left, in the order of their

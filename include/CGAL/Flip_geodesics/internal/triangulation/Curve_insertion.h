@@ -961,7 +961,7 @@ private:
   Place place_at(Face f, const std::array<double, 3>& weights, double snap) const
   {
     if(!is_face(f, m_mesh))
-      throw Invalid_location_error(name() + " is not in any face of the mesh", elements());
+      throw Invalid_location_error(name() + " has a face that does not belong to the mesh", elements());
     const auto refuse = [this](const std::string& before, const std::string& after) {
       throw Invalid_location_error(before + name() + after, elements());
     };

@@ -292,7 +292,7 @@ private:
   {
     const Vertex_index v = triangulation.is_inserted(sequence.tail) ? sequence.tail : sequence.head;
     const Input_halfedge_index h = triangulation.location(v).halfedge;
-    throw Insertion_error("points at vertex " + std::to_string(v.idx()) + ", in the face of halfedge " +
+    throw Insertion_error("points near vertex " + std::to_string(v.idx()) + ", in the face of halfedge " +
                               std::to_string(h.idx()) +
                               ", are too close together for double precision and have caused incorrect flips",
                           {static_cast<std::size_t>(h.idx())});

@@ -142,8 +142,8 @@ public:
   {
     const auto place = found(h);
     if(place == m_halfedges.end())
-      throw_naming<Invalid_mesh_error>("umbrellas of the surface meet only at vertex ", vertex,
-                                       ", where the angle between two directions is undefined");
+      throw_naming<Invalid_mesh_error>("several umbrellas of faces meet at vertex ", vertex,
+                                       ", and the angle between directions in two of them is undefined");
     return place->angle;
   }
 
