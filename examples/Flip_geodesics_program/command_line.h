@@ -364,8 +364,13 @@ private:
 
   void add_memory_limit()
   {
-    add("--memory-limit", "MEGABYTES", m_options.memory_limit, {0, 1e9, true},
-        "end the computation of a curve that requires more memory than this [3/4 of the memory of the machine]");
+    const std::string of_ways = m_command->get_name() == "shortest"
+                                    ? "; with --ways or --avoid, about 1200 plus 0.024 per vertex of the mesh"
+                                    : "";
+    add("--memory-limit", "MEGABYTES", m_options.memory_limit,
+        "end the computation of curves that require more memory than this [3/4 of the memory of the machine" + of_ways +
+            "]")
+        ->transform(number_in<double>({0, 1e9, true}));
   }
 
   CLI::Option* add_vertex_limit()
@@ -511,8 +516,9 @@ private:
     m_group = "The triangulation";
     add("--delaunay", m_options.meshes.is_delaunay,
         "flip edges to obtain a Delaunay triangulation that is constrained to the curves");
-    CLI::Option* const refine = add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
-                                    "insert vertices until no angle is smaller than this (0 to 30 degrees)");
+    CLI::Option* const refine =
+        add("--refine", "ANGLE", m_options.meshes.refine, {0, 30},
+            "insert vertices until no angle is smaller than this (0 to 30 degrees), where possible");
     add("--longest-edge", "LENGTH", m_options.meshes.longest_edge, {1e-70},
         "insert vertices until no edge is longer than this; requires --refine")
         ->needs(refine);
@@ -592,7 +598,8 @@ private:
     add_files_of_curves();
     add("--map", "FILE", m_options.results.map, "write one line `vertex,distance,source` per vertex as CSV");
     add("--values", m_options.results.has_values,
-        "add the distances of the vertices to .ply and .vtp files, which are then binary, and to .json files")
+        "add the distances and nearest sources of the vertices to .ply and .vtp files, which are then binary, and the "
+        "distances to .json files")
         ->needs(m_command->get_option("--output"));
     add("--matrix", "FILE", m_options.results.matrix, "write the distances between the sources as CSV");
     exclude("--isolines", {"--spacing"});

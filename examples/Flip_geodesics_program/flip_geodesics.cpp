@@ -176,7 +176,7 @@ int run_engine(Run& run, const Metric& metric)
   }
   const std::vector<Network_request> requests = requests_of(run);
   if(requests.size() != 1 && options.meshes.is_any_wanted())
-    throw Bad_input("--insert, --cut and the 'refine' command require a single curve, or one network of curves");
+    throw Bad_input("--insert, --cut and the command `refine` require a single curve, or one network of curves");
   std::size_t number_of_curves = 0;
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();

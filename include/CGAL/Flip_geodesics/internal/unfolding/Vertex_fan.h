@@ -206,7 +206,7 @@ void check_reference(const Input_mesh& input, Input_halfedge_index h)
 [[noreturn]] inline void throw_no_side(Input_halfedge_index h)
 {
   throw_naming<Invalid_parameter_error>("a direction is measured from halfedge ", h,
-                                        ", which is not a side of a face of the location");
+                                        ", which is not a side of a face that contains the location");
 }
 
 /* Returns the umbrella of an outgoing halfedge of a vertex of the input, with corners computed from the input.
