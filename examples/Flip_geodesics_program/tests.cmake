@@ -292,7 +292,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" path repaired.off --from 0 --to 2)
   set_tests_properties(program_repair_again PROPERTIES DEPENDS program_only_repaired)
   flip_geodesics_add_program_test(repair_merged 0 "0  *4 " path pyramid.off --repair --from 0 --to 5)
-  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair into the vertices 0 10; vertex 0 is used" path
+  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair into the vertices 0, 10; vertex 0 is used" path
                                   pyramid.off --repair --from 0 --to 2)
   flip_geodesics_add_program_test(repair_dropped 2 "vertex 7 has no faces after the repair" path pyramid.off --repair
                                   --from 0 --to 7)
@@ -464,7 +464,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --stop-length 0.97)
   flip_geodesics_add_program_test(segmentation_free 0 "curves: " network torus.off --segmentation parts.seg
                                   --free-junctions)
-  flip_geodesics_add_program_test(one_part 2 "one_part.seg: all faces" network torus.off --segmentation one_part.seg)
+  flip_geodesics_add_program_test(one_part 2 "one_part.seg: no edge separates faces" network torus.off --segmentation one_part.seg)
   flip_geodesics_add_program_test(too_few_labels 2 "2 labels for 576" network torus.off --segmentation short.seg)
   flip_geodesics_add_program_test(label_no_number 2 "label 1, 'one'" network torus.off --segmentation word.seg)
   flip_geodesics_add_program_test(no_labels 2 "missing.seg" network torus.off --segmentation missing.seg)
@@ -782,7 +782,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length_trace 1 "length zero; use --repair" trace zero_length.off --trace 3,0,1)
   flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 curve was computed after degenerate edges had been contracted\n"
                                   path zero_length.off --pairs zero_length.txt --kernel certified)
-  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 curves encountered" log zero_length.off --source 0 --map
+  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 curves were computed after" log zero_length.off --source 0 --map
                                   zero_length.csv)
   flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170[^\n]*. scale the mesh\n" path tiny.off --from 0 --to 1)
   flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" path flat.off --draw flat.polylines.txt)

@@ -90,8 +90,8 @@ def case_inputs(folder):
             for option in ['--insert', '--cut', '--stats', '--polylines', '--page']:
                 if name != 'torus.off' and option not in ('--insert', '--stats'):
                     continue
-                folder.refuse('an input file', *pair, option, name)
-        folder.refuse('an input file', 'refine', *pair[1:], '--subdivision', 'torus.off')
+                folder.refuse('this input file', *pair, option, name)
+        folder.refuse('this input file', 'refine', *pair[1:], '--subdivision', 'torus.off')
     finally:
         linked.unlink()
     labels = ''.join(f'{i // 200}\n' for i in range(576))
@@ -100,7 +100,7 @@ def case_inputs(folder):
             ('loop', '--loop', '0 12 13\n'), ('network', '--network', '3 4 5\n'), ('spline', '--bezier', '0 15 40 65\n'),
             ('path', '--draw', '0 15 40\n'), ('cut', '--draw', '0 15 40\n'), ('network', '--segmentation', labels)]:
         (folder.path / 'curves.txt').write_text(content)
-        folder.refuse('an input file', command, 'torus.off', option, 'curves.txt', '--polylines', './curves.txt')
+        folder.refuse('this input file', command, 'torus.off', option, 'curves.txt', '--polylines', './curves.txt')
         folder.run(0, command, 'torus.off', option, 'curves.txt', '--polylines', 'result.txt', '--quiet')
     folder.run(0, *pair, '--insert', 'elsewhere.off')
     folder.run(0, *pair, '--insert', 'torus.off', '--force')
