@@ -595,7 +595,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(repaired_weights 0 "1 LOCALLY_SHORTEST" path pyramid.off --repair --from 0 --to 2
                                   --face-weights edge_weights_of_pyramid.csv)
   file(WRITE ${program_dir}/edge_weights_of_pyramid.csv "0,2\n")
-  flip_geodesics_add_program_test(weights_of_nothing 2 "too_few_weights.txt: there are 2 weights for 576 faces" path
+  flip_geodesics_add_program_test(weights_of_nothing 2 "too_few_weights.txt: the file has 2 weights for 576 faces" path
                                   torus.off --from 0 --to 150 --face-weights too_few_weights.txt)
   flip_geodesics_add_program_test(weight_of_zero 2 "no_weight.csv line 2: the weight of face 1 is 0. give a positive" path
                                   torus.off --from 0 --to 150 --face-weights no_weight.csv)

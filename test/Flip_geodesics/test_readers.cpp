@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
             "a.ply byte 118: vertex 0 is cut off");
 
   check_has(message("a.stl", "solid\nfacet\nvertex 0 0\nendfacet\n"), "a.stl line 4: face 0 has 'endfacet'");
-  check_has(message("a.stl", "solid\nfacet\nvertex 0 0 0\nendfacet\n"), "a.stl line 4: face 0 has 1 vertices");
+  check_has(message("a.stl", "solid\nfacet\nvertex 0 0 0\nendfacet\n"), "a.stl line 4: face 0 has 1 vertex, but");
   check_has(message("a.stl", "solid\n"), "a.stl line 1: the file ends without endsolid");
   check_has(message("a.stl", "facet\n"), "too few for a binary STL file");
   check_has(message("a.ts", "VRTX 1 0 0 0\nTRGL 1 1 2\n"),

@@ -37,8 +37,8 @@ inline std::vector<long long> read_labels(const Input_mesh& mesh, const Input_te
                  "; write one label per line");
   }
   if(labels.size() != mesh.number_of_faces_in_file())
-    throw Bad_input(input.name() + ": there are " + std::to_string(labels.size()) + " labels for " +
-                    std::to_string(mesh.number_of_faces_in_file()) + " faces; write one for each face");
+    throw Bad_input(input.name() + ": the file has " + counted(labels.size(), "label", "labels") + " for " +
+                    counted(mesh.number_of_faces_in_file(), "face", "faces") + "; write one label for each face");
   return labels;
 }
 

@@ -95,8 +95,8 @@ inline Weights read_face_weights(const Input_mesh& mesh, const Input_text& input
     ++number_of_weights;
   });
   if(number_of_weights == 0 || (number_of_items == 1 && number_of_weights != number_of_faces))
-    throw Bad_input(input.name() + ": there are " + std::to_string(number_of_weights) + " weights for " +
-                    std::to_string(number_of_faces) + " faces; write one for each face, or lines `face weight`");
+    throw Bad_input(input.name() + ": the file has " + counted(number_of_weights, "weight", "weights") + " for " +
+                    counted(number_of_faces, "face", "faces") + "; write one for each face, or lines `face weight`");
   Weights result = {input.name(), {}, {}};
   for(const Mesh::Face_index f : mesh.mesh().faces())
     result.of_faces.push_back(in_file[mesh.face_in_file(f)]);

@@ -134,8 +134,8 @@ private:
     if(word.empty())
       m_words.fail(element, "is cut off; complete it");
     if(m_soup.faces.back().size() != 3)
-      m_words.fail(element, "has " + std::to_string(m_soup.faces.back().size()) +
-                                " vertices, but all faces of an STL file are triangles; correct it");
+      m_words.fail(element, "has " + counted(m_soup.faces.back().size(), "vertex", "vertices") +
+                                ", but all faces of an STL file are triangles; correct it");
   }
 
   const Input_text& m_input;

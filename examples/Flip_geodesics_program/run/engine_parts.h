@@ -68,10 +68,10 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
   case Refinement_status::BOUNDS_REACHED:
     return "";
   case Refinement_status::BOUNDS_NOT_REACHABLE:
-    return "; the bounds cannot be reached: " + std::to_string(report.given_up) +
-           " faces would require far more vertices than allowed, and " +
-           std::to_string(report.missed - report.given_up) +
-           " faces are too small for double precision, or adjacent to a face that is too small";
+    return "; the bounds cannot be reached: " + counted(report.given_up, "face", "faces") +
+           " would require far more vertices than allowed, and " +
+           counted(report.missed - report.given_up, "face is", "faces are") +
+           " too small for double precision, or adjacent to a face that is too small";
   case Refinement_status::VERTEX_LIMIT:
     return "; ended because the limit on inserted vertices was reached";
   case Refinement_status::STOPPED_BY_VISITOR:
@@ -128,8 +128,9 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     text << "refined  " << counted(report.insertions, "vertex", "vertices") << " inserted, "
          << counted(report.splits, "edge", "edges") << " split; smallest angle " << report.smallest_angle << " degrees";
     if(report.exempt > 0)
-      text << ", " << report.smallest_free_angle << " without "
-           << counted(report.exempt, "exempt face", "exempt faces");
+      text << ", " << report.smallest_free_angle << " degrees without "
+           << counted(report.exempt, "face whose small angle is unavoidable",
+                      "faces whose small angles are unavoidable");
     text << "; " << counted(report.missed, "face", "faces") << " outside the bounds" << ending(report) << '\n';
   }
   return text.str();
