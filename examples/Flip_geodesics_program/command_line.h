@@ -394,7 +394,7 @@ private:
 
   void add_stop_length()
   {
-    const bool are_joint = m_command->get_name() == "network";
+    const bool are_joint = m_command->get_name() == "network" || m_command->get_name() == "refine";
     add("--stop-length", "RATIO", m_options.stop_length, {0, 1},
         are_joint ? "stop shortening before the total length falls below this fraction of the initial total length [0]"
                   : "stop shortening a curve before its length falls below this fraction of its initial length [0]");
