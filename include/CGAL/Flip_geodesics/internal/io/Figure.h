@@ -735,9 +735,9 @@ struct Number_format
 };
 
 /* Writes by `write(plain)`, where the stream shares the buffer of `out` but has default settings and the classic
- * locale. */
+ * locale. The message of an exception begins with `start`. */
 template <class Write>
-void write_plainly(std::ostream& out, int precision, const Write& write)
+void write_plainly(std::ostream& out, int precision, const Write& write, const std::string& start = "the output ")
 {
   std::ostream plain(nullptr);
   plain.imbue(std::locale::classic()); // before it has a buffer, whose locale would change as well
@@ -748,13 +748,14 @@ void write_plainly(std::ostream& out, int precision, const Write& write)
   if(out && plain.flush())
     return;
   out.setstate(std::ios::badbit);
-  throw File_write_error("the output could not be written completely; check the stream or the free space on the disk");
+  throw File_write_error(start + "could not be written completely; check the stream or the free space on the disk");
 }
 
-template <class Writer>
-void write_to(std::ostream& out, const Writer& writer, const Number_format& format)
+template <class Writer, class... Start>
+void write_to(std::ostream& out, const Writer& writer, const Number_format& format, const Start&... start)
 {
-  write_plainly(out, format.precision, [&](std::ostream& plain) { writer.write(plain); });
+  write_plainly(
+      out, format.precision, [&](std::ostream& plain) { writer.write(plain); }, start...);
 }
 
 template <class Writer>
@@ -763,7 +764,7 @@ void write_to(const std::string& name, const Writer& writer, const Number_format
   std::ofstream out(name, std::ios::binary);
   if(!out)
     throw File_write_error(name + ": cannot be written; choose another path");
-  write_to(out, writer, format);
+  write_to(out, writer, format, name + ": ");
   out.close();
   if(!out)
     throw File_write_error(name + ": could not be written completely; check the free space on the disk");
