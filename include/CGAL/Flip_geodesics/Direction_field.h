@@ -29,12 +29,13 @@ namespace CGAL::Flip_geodesics {
  * Computes the smoothest direction field on an intrinsic triangulation \cgalCite{KCPS13}: a cross field for symmetry 4,
  * a line field for 2, and a vector field for 1.
  *
- * The field is stored at vertices, as the `symmetry`-th power of a complex number in the tangent space of the vertex
- * (`Tangent_spaces`). It minimizes \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$ with the cotangent weights \f$w\f$ and
- * the transport \f$r\f$ along edges: among all fields of unit norm or, if directions are prescribed, for instance along
- * curves, among the fields that have these directions \cgalCite{SC20,section 6.4 and Figure 26}. Edges that are not
- * Delaunay have negative weights, which can make the minimal energy meaningless; flip the triangulation to Delaunay
- * first.
+ * The field is stored as one complex number \f$u_i\f$ per vertex, the `symmetry`-th power of a direction in the tangent
+ * space of the vertex (`Tangent_spaces`). It minimizes the energy \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$, where
+ * \f$w\f$ are the cotangent weights of the edges, and \f$r\f$ the `symmetry`-th powers of the parallel transport along
+ * them. If directions are prescribed, for instance along curves, the minimum is taken over all fields with these
+ * directions \cgalCite{SC20,section 6.4 and Figure 26}; otherwise, over all fields whose squared magnitude has the mean
+ * 1 in each connected component. Edges that are not Delaunay have negative weights, with which the energy can become
+ * negative; flip the triangulation to Delaunay first.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -48,7 +49,7 @@ class Direction_field
 public:
   using Vector = Eigen::VectorXcd; ///< a complex number per vertex
 
-  /// Describes a singularity: a face along whose boundary the field makes `index / symmetry` full turns.
+  /// Describes a singularity: a face around which the field makes `index / symmetry` full turns.
   struct Singularity
   {
     std::size_t face; ///< the number of the face in `operators().faces()`
@@ -74,14 +75,14 @@ public:
     CGAL_precondition(symmetry >= 1);
   }
 
-  /// Returns the operators of the discretization, which define the numbers of the faces.
+  /// Returns the operators of the discretization; the faces are numbered as in their `faces()`.
   const Operators<Triangulation>& operators() const { return m_operators; }
-  /// Returns the tangent spaces in which the field is given.
+  /// Returns the tangent spaces, in which the angles of directions are measured.
   const Tangent_spaces<Triangulation>& tangent_spaces() const { return m_spaces; }
 
   /// \name Alignment
-  /// If several directions are prescribed at one vertex, they are averaged; if they cancel each other out, the vertex
-  /// is free.
+  /// If several directions are prescribed at one vertex, their `symmetry`-th powers are averaged; if the powers cancel
+  /// each other out, no direction is prescribed there.
   /// @{
 
   /// Prescribes a direction at vertex `v`, as an angle in its tangent space, in radians.
@@ -92,7 +93,7 @@ public:
     m_aligned[v.idx()] += power(angle);
   }
 
-  /// Prescribes the directions of all curves of a network, at their ends and at every vertex that they pass.
+  /// Prescribes the directions of all curves of a network at their ends and at every vertex through which they pass.
   template <class Network>
   void align(const Network& network)
   {
@@ -108,8 +109,9 @@ public:
   /// @}
 
   /*!
-   * Computes the field. This takes one sparse Cholesky factorization and, if no directions are prescribed, tens to
-   * hundreds of solves, until the relative change of the energy is at most 1e-12.
+   * Computes the field by one sparse Cholesky factorization. If no directions are prescribed, inverse iteration
+   * follows: usually tens to hundreds of solves, at most 1000, until the relative change of the energy is at most
+   * 1e-12.
    * \throws Singular_problem_error if directions are prescribed, but not in every component that has faces, or if the
    *         matrix cannot be factorized
    */
@@ -133,8 +135,9 @@ public:
     m_is_computed = true;
   }
 
-  /// Returns the `symmetry`-th powers of the field at the vertices, which are not normalized; 0 at isolated vertices.
-  /// \throws Invalid_parameter_error if `compute()` has not been called, as all following functions do
+  /// Returns the `symmetry`-th powers of the field at the vertices. Their magnitudes vary; they are 0 at isolated
+  /// vertices without prescribed directions.
+  /// \throws Invalid_parameter_error if `compute()` has not been called; all following functions also throw it
   const Vector& values() const
   {
     if(!m_is_computed)
@@ -148,7 +151,9 @@ public:
 
   /*!
    * Returns the singularities of the field. On a closed surface, the sum of their indices is `symmetry` times the Euler
-   * characteristic. Linear in the size of the mesh.
+   * characteristic.
+   *
+   * Complexity: linear in the size of the mesh.
    */
   std::vector<Singularity> singularities() const
   {
@@ -166,7 +171,7 @@ public:
     return result;
   }
 
-  /// Returns the energy of the field, that is, the sum that the field minimizes.
+  /// Returns the energy of the field, that is, the sum over the edges that the field minimizes.
   double energy() const { return std::real(values().dot(connection_laplacian() * m_values)); }
 
 private:

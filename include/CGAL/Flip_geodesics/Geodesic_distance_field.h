@@ -102,12 +102,12 @@ struct Distance_field_report
 {
   Distance_field_status status = Distance_field_status::COMPLETE; ///< why the computation ended
   std::size_t windows = 0;                                        ///< the total number of windows created
-  /// Whether the height of some face is at most 1e-10 of its base. Rays can be lost in such a face, so distances can be
-  /// too long.
+  /// Whether the field has reached a face whose height is at most 1e-10 of its base. Rays can be lost in such a face,
+  /// so distances can be too long.
   bool has_flat_face = false;
   /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of this distance. Errors grow
   /// with the number of faces that paths cross, and with the number of crossed edges that are long compared with the
-  /// distance. They are estimated by a conservative bound: most errors are far smaller.
+  /// distance. The bound on the errors is conservative: most errors are far smaller.
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if every distance up to `Geodesic_distance_field::reach()` exceeds the length of a shortest
   /// path by at most 1e-10 of the distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or
@@ -122,8 +122,9 @@ struct Distance_field_report
  *
  * Windows of straight rays are propagated from face to face, and each edge keeps the lower envelope of the windows that
  * reach it \cgalCite{MMP87}. Sources are vertices, points anywhere on the surface, and curves. Each source has an
- * offset, by default 0, which is added to all distances from this source. A computed field can be queried for the
- * distance at any location, the shortest path from this location, the nearest source and the gradient.
+ * offset, by default 0, which is added to all distances from this source. A computed field can be queried, at any
+ * location, for the distance, the nearest source, a shortest path to this source, and the gradient of the distance. A
+ * field with the extent `VERTICES_ONLY` returns distances and nearest sources of vertices only.
  *
  * \code
  * Geodesic_distance_field<Triangulation> field(triangulation, mesh);
@@ -190,19 +191,20 @@ public:
   Geodesic_distance_field(const Triangulation&, const Triangle_mesh&&, const NamedParameters&...) = delete;
 
   /*!
-   * Adds a point of the surface as a source and returns the number of the source. Constant time, unless `point` is a
-   * point in space, which has to be located.
+   * Adds a point of the surface as a source and returns the number of the source.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \param offset the number that is added to all distances from this source
    * \throws Invalid_parameter_error if the field has been computed
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times the length of the
-   *         sides of a face of the point, because the rounding errors of the distances would then exceed the size of
-   *         the face
+   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than about 1e10 times the length of
+   *         the sides of a face that contains the point. With a larger offset, rounding errors of distances would
+   *         exceed about 1e-6 of this length
    * \throws Degenerate_face_error if the face of the point is degenerate, unless the point is a vertex without offset
    * \throws Invalid_mesh_error if the face of the point is invalid, unless the point is a vertex without offset
+   *
+   * Complexity: constant. If `point` is a point in space, the time of `surface_location()` is added.
    */
   template <class Point = Surface_location>
   std::size_t add_source(const Point& point, double offset = 0)
@@ -222,11 +224,11 @@ public:
 
   /*!
    * Adds a curve as a source and returns the number of the source. The curve is straight between consecutive locations,
-   * so a curve along edges is given by its vertices; a single location is a point source.
+   * so a curve along edges is given by its vertices. A range with one location represents a point.
    * `Curve_extractor::surface_locations()` returns the locations of a curve of a network.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
-   *        consecutive ones lie in a common face or on its boundary
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts. Consecutive
+   *        points must lie in a common face or on its boundary
    * \param offset the number that is added to all distances from this source
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_parameter_error as `add_source()` does
@@ -235,7 +237,7 @@ public:
    * \throws Degenerate_face_error as `add_source()` does
    * \throws Invalid_mesh_error as `add_source()` does
    *
-   * Complexity: linear in the number of locations and the sum of the degrees of the vertices among them.
+   * Complexity: linear in the number of locations and in the sum of the degrees of the vertices among them.
    */
   template <class LocationRange>
   std::size_t add_curve(const LocationRange& locations, double offset = 0)
@@ -297,9 +299,10 @@ public:
    * \throws Invalid_parameter_error if the radius is negative or not a number, or if the extent is `VERTICES_ONLY` and
    *         a target is not a vertex
    *
-   * Complexity: linear in the number of windows, plus the number of edges of the front in each round. On smooth meshes
-   * of up to some ten thousand faces, the field has 10 to 25 windows per face; this number grows like \f$\sqrt{n}\f$
-   * with the number \f$n\f$ of faces. The worst case is \cgalBigO{n^2} windows in total.
+   * Complexity: linear in the number of windows and in the number of edges that the wavefront crosses, summed over all
+   * rounds of the propagation. On smooth meshes of up to about ten thousand faces, the field has 10 to 25 windows per
+   * face; this number grows like \f$\sqrt{n}\f$ with the number \f$n\f$ of faces. The worst case is \cgalBigO{n^2}
+   * windows in total.
    */
   template <class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   Distance_field_report compute(const NamedParameters&... np)
@@ -339,12 +342,13 @@ public:
     return report;
   }
 
-  /// Returns the distance up to which the field has been computed, or 0 before `compute()`. Greater distances are
-  /// returned as infinity.
+  /// Returns the distance up to which the field has been computed: 0 before `compute()`, and infinity if the field is
+  /// complete. Greater distances are returned as infinity.
   double reach() const { return m_reach; }
 
   /// Returns the distance of a point from its nearest source. The parameter and the exceptions are those of `answer()`.
-  /// Constant time for a `Vertex_index`.
+  ///
+  /// Complexity: constant for a `Vertex_index`, and otherwise that of `answer()`.
   template <class Point = Surface_location>
   double distance(const Point& point) const
   {
@@ -355,14 +359,16 @@ public:
   }
 
   /*!
-   * Returns the distance of a point and its nearest source. Linear in the number of windows on the sides of the face
-   * or, for a vertex, in the number of vertices at which the shortest path bends.
+   * Returns the distance of a point from its nearest source, and the number of this source.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
    *         has not been called
+   *
+   * Complexity: linear in the number of windows on the sides of the face that contains the point and in the number of
+   * vertices at which the shortest path bends. For a vertex, the windows are not visited.
    */
   template <class Point = Surface_location>
   Answer answer(const Point& point) const
@@ -380,7 +386,7 @@ public:
     }
   }
 
-  /// Returns the distance and nearest source of a point with given barycentric weights in a face of the mesh. The
+  /// Returns the distance and the nearest source of a point with given barycentric weights in a face of the mesh. The
   /// weights belong to the source, the target and the third vertex of `halfedge(face, mesh)`; their sum need not be 1.
   /// The exceptions are those of `answer()`.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const
@@ -389,8 +395,9 @@ public:
   }
 
   /// Returns whether all points of a face that have a finite distance are known to have the same nearest source. The
-  /// result is `false` unless the field is complete. Linear in the number of windows on the sides of the face. \pre the
-  /// extent is `EVERYWHERE`
+  /// result is `false` unless the field is complete. \pre the extent is `EVERYWHERE`
+  ///
+  /// Complexity: linear in the number of windows on the sides of the face.
   bool has_one_source(face_descriptor face) const
   {
     CGAL_precondition(m_extent == Distance_field_extent::EVERYWHERE);
@@ -400,13 +407,16 @@ public:
 
   /*!
    * Returns the `Surface_point`s of a shortest path from a point to its nearest source, including both end points. The
-   * result is empty if the distance is infinite. Linear in the number of crossed edges and of windows on the sides of
-   * the face.
+   * result is empty if the distance is infinite.
    *
    * \param point a point of any type that `surface_location()` accepts
+   * \pre the extent is `EVERYWHERE`; otherwise the path need not be shortest
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
    *         has not been called
+   *
+   * Complexity: linear in the number of edges that the path crosses and in the number of windows on the sides of the
+   * faces through which the path leads.
    */
   template <class Point = Surface_location>
   std::vector<Surface_point> surface_points(const Point& point) const
@@ -433,9 +443,12 @@ public:
    * \param point a point of any type that `surface_location()` accepts
    * \param out the output iterator
    * \return the past-the-end output iterator
+   * \pre the extent is `EVERYWHERE`; otherwise the path need not be shortest
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
    *         has not been called
+   *
+   * Complexity: that of `surface_points()`.
    */
   template <class Point = Surface_location, class OutputIterator>
   OutputIterator path(const Point& point, OutputIterator out) const
@@ -445,8 +458,8 @@ public:
   }
 
   /*!
-   * Returns the gradient of the distance at a location, a unit vector in the face of `location.halfedge` that points
-   * away from the source.
+   * Returns the gradient of the distance at a location: a unit vector in the face of `location.halfedge` that points
+   * away from the nearest source.
    *
    * The coordinates refer to a frame of the face in which `location.halfedge` points in the direction of the positive
    * x-axis and the face lies above this axis. The gradient is zero at a source, at every vertex, and at points with
@@ -470,7 +483,8 @@ public:
   }
 
   /// Returns the gradient of the distance at a location as a vector in space, of the kernel of the points of the mesh.
-  /// Only available if the metric has points. The precondition and the exceptions are those of `gradient()`.
+  /// The function is only available if the metric has points. The precondition and the exceptions are those of
+  /// `gradient()`.
   auto gradient_in_space(const Surface_location& location) const
   {
     using Vector_3 = typename Triangulation::Metric::Kernel::Vector_3;

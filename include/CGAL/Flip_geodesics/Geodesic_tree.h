@@ -61,34 +61,35 @@ inline auto max_distance(double distance)
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
-/// Reports the growth of a tree.
+/// Reports on the growth of a tree.
 struct Geodesic_tree_report
 {
-  /// `LOCALLY_SHORTEST` or `STOPPED_BY_VISITOR`; `PRECISION_LIMIT` if paths remain bent because predicates are inexact
-  /// or coordinates were rounded to doubles; `DEGENERATE_FACES` if paths remain bent despite exact predicates, because
-  /// several vertices coincide once degenerate faces are contracted.
+  /// `LOCALLY_SHORTEST` if all paths are; `STOPPED_BY_VISITOR` if `go_further()` of the visitor returned `false`;
+  /// `PRECISION_LIMIT` if paths remain bent because predicates are inexact or coordinates were rounded to doubles;
+  /// `DEGENERATE_FACES` if paths remain bent despite exact predicates, because several vertices coincide once
+  /// degenerate faces are contracted.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
-  std::size_t reopened = 0;  ///< the number of times a vertex was reached again by a shorter path
-  /// The smallest angle, in radians, on either side of a path at a vertex that the path passes, measured on the input.
-  /// It is infinite if no path passes a vertex, and also for traits without drift, for which the measurement is
-  /// unnecessary.
+  std::size_t reopened = 0;  ///< the number of times that the acceptance of a vertex was revoked
+  /// The smallest angle, in radians, on either side of a path at a vertex through which the path leads, measured on the
+  /// input. It is infinite if no path leads through a vertex, and also for traits without drift, for which the
+  /// measurement is unnecessary.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Represents the tree of geodesics from a source to all vertices, or to those within a given distance. Every path
- * consists of edges of one intrinsic triangulation \cgalCite{SC20,section 6.5}.
+ * Represents the tree of geodesics from a source to all vertices, or to those within a given distance. All paths
+ * consist of edges of the same intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
  * forms an angle of at least \f$\pi\f$ on both sides at the preceding vertex, its parent in the tree. Otherwise the
  * edges inside the wedge with the smaller angle are flipped, which yields a shorter path, and the search continues.
- * Such a wedge never contains an edge of the tree, since the paths through its apex are straight. In contrast to
- * \cgalCite{SC20}, an accepted vertex is reopened if a new edge gives a shorter path to it. The finished tree is
- * therefore a shortest path tree of the edge graph of the final triangulation.
+ * Such a wedge never contains an edge of the tree, since accepted paths have angles of at least \f$\pi\f$ at the apex
+ * of the wedge. In contrast to \cgalCite{SC20}, the acceptance of a vertex is revoked if a new edge gives a shorter
+ * path to it. The finished tree is therefore a shortest path tree of the edge graph of the final triangulation.
  *
  * The paths are locally shortest and do not cross. Most of them are globally shortest; `make_shortest()` replaces the
  * others.
@@ -124,14 +125,14 @@ public:
    * index.
    *
    * \param source a vertex of the triangulation, as a `Vertex_index`, or a point of any type that `surface_location()`
-   *        accepts, which `Intrinsic_triangulation::insert()` makes a vertex. Other points to which paths are required
-   *        must be inserted before the call
+   *        accepts; the function inserts this point by `Intrinsic_triangulation::insert()`. Other points to which paths
+   *        are required must be inserted before the call
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{max_distance}
    *     \cgalParamDescription{the length of the longest path that is needed. A vertex within this distance is missed if
-   *       the search reaches it only through neighbors that are farther away. Choose a slightly larger value if all
+   *       the search reaches it only through neighbors beyond this distance. Choose a slightly larger value if all
    *       vertices within a given distance are required}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{infinity}
@@ -153,7 +154,8 @@ public:
    * \throws Invalid_mesh_error if the connectivity of a visited face is invalid
    * \throws Occupied_triangulation_error if a network in the triangulation has curves
    *
-   * Complexity: about \cgalBigO{n \log n} for the \f$n\f$ vertices within `max_distance`, with constant time per flip.
+   * Complexity: in practice \cgalBigO{n \log n} for the \f$n\f$ vertices within `max_distance`, plus constant time per
+   * flip.
    */
   template <class Source = Surface_location, class... NamedParameters>
   Geodesic_tree_report grow(const Source& source, const NamedParameters&... np)
@@ -205,8 +207,8 @@ public:
     return result;
   }
 
-  /// Detaches vertices from the tree and attaches them elsewhere. `replace_paths()` calls the given function with an
-  /// object of this type.
+  /// Detaches vertices from the tree and attaches them elsewhere. `replace_paths()` passes an object of this type to
+  /// its function object.
   class Grafts
   {
   public:
@@ -244,9 +246,9 @@ public:
    * After the replacement, the tree grows to the vertices that were detached and not attached again, and to vertices to
    * which new edges give shorter paths.
    *
-   * \param function the function object that is called with a `Grafts&`; it may flip edges that are not in the tree at
-   *        that time
-   * \return the report on the growth of the tree so far, including `grow()`; flips of `function` are not counted
+   * \param function a function object, which is called with a `Grafts&`. During the call, it may flip edges that are
+   *        not in the tree
+   * \return the report on the growth of the tree so far, including `grow()`; flips made by `function` are not counted
    * \pre `grow()` was not stopped
    * \throws Invalid_parameter_error if `grow()` has not been called
    *
@@ -261,10 +263,14 @@ public:
     return regrow(grafts.m_taken_off);
   }
 
-  /// Returns whether the invariant holds, with a relative tolerance of 1e-10. Linear in the size of the mesh.
+  /// Returns whether the invariant holds, with a relative tolerance of 1e-10 for lengths.
+  ///
+  /// Complexity: linear in the size of the mesh.
   bool is_valid() const { return is_valid(internal::default_tree_tolerance); }
 
-  /// Returns whether the invariant holds, with a relative `tolerance` for lengths. Linear in the size of the mesh.
+  /// Returns whether the invariant holds, with a relative `tolerance` for lengths.
+  ///
+  /// Complexity: linear in the size of the mesh.
   bool is_valid(double tolerance) const
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
@@ -582,13 +588,13 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsTree
-/// Stores the polar coordinates of all vertices under the logarithmic map of a vertex, and the total angle at that
-/// vertex.
+/// Stores the polar coordinates of all vertices under the logarithmic map of a source vertex, and the total angle at
+/// the source.
 class Vertex_logarithmic_map
 {
 public:
-  /// Constructs a map without coordinates, for the given number of vertices and the sum of the face angles around the
-  /// source, which lies on the border if `is_on_border` is `true`.
+  /// Constructs a map without coordinates from the number of vertices, the sum of the face angles around the source,
+  /// and whether the source lies on the border.
   Vertex_logarithmic_map(Index number_of_vertices, double total_angle, bool is_on_border)
     : m_coordinates(static_cast<std::size_t>(number_of_vertices))
     , m_total_angle(total_angle)
@@ -611,7 +617,7 @@ public:
   /*!
    * Returns the coordinates of vertex `v` in the plane, with the source at the origin. The angles around an interior
    * source are scaled to a sum of \f$2\pi\f$; those around a source on the border are not scaled. If no path to `v`
-   * exists, the coordinates are NaN.
+   * is known, the coordinates are NaN.
    */
   std::array<double, 2> in_plane(Vertex_index v) const
   {
@@ -707,24 +713,24 @@ Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation
  * Computes the logarithmic map of the source of a tree \cgalCite{SC20,section 6.5}, that is, the length and the initial
  * direction of the path to each vertex.
  *
- * The directions are angles on the surface in radians, counterclockwise from an input edge, in
- * \f$[0, \mathtt{total\_angle})\f$. They are measured on the input, so errors do not accumulate with the flips. If a
- * path passes a vertex whose angles sum to more than \f$2\pi\f$, all vertices whose paths pass that vertex have the
- * same angle. The map is discontinuous across the cut locus, that is, the set of points that several shortest paths
- * reach from different sides. It can also be discontinuous at paths of the tree that are not shortest, which
- * `make_shortest()` replaces.
+ * The directions are angles on the surface in radians, counterclockwise from an input halfedge, in
+ * \f$[0, \mathtt{total\_angle})\f$. They are measured on the input, so errors do not accumulate with the flips. All
+ * vertices whose paths lead through the same vertex, for example a saddle vertex at which the paths bend, have the same
+ * angle. The map is discontinuous across the cut locus, that is, the set of points that several shortest paths reach
+ * from different sides. It can also be discontinuous at paths of the tree that are not shortest; `make_shortest()`
+ * replaces these paths.
  *
  * \param tree a tree that has been grown
- * \param zero the input halfedge whose direction is 0; it must start at the source. By default, it is the halfedge of
- *        the `location()` of the source. The parameter is ignored for an inserted source, and for a source on the
- *        border, where angles are measured from the border
+ * \param zero the input halfedge whose direction is 0; it must start at the source. By default, and always for an
+ *        inserted source, it is the halfedge of the `location()` of the source. For a source on the border, the
+ *        parameter has no effect, and angles are measured from the border
  * \return the polar coordinates of all vertices
  * \throws Invalid_location_error if `zero` is not a halfedge of the mesh or does not start at the source
  * \throws Invalid_parameter_error if `grow()` has not been called
  * \throws Invalid_mesh_error if several umbrellas meet at the source, so that directions cannot be compared
  *
- * Complexity: linear in the number of reached vertices and of crossings of the edges at the source, and \cgalBigO{n}
- * for the result.
+ * Complexity: linear in the number of vertices and in the number of input edges that cross the edges of the tree at the
+ * source.
  */
 template <class Triangulation>
 Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)
