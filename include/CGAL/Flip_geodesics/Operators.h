@@ -34,8 +34,8 @@ namespace CGAL::Flip_geodesics {
  * Assembles the differential operators of linear finite elements on an intrinsic triangulation as sparse matrices over
  * `double`. The Laplacian is that of \cgalCite{BS07}.
  *
- * The operators depend only on edge lengths. Flips change the discretization but not the continuous operators, and a
- * Delaunay triangulation improves the approximation.
+ * The operators depend only on the edge lengths. Flips change the discretization but not the continuous operators, and
+ * a Delaunay triangulation improves the approximation.
  *
  * The rows and columns of the matrices are numbered as follows. The vertex with index \f$v\f$ has number \f$v\f$; face
  * \f$f\f$ is `faces()[f]`, in the order of `intrinsic_faces()`. A vector in face \f$f\f$ has the coordinates with
@@ -188,9 +188,9 @@ private:
  * counterclockwise from the reference direction at the tail of the halfedge.
  *
  * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}. At
- * the border they are not scaled, and the reference is the first halfedge counterclockwise from the border. The object
- * is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the size of the
- * mesh.
+ * a vertex on the border, the angles are not scaled, and the reference is the halfedge on the border from which the
+ * faces of the vertex follow counterclockwise. The object is a snapshot: later flips of the triangulation do not affect
+ * it. Construction takes time linear in the size of the mesh.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -198,7 +198,7 @@ template <class Triangulation>
 class Tangent_spaces
 {
 public:
-  /// Computes the angles in the tangent plane of each vertex.
+  /// Computes the angles of all halfedges and of all corners of faces.
   /// \param triangulation the triangulation
   /// \param faces all faces of the triangulation, as written by `intrinsic_faces()`
   /// \throws Invalid_mesh_error if a vertex is non-manifold, that is, several umbrellas meet there
@@ -224,7 +224,8 @@ public:
   /// Returns the angle of halfedge `h` at its tail.
   double angle(Halfedge_index h) const { return m_angles[h]; }
 
-  /// Returns the angle of the corner at the tail of `h` in the face on its left, with the same scaling.
+  /// Returns the angle of the corner at the tail of `h` in the face on the left of `h`, scaled like the angles of the
+  /// halfedges.
   double corner(Halfedge_index h) const { return m_corners[h]; }
 
   /// Returns the angle that must be added to the angle of a direction at the tail of `h` to obtain its angle at the
@@ -297,7 +298,7 @@ private:
  * of \f$u\f$ across the border is zero.
  *
  * The problem is discretized by linear finite elements with the cotangent Laplacian. The constructor factorizes the
- * matrix once (sparse Cholesky), for any number of calls of `solve()`.
+ * matrix (sparse Cholesky), and `solve()` can then be called any number of times.
  *
  * \tparam Operators_ an instance of `Operators`
  */
@@ -314,7 +315,7 @@ public:
    * \param given the vertices at which values are given, in any order and possibly repeated
    * \throws Vertex_out_of_range_error if an index does not belong to a vertex
    * \throws Singular_problem_error if a component with faces has no vertex in `given`, in which case `elements()`
-   *         contains a vertex of the component, or if the matrix cannot be factorized
+   *         returns a vertex of the component, or if the matrix cannot be factorized
    */
   Dirichlet_problem(const Operators_& operators, const std::vector<Vertex_index>& given)
     : m_is_given(internal::marked_vertices(operators.number_of_vertices(), given))

@@ -46,30 +46,34 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
-/// Reports how many paths of a tree are globally shortest. Paths are compared only with those that a search has found.
-/// Unless the distances are confirmed, the search may have missed vertices or shorter paths. In that case, the paths of
-/// the tree need not be shortest even if none was found to be longer.
+/// Reports on distances and, if these are the lengths of the paths of a tree, on how many of the paths are globally
+/// shortest. The paths are compared with those that a search has found. Unless the distances are confirmed, the search
+/// may have missed vertices or shorter paths, so that the paths of the tree need not be shortest even if none is longer
+/// than the path that the search has found.
 struct Distances_report
 {
-  /// the number of vertices other than the source that the search reached within the limit of the tree
+  /// the number of vertices other than sources that the search reached, in the case of a tree within its limit; for
+  /// `geodesic_distance_matrix()`, the number of pairs of points with a finite distance
   std::size_t vertices = 0;
   /// the number of these vertices whose path in the tree was initially missing or longer than the path that the search
   /// found
   std::size_t longer_before = 0;
-  /// the number of these vertices for which this is still the case, because of rounding errors or degenerate faces
+  /// the number of these vertices for which this is still the case after paths have been replaced
   std::size_t longer = 0;
   double largest_excess_before = 0; ///< the largest initial excess length of a path, relative to the shortest length
   double largest_excess = 0;        ///< the largest remaining excess length of a path, relative to the shortest length
-  std::size_t windows = 0;          ///< the number of windows of the search
-  std::size_t flips = 0;            ///< the number of flips that inserted shortest paths
-  /// `WITHIN_TOLERANCE` if the members above are exact up to rounding errors, and no path found by the search exceeds
-  /// the length of a shortest path by more than 1e-10 of this length. `UNDECIDED` if the search was aborted or stopped,
-  /// or encountered a degenerate edge, or if coordinates or lengths of the mesh had to be rounded. If the search
-  /// encounters a face whose height is at most 1e-10 of its base, or if rounding errors may exceed this tolerance, a
-  /// second search with outward-rounded bounds is run to confirm the results, provided that all sources are vertices.
+  std::size_t windows = 0;          ///< the number of windows of all searches
+  std::size_t flips = 0;            ///< the number of flips by which shortest paths were inserted
+  /// `WITHIN_TOLERANCE` if no path found by the search exceeds the length of a shortest path by more than 1e-10 of this
+  /// length. `UNDECIDED` if the search was aborted or stopped, or encountered a degenerate edge, if coordinates or
+  /// lengths of the mesh had to be rounded, or if the search encountered a face whose height is at most 1e-10 of its
+  /// base, or rounding errors may exceed 1e-10 of a distance. In the last two cases, functions other than
+  /// `geodesic_distance_matrix()` run a second search with outward-rounded bounds, which can still confirm the results,
+  /// provided that all sources are vertices.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether the paths are locally shortest, including those that were not replaced, as reported by
-  /// `Geodesic_tree::grow()`. `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
+  /// Whether all paths of the tree are locally shortest, including those that were not replaced, as in
+  /// `Geodesic_tree_report::status`; `LOCALLY_SHORTEST` if no tree was grown. `STOPPED_BY_VISITOR` if `go_further()` of
+  /// a visitor returned `false`.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
 
   /// Returns whether the distances are confirmed.
@@ -279,10 +283,10 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  * Replaces the paths of a tree that are not globally shortest.
  *
  * The distances are computed exactly up to rounding errors by a `Geodesic_distance_field` or, if the field cannot
- * confirm them, by a search with outward-rounded bounds. The longer paths are then removed from the tree, and shortest
- * ones are inserted by flips, the nearest first. The inserted paths do not cross other paths of the tree, since
- * shortest paths from one vertex never cross. Vertices within the limit of the tree that were missing from it are
- * added.
+ * confirm them, by a search with outward-rounded bounds. Paths of the tree that are longer are then removed, and
+ * shortest paths to the same vertices are inserted by flips, beginning with the nearest vertex. The inserted paths do
+ * not cross other paths of the tree, since shortest paths from one vertex never cross. Vertices that were missing from
+ * the tree although they lie within its limit are added.
  *
  * \param tree a tree whose growth was not stopped
  * \param np an optional sequence of named parameters among those listed below
@@ -298,19 +302,21 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If `go_further()` returns `false`, the report has the status
- *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. The tree remains valid: it is unchanged if the
- *       search was stopped, but if the process was stopped later, some paths may have been replaced.}
+ *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. The tree remains valid. If the search was
+ *       stopped, the tree is unchanged; if the replacement of paths was stopped, some paths may have been replaced.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report on the paths of the tree. Inserted vertices receive geodesics but are not counted in the report
+ * \return a report on the paths of the tree. Vertices that were inserted into the triangulation receive geodesics but
+ *         are not counted in the report
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source of the tree is an inserted vertex
- * \throws Invalid_parameter_error before `grow()`
+ * \throws Invalid_parameter_error if the tree has not been grown
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and for each replaced path the degree of its end and the
- * number of edges that its last geodesic segment crosses; if any path is replaced, also linear in the size of the mesh.
+ * Complexity: that of `Geodesic_distance_field::compute()`, plus, for each replaced path, time linear in the degree of
+ * its end and in the number of edges that its last geodesic segment crosses. If any path is replaced, time linear in
+ * the size of the mesh is added.
  */
 template <class Triangulation, class... NamedParameters>
 Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedParameters&... np)
@@ -334,12 +340,12 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedPa
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Writes the path lengths of a tree into a property map of the mesh; vertices without a path receive infinity.
+ * Writes the lengths of the paths of a tree into a property map of the mesh; vertices without a path receive infinity.
  *
  * \param tree a tree that has been grown
  * \param mesh the mesh of the tree
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values
- * \throws Invalid_parameter_error before `grow()`
+ * \throws Invalid_parameter_error if the tree has not been grown
  *
  * Complexity: linear in the number of vertices of the mesh.
  */
@@ -368,7 +374,7 @@ void put_logarithmic_map(const Vertex_logarithmic_map& map, const Triangulation&
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Writes the polar coordinates of the vertices around the source of a tree into a property map of the mesh.
+ * Writes the polar coordinates of all vertices with respect to the source of a tree into a property map of the mesh.
  *
  * \param map the result of `logarithmic_map(tree)`
  * \param tree the tree
@@ -396,7 +402,7 @@ void put_logarithmic_map(const Vertex_logarithmic_map& map, const Geodesic_tree<
  * \param triangulation the triangulation of the field
  * \param mesh the mesh of the field
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values
- * \throws Invalid_parameter_error before `Geodesic_distance_field::compute()`
+ * \throws Invalid_parameter_error if `Geodesic_distance_field::compute()` has not been called
  *
  * Complexity: linear in the number of vertices of the mesh.
  */
@@ -411,7 +417,8 @@ void put_distances(const Geodesic_distance_field<Triangulation>& field, const Tr
 
 /// \ingroup PkgFlipGeodesicsDistances
 /// Writes the number of the nearest source of each vertex into a property map, or 0 if the nearest source is not known.
-/// \throws Invalid_parameter_error before `Geodesic_distance_field::compute()`
+/// The parameters are those of `put_distances()`, with integers as values of the property map.
+/// \throws Invalid_parameter_error if `Geodesic_distance_field::compute()` has not been called
 template <class Triangulation, class VertexSourceMap>
 void put_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
                          const typename Triangulation::Triangle_mesh& mesh, VertexSourceMap sources)
@@ -785,9 +792,9 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * - If the field encounters a face so close to degenerate that rays can be lost in it, or if rounding errors may have
  *   changed a distance by more than 1e-10 of its value, a search with outward-rounded bounds is run, provided that all
  *   sources are vertices.
- * - If the bounds of the search are too far apart as well, or the field exceeds its limit, a tree of geodesics is grown
+ * - If the search does not confirm the distances, or the field exceeds its limit, a tree of geodesics is grown
  *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was passed by itself and not in a range.
- *   Its paths are replaced wherever shorter ones are found (`make_shortest()`).
+ *   The paths of the tree are replaced wherever shorter ones are found (`make_shortest()`).
  *
  * \param mesh a triangle mesh
  * \param sources one source that is not a curve, or a range of sources, which are numbered by their positions; if the
@@ -796,25 +803,25 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *        - a vertex of the mesh;
  *        - a point: a `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, or a point in space, for
  *          which `surface_location()` finds the nearest point of the mesh;
- *        - a curve: a range of vertices or of points such that any two consecutive ones lie in one face or on its
- *          boundary
+ *        - a curve: a range of vertices or of points; consecutive ones must lie in one face or on its boundary
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
  *        Unreachable vertices receive infinity. If degenerate edges had to be contracted, this includes vertices that
  *        were connected to a source only by degenerate faces; these distances are not confirmed. If a computation is
  *        aborted at its limit, unknown distances are infinite, unless the second fallback has grown a tree; in that
- *        case, the distances are the lengths of its geodesics
+ *        case, the distances are the lengths of the paths of the tree
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
- *     \cgalParamDescription{the number of windows after which the search is aborted}
+ *     \cgalParamDescription{the number of windows after which the field is aborted; it also limits the searches of the
+ *       fallbacks}
  *     \cgalParamType{`Window_limit`}
  *     \cgalParamDefault{`Window_limit()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{nearest_source_map}
- *     \cgalParamDescription{a property map that receives the number of the nearest source, or 0 if the distance is
- *       unknown}
+ *     \cgalParamDescription{a property map that receives, for each vertex, the number of the nearest source, or 0 if
+ *       the distance is unknown}
  *     \cgalParamType{a model of `WritablePropertyMap` with the vertices of the mesh as keys and integers as values}
  *     \cgalParamDefault{no map}
  *   \cgalParamNEnd
@@ -831,18 +838,19 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \return a report on the distances: the number of vertices other than sources whose distance is finite, and whether
  *         all distances are confirmed
  *
- * \throws Vertex_out_of_range_error if a source is not a vertex of the mesh
- * \throws Invalid_location_error if a source is not a point of the mesh
+ * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
+ * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Invalid_curve_error as `Geodesic_distance_field::add_curve()` does
  * \throws Degenerate_face_error as `geodesic_path()` does
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown. If sources are
- * points in space, building a search tree of the faces takes \cgalBigO{n \log n} time, and locating each point takes
- * logarithmic time if the point is close to the surface. If the search of the first fallback is needed, it takes
- * \cgalBigO{w\log w} time for \f$w\f$ windows; the `Window_limit` bounds \f$w\f$, as it does for the field. If doubles
- * are not accurate enough, the search is repeated in double-double arithmetic, with at most twice as many windows.
+ * Complexity: that of `Geodesic_distance_field::compute()`; if a tree is grown, plus that of `Geodesic_tree::grow()`
+ * and `make_shortest()`. If sources are points in space, building a search tree of the \f$n\f$ faces takes \cgalBigO{n
+ * \log n} time, and locating each point takes logarithmic time if the point is close to the surface. If the search of
+ * the first fallback is needed, it takes \cgalBigO{w\log w} time for \f$w\f$ windows; the `Window_limit` bounds
+ * \f$w\f$, as it does for the field. If doubles are not accurate enough, the search is repeated in double-double
+ * arithmetic, with at most twice as many windows.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
@@ -872,21 +880,23 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  * Computes the logarithmic map of a vertex, that is, the length and initial direction of a shortest path to every other
  * vertex.
  *
- * The map is computed with a `Geodesic_distance_field`. If its result is not confirmed, a tree of geodesics is grown
- * and made shortest, as in `geodesic_distances()`.
+ * The map is computed with a `Geodesic_distance_field`. If the result of the field is not confirmed, a tree of
+ * geodesics is grown and its paths are made shortest, as in `geodesic_distances()`.
  *
  * \param mesh a triangle mesh
  * \param source a vertex of the mesh
  * \param coordinates a model of `WritablePropertyMap` with the vertices of the mesh as keys and `Polar_coordinates` as
  *        values
  * \param np named parameters, as for `geodesic_distances()`, except `nearest_source_map`
- * \return a report that contains the number of shortest paths and states whether they are confirmed
+ * \return a report that contains the number of vertices to which a path exists, and states whether the paths are
+ *         confirmed to be shortest
  * \throws Vertex_out_of_range_error if `source` is not a vertex of the mesh
  * \throws Degenerate_face_error as `geodesic_path()` does
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and of `make_shortest()` if a tree is grown.
+ * Complexity: that of `Geodesic_distance_field::compute()`; if a tree is grown, plus that of `Geodesic_tree::grow()`
+ * and `make_shortest()`.
  */
 template <class TriangleMesh, class Source, class VertexPolarMap, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
@@ -1044,13 +1054,14 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsDistances
  *
- * Computes the distances on the surface between all pairs of a set of points, as the rows of a symmetric matrix with
- * zero diagonal.
+ * Computes the distances on the surface between all pairs of given points, as the rows of a symmetric matrix with zero
+ * diagonal.
  *
  * For \f$i < j\f$, the entries \f$(i, j)\f$ and \f$(j, i)\f$ are both the distance of point \f$j\f$ in the
- * `Geodesic_distance_field` of point \f$i\f$, which is exact up to rounding errors. Each field is computed until all
- * points after its source are reached, and is released when its row is complete. The memory is therefore that of one
- * field per thread and of the matrix. The result does not depend on the number of threads.
+ * `Geodesic_distance_field` of point \f$i\f$. This distance is exact up to rounding errors. The field of point \f$i\f$
+ * is computed until all later points are reached, and is destroyed when row \f$i\f$ is complete. The function therefore
+ * requires the memory of one field per thread, plus that of the matrix. The result does not depend on the number of
+ * threads.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
  *         TBB for `Parallel_tag`
@@ -1060,7 +1071,8 @@ private:
  *        `Surface_location`s, of points in space, or of `std::variant`s of several of these. `surface_location()`
  *        describes how points are snapped, and which point of the mesh represents a point in space
  * \param rows an output iterator that receives a `std::vector<double>` for each point, in the order of the points.
- *        Entries are infinite for points in different components and for points that an aborted field has not reached
+ *        Entries are infinite for pairs of points in different components, and for points that an aborted field has not
+ *        reached
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
@@ -1088,9 +1100,9 @@ private:
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: for \f$k\f$ points, that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()` that end at the
- * farthest point, and \cgalBigO{k^2} memory for the matrix. Locating \f$k\f$ points in space in a mesh with \f$n\f$
- * faces takes \cgalBigO{n \log n + k \log n} time if they lie close to the surface.
+ * Complexity: for \f$k\f$ points, that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()`, each of which ends
+ * at the farthest of the later points, and \cgalBigO{k^2} memory for the matrix. Locating \f$k\f$ points in space in a
+ * mesh with \f$n\f$ faces takes \cgalBigO{n \log n + k \log n} time if they lie close to the surface.
  *
  * \sa `geodesic_distances()`
  */

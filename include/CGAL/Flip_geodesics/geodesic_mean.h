@@ -33,8 +33,9 @@ namespace CGAL::Flip_geodesics {
 /// States why the search for a mean ended.
 enum class Mean_status {
   CONVERGED, ///< the weighted vectors to the points cancel out, up to the tolerance
-  /// no step along the mean vector decreases the sum of squares, which can happen at a vertex at which shortest paths
-  /// bend, on the border, or at a point at which shortest paths arrive from two sides
+  /// no step in the direction of the weighted mean of the vectors to the points decreases the sum of squared distances;
+  /// this can happen at a vertex at which shortest paths bend, on the border, or at a point at which shortest paths
+  /// from one of the points arrive from two sides
   STUCK,
   ITERATION_LIMIT ///< the maximal number of steps has been tried
 };
@@ -51,8 +52,10 @@ struct Mean_report
 {
   Mean_status status = Mean_status::ITERATION_LIMIT; ///< why the search ended
   std::size_t iterations = 0;                        ///< the number of steps tried
-  double variance = 0; ///< the weighted mean of the squared distances from the points, which a mean minimizes
-  double residual = 0; ///< the length of the weighted mean of the vectors to the points; 0 at a mean
+  double variance = 0;                               ///< the weighted mean of the squared distances from the points
+  /// the length of the weighted mean of the vectors to the points; 0 at a mean that is neither a vertex nor on the
+  /// border
+  double residual = 0;
 };
 
 /// \ingroup PkgFlipGeodesicsTangents
@@ -73,12 +76,12 @@ struct Mean_limits
  * Finds Karcher (Riemannian) means \cgalCite{K77}: points at which the weighted sum of squared distances from given
  * points has a local minimum.
  *
- * The logarithmic map provides the vectors from the current point to the given points. The search continues from the
- * current point along a straightest geodesic in the direction of the weighted mean of the vectors. The length of this
- * step is halved until the step decreases the sum. In the plane, one step suffices.
+ * The logarithmic map provides the vectors from the current point to the given points. Each step follows a straightest
+ * geodesic from the current point in the direction of the weighted mean of these vectors, first by the length of the
+ * mean vector; this length is halved until the step decreases the sum. In the plane, one step suffices.
  *
  * The mean is unique if the points are close together relative to the curvature. On a mesh of needles, the vectors may
- * be less precise than the tolerance, and the status can then depend on the numbering of the mesh.
+ * be less precise than the tolerance, and the status can then depend on the numbering of the vertices and faces.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -89,7 +92,7 @@ public:
   using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the mesh
 
   /*!
-   * Constructs the problem without computing anything yet.
+   * Locates the points; `operator()` computes the mean.
    *
    * \param triangulation a triangulation of the mesh; both must outlive the object
    * \param mesh the mesh
@@ -141,7 +144,7 @@ public:
   /*!
    * Searches for a mean.
    *
-   * \param start the point at which the search starts; it receives the point that has been found
+   * \param start the point at which the search starts; after the call, the point at which the search has ended
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
@@ -154,15 +157,15 @@ public:
    *
    * \return a report on the search
    * \throws Disconnected_endpoints_error if no path connects a point with positive weight and the start; `elements()`
-   *         contains the number of the point
+   *         returns the number of the point
    * \throws Invalid_location_error if the start is not a point of the surface
    * \throws Invalid_parameter_error if the tolerance is negative or NaN
-   * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, and if all angles at a vertex are 0, so
-   *         that no directions exist there
+   * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, and if all angles are 0 at a vertex
+   *         that the search reaches, so that no directions exist there
    * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
    * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
    *
-   * Complexity: that of a `Geodesic_distance_field` up to the farthest point for each step that is tried.
+   * Complexity: for each step that is tried, that of computing a `Geodesic_distance_field` up to the farthest point.
    */
   template <class... NamedParameters>
   Mean_report operator()(Surface_location& start, const NamedParameters&... np) const
@@ -269,7 +272,7 @@ private:
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of a `Geodesic_distance_field` up to the target.
+ * Complexity: that of computing a `Geodesic_distance_field` up to the target.
  */
 template <class TriangleMesh, class Source, class Target, class... NamedParameters>
 auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Target& target,
@@ -292,7 +295,7 @@ struct Geodesic_mean_result
 {
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type of the mesh
 
-  std::pair<face_descriptor, std::array<double, 3>> location; ///< the mean, a `Face_location`
+  std::pair<face_descriptor, std::array<double, 3>> location; ///< the end of the search, a `Face_location`
   Mean_report report;                                         ///< whether the location is a mean
 
   Mean_status status() const { return report.status; } ///< returns how the search ended
@@ -319,7 +322,7 @@ struct Geodesic_mean_result
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the mean, and a report on the search
+ * \return the point at which the search has ended, and a report that states whether it is a mean
  * \throws Invalid_parameter_error if no points are given, the numbers of points and weights differ, a weight is
  *         negative or not finite, all weights are zero, or the number of iterations is negative
  * \throws Disconnected_endpoints_error as `Geodesic_mean` does
@@ -329,7 +332,7 @@ struct Geodesic_mean_result
  * \throws Invalid_coordinate_error as `Geodesic_mean` does
  * \throws Invalid_mesh_error as `Geodesic_mean` does
  *
- * Complexity: that of a `Geodesic_distance_field` up to the farthest point for each step that is tried.
+ * Complexity: for each step that is tried, that of computing a `Geodesic_distance_field` up to the farthest point.
  */
 template <class TriangleMesh, class PlaceRange, class WeightRange, class... NamedParameters,
           std::enable_if_t<!internal::is_named_parameters<WeightRange>, int> = 0>

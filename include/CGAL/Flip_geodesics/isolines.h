@@ -68,8 +68,9 @@ struct Located_polyline
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * Stores a component of an isoline, a curve at constant distance from the sources. Points nearer to the sources lie on
- * the left of the isoline, as seen from the side from which the faces of the mesh are oriented counterclockwise.
+ * Stores a component of an isoline, that is, of the curve at a given distance from the sources. Points nearer to the
+ * sources lie on the left of the isoline, as seen from the side from which the faces of the mesh are oriented
+ * counterclockwise.
  */
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Isoline : Located_polyline<TriangleMesh, Point>
@@ -98,29 +99,31 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * Computes the isolines of a distance field, also known as offset curves: the curves at given distances from its
  * sources.
  *
- * An isoline is the boundary of the set of points that are nearer than its level. It is closed or ends on the border of
- * the mesh, and isolines never cross. The following bounds hold for a tolerance \f$t\f$:
- * - The vertices of an isoline lie on the true curve up to rounding errors. Between them the isoline is nowhere farther
- *   than \f$t\f$ from the true curve, and the distance there differs from the level by at most \f$t\f$.
- * - Points nearer than the level minus \f$t\f$ lie on its left, and points farther than the level plus \f$t\f$ on its
- *   right. A part of the region on either side can be missed only if the distance deviates from the level by at most
- *   \f$t\f$ everywhere in this part.
+ * An isoline is the boundary of the set of points whose distance from the sources is less than its level. Each of its
+ * components is closed or ends on the border of the mesh, and isolines never cross. The following bounds hold for a
+ * tolerance \f$t\f$:
+ * - The vertices of an isoline lie on the true curve up to rounding errors. Between the vertices, the isoline is
+ *   nowhere farther than \f$t\f$ from the true curve, and the distances of its points from the sources differ from the
+ *   level by at most \f$t\f$.
+ * - Points whose distance is less than the level minus \f$t\f$ lie on the left of the isoline, and points whose
+ *   distance exceeds the level plus \f$t\f$ on the right. A part of the region on either side can be missed only if the
+ *   distance differs from the level by at most \f$t\f$ everywhere in this part.
  *
- * Faces that may contain a level are divided until their parts are as small as the tolerance. The bounds hold because
- * distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept; each is computed once.
- * Inside faces, only as many points are kept as the tolerance requires, and their number grows like the inverse square
- * root of the tolerance. All points are kept at sharp bends, if parts of one isoline come within three tolerances of
- * one another, or if levels are so close that chords of two isolines might intersect.
+ * Faces that may contain points at a level are divided until their parts are as small as the tolerance. The bounds hold
+ * because distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept; each is
+ * computed once. Inside faces, only as many points are kept as the tolerance requires, and their number grows like the
+ * inverse square root of the tolerance. No points are omitted at sharp bends, if parts of one isoline come within three
+ * tolerances of one another, or if levels are so close that chords of two isolines might intersect.
  *
  * A level may equal the distance at a vertex, or the constant distance in a whole region; points at the level count as
- * farther. If the field is limited, points with infinite distance count as farther as well. A face whose three vertices
- * have infinite distances is assumed to contain no point with a finite distance.
+ * farther. If the field was computed up to a limit, points with infinite distance count as farther as well. A face
+ * whose three vertices have infinite distances is assumed to contain no point with a finite distance.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`
  * \param levels a range of numbers; a level that is not larger than the smallest distance has no isolines
  * \param out an output iterator that receives an `Isoline<TriangleMesh, Point>` for each component, in the order of the
- *        levels, where `Point` is the point type
+ *        levels, where `Point` is the value type of the vertex point map
  * \param tolerance a distance on the surface, in the unit of the coordinates
  * \param np an optional sequence of named parameters among those listed below
  *
@@ -146,8 +149,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
  * Complexity: the field is evaluated once per vertex, and about twenty times per length \f$t\f$ of an isoline. An
- * isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} more for a length \f$\ell\f$
- * and a radius of curvature \f$r\f$. Meshes other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
+ * isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} further points for a length
+ * \f$\ell\f$ and a radius of curvature \f$r\f$. A mesh other than a `Surface_mesh` is indexed first, in
+ * \cgalBigO{n \log n} time for \f$n\f$ faces.
  *
  * \sa `voronoi_boundaries()`
  */
@@ -185,13 +189,13 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
  * \ingroup PkgFlipGeodesicsIsolines
  *
  * Represents a distance field that is interpolated between distances at vertices, such as those of
- * `geodesic_distances()`. It has one property map per source; the field is the minimum of functions that are linear in
- * each face.
+ * `geodesic_distances()`. It has one property map per source; each map is interpolated linearly in each face, and the
+ * field is the minimum of these functions.
  *
  * Since distances on a surface are not linear in faces, the accuracy depends on the size of the faces, and is best far
- * from the sources. In faces with obtuse angles the slope may be larger than one, so the bounds stated at `isolines()`
- * need not hold. Isolines are still found wherever the distances at two vertices of an edge lie on different sides of
- * the level, and they are closed or end on the border.
+ * from the sources. The slope of the field can exceed 1, so the bounds stated at `isolines()` need not hold. Isolines
+ * are still found wherever the distances at two vertices of an edge lie on different sides of the level, and they are
+ * closed or end on the border.
  *
  * \cgalModels{GeodesicDistanceField}
  *
@@ -209,19 +213,20 @@ public:
   struct Answer
   {
     double distance = std::numeric_limits<double>::infinity(); ///< the distance from the nearest source
-    std::size_t source = 0;                                    ///< the index of the distance map of that source
+    std::size_t source = 0;                                    ///< the index of the distance map of this source
   };
 
   /// Constructs the field that interpolates between the distances of vertices.
   /// \param mesh the mesh, which must outlive the field
-  /// \param distances the maps with the distances of the vertices from each source
+  /// \param distances one map for each source, with the distances of the vertices from this source
   Interpolated_distances(const TriangleMesh& mesh, std::vector<VertexDistanceMap> distances)
     : m_mesh(&mesh)
     , m_distances(std::move(distances))
   {
   }
 
-  /// Returns the distance from the nearest source and the number of that source; ties are broken in favor of the first.
+  /// Returns the distance of the point with the given barycentric weights from the nearest source, and the index of
+  /// this source; ties are broken in favor of the first source.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const
   {
     Answer result;
@@ -279,26 +284,26 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * Computes the boundaries between the regions of the Voronoi diagram of the sources of a distance field.
  *
  * A boundary is closed, or ends at junctions of three regions or on the border of the mesh. A point at which more than
- * three regions meet is represented by several junctions within the tolerance. Except near junctions, the vertices of a
- * boundary lie on the true boundary up to rounding errors; a junction and the vertices next to it may deviate from
- * their true positions by a few hundredths of the tolerance. Between its vertices, a boundary is nowhere farther than
- * the tolerance from the true boundary. As with `isolines()`, the number of vertices inside faces grows like the
- * inverse square root of the tolerance. Points that are not reached by any source form a region with the source
- * `Voronoi_boundary::none`.
+ * three regions meet is represented by several junctions, which are no farther apart than the tolerance. Except near
+ * junctions, the vertices of a boundary lie on the true boundary up to rounding errors; a junction and the vertices
+ * next to it may deviate from their true positions by a few hundredths of the tolerance. Between its vertices, a
+ * boundary is nowhere farther than the tolerance from the true boundary. As with `isolines()`, the number of vertices
+ * inside faces grows like the inverse square root of the tolerance. Points that are not reached by any source form a
+ * region with the source `Voronoi_boundary::none`.
  *
  * Faces in which the nearest source changes are divided until their parts are as small as the tolerance. Faces in which
  * the field guarantees a single nearest source, by `GeodesicDistanceField::has_one_source()`, are not divided, so a
  * field with one source is processed quickly. In all other faces, a region could extend between sample points that have
  * the same nearest source, since a field does not return the distance of the second nearest source. These faces are
  * therefore divided until no side of a part is longer than \f$\sqrt{t s}\f$, where \f$t\f$ is the tolerance and \f$s\f$
- * the square root of the area of the surface. Around sources whose initial distance is zero, faces are divided until
- * their parts are as small as the tolerance. A region, or an arm of one, can only be missed if it is narrower than
- * \f$\sqrt{t s}\f$ and contains no source with initial distance zero.
+ * the square root of the area of the surface. Around sources without an offset, faces are divided until their parts are
+ * as small as the tolerance. A region, or an arm of one, can be missed only if it is narrower than \f$\sqrt{t s}\f$ and
+ * does not contain a source without an offset.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`
  * \param out an output iterator that receives a `Voronoi_boundary<TriangleMesh, Point>` for each boundary, where
- *        `Point` is the point type
+ *        `Point` is the value type of the vertex point map
  * \param tolerance a distance on the surface, in the unit of the coordinates
  * \param np the named parameters `vertex_point_map` and `visitor`, as for `isolines()`
  * \return the past-the-end output iterator
@@ -307,8 +312,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex and about fifty times per length \f$t\f$ of a boundary. In each
- * face that no boundary crosses, the number of evaluations is a small multiple of \f$s / t\f$.
+ * Complexity: the field is evaluated once per vertex and about fifty times per length \f$t\f$ of a boundary. In all
+ * other faces together, the number of further evaluations is at most a small multiple of \f$s / t\f$.
  *
  * \sa `isolines()`
  */

@@ -30,13 +30,14 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Stores the distances along edges from landmarks to all vertices. Landmarks are vertices far from one another, up to
- * 16 in each component of the mesh.
+ * Stores distances from landmarks to all vertices, which guide searches for edge paths. Landmarks are vertices far from
+ * one another, up to 16 in each component of the mesh.
  *
- * Landmarks are computed once for many searches on one mesh, and guide these searches around bumps and holes. By the
+ * Landmarks are computed once for many searches on one mesh, and lead these searches around bumps and holes. By the
  * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound on the distance
- * between them \cgalCite{GH05}. On most meshes this bound is larger than the distance in space, and it also exists for
- * metrics without points. `Geodesic_landmarks` provide bounds on the distances on the surface.
+ * between them \cgalCite{GH05}. On most meshes, this bound is larger than the distance of the vertices in space, and it
+ * also exists for metrics without points. `Geodesic_landmarks` provide bounds on distances on the surface instead of
+ * along edges.
  *
  * The distances take 32 bytes per vertex, and can be read by several threads concurrently.
  */
@@ -53,9 +54,9 @@ public:
    * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is
    *        called, before each search and about once per thousand vertices. If it returns `false`, `is_complete()`
    *        returns `false`, and all bounds are zero
-   * \throws Invalid_coordinate_error if the length of an edge is negative or NaN
+   * \throws Invalid_coordinate_error if the length of an edge is negative or not finite
    *
-   * Complexity: 17 searches over the whole mesh, \cgalBigO{n \log n}.
+   * Complexity: 17 searches over the whole mesh, each in \cgalBigO{n \log n} time for \f$n\f$ vertices.
    */
   template <class Search, class... NamedParameters>
   explicit Landmark_distances(Search& search, const NamedParameters&... np)
@@ -78,8 +79,8 @@ public:
    *
    * If the distances from landmarks are lengths of edge paths, every edge path between the vertices is at least as long
    * as the bound: values and differences are rounded down, and rounding errors are subtracted. If the distances were
-   * computed by `Search_method::LOOK_BACK`, the bound is an estimate, since these distances do not satisfy the triangle
-   * inequality. The result is meaningless for vertices of different components.
+   * computed by `Search_method::LOOK_BACK`, the bound is an estimate, since these distances need not satisfy the
+   * triangle inequality. The result is meaningless for vertices of different components.
    */
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
@@ -109,14 +110,16 @@ enum class Search_method {
   /// an any-angle search \cgalCite{NKT10} for a path that will be shortened: the path is close to a shortest path on
   /// the surface rather than shortest along edges.
   ///
-  /// The distance of a vertex is measured along the last edge of the path to it, or along a straight line from one of
-  /// the two vertices before that edge, whichever is shorter. The length of the line is taken to be at least that of
-  /// the path between its ends, divided by 1.5. Paths that zigzag along a straight line thus count as nearly straight,
-  /// whereas shortest edge paths are diverted along the directions of edges. On smooth meshes, `shorten()` then flips
-  /// several times fewer edges. The lower bound on the remaining distance is multiplied by 1.1 (weighted A*), so that
-  /// paths of nearly equal length need not be compared. A vertex that is reached again by a path that is only
-  /// marginally shorter keeps its position in the queue. The search visits about a third as many vertices as `A_STAR`.
-  /// If the metric has no lower bound and no landmarks are given, the method is equivalent to `DIJKSTRA`.
+  /// The distance of a vertex is the smallest of three sums: the distance of the preceding vertex of the path plus the
+  /// length of the edge from there, and the distance of each of the two vertices before that one plus the length of a
+  /// straight line from there. The length of a line is taken to be at least the length of the path between its ends
+  /// divided by 1.5. Paths that zigzag along a straight line thus count as nearly straight, whereas shortest edge paths
+  /// are diverted along the directions of edges. On smooth meshes, `shorten()` then flips several times fewer edges
+  /// than after a search for a shortest edge path. The lower bound on the remaining distance is multiplied by 1.1
+  /// (weighted A*), so that paths of nearly equal length need not be compared. A vertex that is reached again by a path
+  /// that is only marginally shorter keeps its position in the queue. The search usually visits about a third as many
+  /// vertices as `A_STAR`. If the metric has no lower bound and no landmarks are given, the method is equivalent to
+  /// `DIJKSTRA`.
   LOOK_BACK,
   /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if this
   /// bound is zero
@@ -148,12 +151,12 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Searches for paths along the edges of the input mesh. Such paths are the usual initial curves. They are shortest edge
- * paths or, with `Search_method::LOOK_BACK`, close to geodesics so that few flips are needed. Only the input is read,
- * and the triangulation does not change.
+ * Searches for paths along the edges of the input mesh, which are the usual initial curves of `shorten()`. The paths
+ * are shortest edge paths or, with `Search_method::LOOK_BACK`, close to geodesics, so that shortening requires few
+ * flips. A search reads only the input, and does not change the triangulation.
  *
  * A search takes \cgalBigO{k \log k} time for the \f$k\f$ vertices that it visits. Of several paths of equal length,
- * the same one is always found.
+ * it always finds the same one.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -216,8 +219,8 @@ public:
    *        called, about once per thousand vertices. If it returns `false`, the search ends and returns no halfedges
    * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the input
    * \throws Disconnected_endpoints_error if no edge path connects the vertices
-   * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN. Edges of
-   *         length zero are accepted here, and rejected when the curve is shortened across them
+   * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or not finite. Edges
+   *         of length zero are accepted here, but `shorten()` rejects those that it encounters
    */
   template <class... NamedParameters>
   std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target, const NamedParameters&... np)
@@ -228,7 +231,8 @@ public:
 
   /*!
    * Calls `visit(v, distance)` for each vertex that is reachable from `source`, with its distance as measured by this
-   * search, in order of increasing distance.
+   * search, in the order in which the search settles the vertices. Except with `Search_method::LOOK_BACK`, this is the
+   * order of increasing distance.
    *
    * \param source a vertex of the input
    * \param visit a function object
@@ -236,7 +240,7 @@ public:
    *        called, about once per thousand vertices. If it returns `false`, the remaining vertices are not visited
    * \return whether all vertices have been visited
    * \throws Vertex_out_of_range_error if `source` is not a vertex of the input
-   * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or NaN
+   * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or not finite
    */
   template <class Visit, class... NamedParameters>
   bool visit_all(Vertex_index source, const Visit& visit, const NamedParameters&... np)

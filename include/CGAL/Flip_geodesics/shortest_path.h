@@ -44,14 +44,14 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Reports the search for a shortest path.
+/// Reports on the search for a shortest path.
 struct Shortest_path_report
 {
   Shortening_report shortening; ///< the report on the shortening of the path
 
   double first_length = 0; ///< the length of the geodesic obtained from the initial edge path
   double length = 0;       ///< the length of the result
-  /// A lower bound on the lengths of all paths, which takes rounding errors into account.
+  /// A lower bound on the lengths of all paths between the ends, which takes rounding errors into account.
   double lower_bound = 0;
   std::size_t windows = 0;              ///< the number of windows of the search
   Verdict verdict = Verdict::UNDECIDED; ///< the verdict on the claim that no path is shorter
@@ -68,10 +68,10 @@ struct Shortest_path_report
   /// Returns an upper bound on the difference between the length of the path and that of a shortest path.
   double gap() const { return (std::max)(length - lower_bound, 0.0); }
 
-  /// Returns the relative difference from the length of a shortest path that `WITHIN_TOLERANCE` allows: 1e-10.
+  /// Returns 1e-10, the relative difference that `WITHIN_TOLERANCE` allows from the length of a shortest path.
   static constexpr double tolerance() { return internal::confirmed_gap; }
 
-  /// Returns the relative difference from the length of a shortest path that `WITHIN_ROUNDING` allows: 1e-12.
+  /// Returns 1e-12, the relative difference that `WITHIN_ROUNDING` allows from the length of a shortest path.
   static constexpr double rounding_tolerance() { return internal::proven_gap; }
 };
 
@@ -101,24 +101,24 @@ struct Shortest_path_result
  *
  * Like `Shortest_path_report::lower_bound`, the bounds hold for the mesh with its coordinates taken as given, and take
  * rounding errors into account. Each component has its own landmarks, at most `number_of_landmarks()`. The bounds take
- * two bytes per landmark and vertex, and may be read by several threads concurrently. A propagation takes about 400
+ * two bytes per landmark and vertex, and can be read by several threads concurrently. A propagation takes about 400
  * bytes per triangle while it runs.
  */
 class Geodesic_landmarks
 {
 public:
-  /// The default number of landmarks.
+  /// The default number of landmarks in each component.
   static constexpr std::size_t default_number = 8;
 
   /*!
    * Chooses the landmarks, each the vertex of its component that is farthest along edges from the previous ones, and
    * computes the bounds.
    *
-   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked, for several concurrent
-   *         propagations; the results are the same
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag` or, if TBB is linked, `CGAL::Parallel_tag`, with which several
+   *         propagations run concurrently; the results are the same
    *
    * \param triangulation a triangulation of the mesh, which is not stored; flips made in it do not affect the result
-   * \param number the number of landmarks in each component; a component with fewer vertices has fewer landmarks
+   * \param number the number of landmarks in each component. A component with fewer vertices has fewer landmarks
    * \param tag an object whose type selects sequential or parallel execution
    * \param np an optional sequence of named parameters among those listed below
    *
@@ -135,7 +135,8 @@ public:
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    * \throws Invalid_mesh_error if a face is not a triangle
    *
-   * Complexity: \cgalBigO{n \log n} for each landmark, and more on meshes of needles.
+   * Complexity: \cgalBigO{n \log n} time for each landmark on a mesh with \f$n\f$ vertices, and more on meshes of
+   * needles.
    */
   template <class Triangulation, class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number,
@@ -148,12 +149,12 @@ public:
   /*!
    * Computes the bounds with given landmarks, for instance around the part of a mesh that contains all paths.
    *
-   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked, for several concurrent
-   *         propagations; the results are the same
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag` or, if TBB is linked, `CGAL::Parallel_tag`, with which several
+   *         propagations run concurrently; the results are the same
    *
    * \param triangulation a triangulation of the mesh, which is not stored; flips made in it do not affect the result
-   * \param landmarks a range of `Vertex_index`es in any order; repeated vertices count once. Components without
-   *        landmarks have no bounds
+   * \param landmarks a range of `Vertex_index`es in any order; repeated vertices count once. In components without
+   *        landmarks, all bounds are zero
    * \param tag an object whose type selects sequential or parallel execution
    * \param np the named parameter `visitor`, as for the constructor with a number of landmarks
    * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
@@ -161,7 +162,8 @@ public:
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    * \throws Invalid_mesh_error if a face is not a triangle
    *
-   * Complexity: \cgalBigO{n \log n} for each landmark, and more on meshes of needles.
+   * Complexity: \cgalBigO{n \log n} time for each landmark on a mesh with \f$n\f$ vertices, and more on meshes of
+   * needles.
    */
   template <class Triangulation, class VertexRange = std::vector<Vertex_index>, class ConcurrencyTag = Sequential_tag,
             class... NamedParameters, std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>
@@ -183,17 +185,19 @@ public:
   /// Returns the largest number of landmarks in a component.
   std::size_t number_of_landmarks() const { return m_rows.number_of_functions(); }
 
-  /// Returns a lower bound on the lengths of all paths between two vertices. Linear in the number of landmarks.
-  /// \pre `v` and `w` are vertices of the mesh
+  /// Returns a lower bound on the lengths of all paths between two vertices. The result is meaningless for vertices of
+  /// different components. \pre `v` and `w` are vertices of the mesh
+  ///
+  /// Complexity: linear in the number of landmarks in a component.
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
   /*!
    * Checks whether the landmarks can have been computed for the input of a triangulation.
    *
-   * The function compares the numbers of vertices, edges and faces, the borders, and the lengths of one edge of each
-   * border and of `number_of_landmarks()` edges at landmarks. It thus detects a different mesh, an additional or
-   * missing face, and a different metric, but not every vertex that has moved. The bounds hold only for the mesh for
-   * which they were computed.
+   * The function compares the numbers of vertices, edges and faces and, for one edge of each border and for
+   * `number_of_landmarks()` edges at landmarks, the length and whether the edge lies on the border. It thus detects an
+   * additional or missing face and, in most cases, a different mesh or metric, but not every vertex that has moved. The
+   * bounds hold only for the mesh and the metric for which they were computed.
    *
    * \throws Input_mismatch_error if the input differs
    *
@@ -681,17 +685,17 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a shortest path between two vertices to an empty network, and computes a lower bound on the lengths of all
- * paths.
+ * Adds a shortest path between two vertices to an empty network, and computes a lower bound on the lengths of all paths
+ * between them.
  *
  * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is usually within a relative
- * 1e-13 of the length. A `Verdict::PROVEN` geodesic whose length is within `Shortest_path_report::rounding_tolerance()`
- * of the bound is reported as `Verdict::WITHIN_ROUNDING`. The path cannot be confirmed if the search encounters a
- * degenerate edge or is aborted, or if coordinates or lengths of the mesh had to be rounded; the bound is then that of
- * the rounded mesh.
+ * 1e-13 of the length. A `Verdict::PROVEN` geodesic whose length exceeds the bound by at most the fraction
+ * `Shortest_path_report::rounding_tolerance()` of the length is reported as `Verdict::WITHIN_ROUNDING`. The path cannot
+ * be confirmed if the search encounters a degenerate edge or is aborted. If coordinates or lengths of the mesh had to
+ * be rounded, the path is not confirmed either, since the bound holds for the rounded mesh.
  *
  * \param network an empty network in a triangulation that has not been flipped
- * \param search an edge path search over that triangulation; `Search_method::LOOK_BACK` is fastest
+ * \param search a `Shortest_edge_path` over that triangulation; `Search_method::LOOK_BACK` is fastest
  * \param source, target different vertices of the mesh in the same connected component. Inserted vertices are not
  *        accepted, since windows are propagated over the faces of the mesh; `shortest_path()` accepts any points of the
  *        surface
@@ -708,16 +712,16 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *       one mesh}
  *     \cgalParamType{`Geodesic_landmarks`}
  *     \cgalParamDefault{no landmarks}
- *     \cgalParamExtra{The bound remains valid but may differ in its last digits, and a different one of several
- *       shortest paths may be returned.}
+ *     \cgalParamExtra{The bound remains valid but can differ, in its last digits, from the bound without landmarks. Of
+ *       several shortest paths, a different one can be added.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor whose `go_further()` is also called by the searches, at regular intervals}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If `go_further()` returns `false`, the path has the status
- *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If this happens before an edge path is found, the
- *       network remains empty, and the length is zero.}
+ *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If the visitor stops the function before an edge
+ *       path is found, the network remains empty, and the length is zero.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -731,7 +735,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \throws Invalid_mesh_error as `geodesic_path()` does
  * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()` does
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing changes in this
- *         case. After any other exception, including those of the visitor, the network is empty and nothing is flipped
+ *         case. After any other exception, including those of the visitor, the network is empty and the triangulation
+ *         has no flipped edges
  *
  * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n} for the \f$n\f$ vertices whose distances in space
  * from both ends add up to less than the length of the path, plus \cgalBigO{w \log w} for \f$w\f$ windows. The windows
@@ -740,10 +745,10 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *
  * The algorithm starts with a geodesic that is obtained by shortening an edge path, after initial straightening
  * (`add_straightened_path()`) unless a visitor must observe the whole process. A lower-bound propagation from the
- * target bounds the remaining length of the paths that cross each edge. Windows are then propagated over the mesh as
- * far as a shorter path could reach \cgalCite{MMP87}, \cgalCite{CH90}, \cgalCite{XW09}. If they reveal a shorter path,
- * this path replaces the geodesic and is inserted by flipping the edges that it crosses. On a mesh with degenerate
- * faces that prevent a confirmation, the paths of two trees of geodesics are tried as well.
+ * target provides, for each edge, a lower bound on the remaining length of paths that cross the edge. Windows are then
+ * propagated over the mesh as far as a shorter path could reach \cgalCite{MMP87}, \cgalCite{CH90}, \cgalCite{XW09}. If
+ * they reveal a shorter path, this path replaces the geodesic and is inserted by flipping the edges that it crosses. On
+ * a mesh with degenerate faces that prevent a confirmation, the paths of two trees of geodesics are tried as well.
  *
  * \sa `shortest_path()`
  */
@@ -889,8 +894,8 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  *     \cgalParamDescription{landmarks computed for this mesh and its metric, which pay off for many pairs}
  *     \cgalParamType{`Geodesic_landmarks`}
  *     \cgalParamDefault{no landmarks}
- *     \cgalParamExtra{The bound is still proven but may differ in its last digits, and a different one of several
- *       shortest paths may be returned.}
+ *     \cgalParamExtra{The bound remains valid but can differ, in its last digits, from the bound without landmarks. Of
+ *       several shortest paths, a different one can be returned.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{greatest_point_distance}
  *     \cgalParamDescription{the greatest distance from the surface at which a point in space is accepted}
@@ -899,8 +904,8 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the past-the-end output iterator, and a report. Its `Curve_report::point_distances` are the distances of the
- *         given points from the surface; they are empty if both ends are given as vertices
+ * \return the past-the-end output iterator, and a report. The `Curve_report::point_distances` in the report are the
+ *         distances of the given points from the surface; they are empty if both ends are given as vertices
  *
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
  * \throws Disconnected_endpoints_error as `geodesic_path()` does
@@ -945,8 +950,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
  * Computes landmarks, which provide lower bounds on distances and thus speed up repeated calls of `shortest_path()` on
  * one mesh.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` if TBB is linked, for several concurrent propagations; the
- *         results are the same
+ * \tparam ConcurrencyTag `Sequential_tag` or, if TBB is linked, `Parallel_tag`, with which several propagations run
+ *         concurrently; the results are the same
  *
  * \param mesh a triangle mesh
  * \param number the number of landmarks in each component

@@ -52,9 +52,10 @@ struct Path_class
   /// The halfedge type of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  /// A shortest edge path of the class within the part of the universal cover that was constructed. This part contains
-  /// the first `number` classes of edge paths; other classes may have shorter edge paths if edge paths approximate
-  /// distances poorly. For ends that are not vertices, the parts of the path in their faces or edges are not included.
+  /// A shortest edge path of the class within the part of the universal cover that was constructed. For the `number`
+  /// classes with the shortest edge paths, it is shortest in the entire cover; for other classes, a shorter edge path
+  /// can exist outside the part. If an end is not a vertex, the part of the path inside the face or edge of this end is
+  /// not included.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of `edge_path`
   /// The length of the shortest path found in the class; infinite if no path was computed, because the lower bound
@@ -68,18 +69,18 @@ struct Path_class
 template <class TriangleMesh>
 struct Paths_by_class_report
 {
-  std::vector<Shortest_path_report> paths;        ///< the reports on the paths, sorted by length: whether each is
-                                                  ///< shortest in its class
+  std::vector<Shortest_path_report> paths;        ///< the reports on the paths, sorted by length; each states whether
+                                                  ///< its path is confirmed to be shortest in its class
   std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
   std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
-  double lower_bound = 0; ///< a lower bound on the lengths of paths of classes not found; infinite if none exists
+  double lower_bound = 0; ///< a lower bound on the lengths of paths of classes not found; infinite if all were
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
   std::size_t visited = 0;                                 ///< the number of vertices of the universal cover that
                                                            ///< were visited
 
   /// Returns a proven lower bound on the lengths of all paths whose classes are not represented in `paths`. The bound
-  /// is infinite if every class is represented, and may be less than the length of the last path if that path is not
-  /// confirmed.
+  /// is infinite if every class is represented. If the report is not confirmed, the bound can be less than the length
+  /// of the last path.
   double lower_bound_of_others() const
   {
     double least = lower_bound;
@@ -126,13 +127,13 @@ struct Paths_by_class_result
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of vertices of a universal cover that may be visited; each takes about 1200 bytes. The search is
-/// aborted when the limit is exceeded, or when its shortest-path searches have created more than \f$10^6 + 200 v\f$
-/// windows, where \f$v\f$ is the limit.
+/// Limits the number of vertices of the universal cover that `shortest_paths_by_class()` visits; each vertex takes
+/// about 1200 bytes. The search is aborted when the limit is exceeded, or when its searches for shortest paths have
+/// created more than \f$10^6 + 200 v\f$ windows, where \f$v\f$ is the limit.
 class Covering_limit
 {
 public:
-  /// Sets the default limit, \f$10^6 + 20 n\f$ for \f$n\f$ vertices.
+  /// Sets the default limit, \f$10^6 + 20 n\f$ for a mesh with \f$n\f$ vertices.
   Covering_limit() = default;
 
   /// Sets an approximate maximum number of vertices.
@@ -346,19 +347,19 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes the shortest homotopically distinct paths on the surface between two points: a shortest path in each of
- * `number` homotopy classes. The classes with the shortest paths are chosen. Together, two such paths lead around
- * handles or borders of the surface.
+ * `number` homotopy classes. The classes with the shortest paths are chosen. Any two of the paths together form a
+ * closed curve that leads around handles or borders of the surface.
  *
  * On a sphere or a disk, only one class exists. Obstacles create further classes: the mesh can be a
- * `CGAL::Face_filtered_graph` without the faces that paths must not enter. Degenerate edges are contracted if they
- * affect the result. If both ends coincide, the first path consists of that point and has length zero, and the others
- * are the shortest loops at the point, one in each class.
+ * `CGAL::Face_filtered_graph` without the faces that paths must not enter. The function contracts degenerate edges if
+ * they affect the result. If the ends coincide, the first path consists of that point and has length zero, and the
+ * others are the shortest loops at the point, one in each class.
  *
  * \param mesh a triangle mesh in which no two umbrellas meet at a vertex
  * \param source, target points in the same connected component, of any types that `shortest_path()` accepts
  * \param number the number of classes
- * \param out an output iterator that receives one `std::vector` per path, sorted by length, of the points that
- *        `geodesic_path()` writes
+ * \param out an output iterator that receives, in order of increasing length of the paths, one `std::vector` per path
+ *        with the points that `geodesic_path()` would write
  * \param np an optional sequence of named parameters among those listed below, `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`, and `greatest_point_distance` as for `shortest_path()`
  *
@@ -391,15 +392,15 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \throws Insertion_error as `shortest_path()` does
  *
  * Complexity: \cgalBigO{m \log m} for the \f$m\f$ vertices of the cover that are visited, plus the time of
- * `shortest_path()` for each path. The search visits the vertices on the edge paths of the first `number` classes, and
- * those through which a path of another class could pass without being longer than the last result. The cover is
- * constructed in stages, each of which enlarges the constructed part by at least half, so the time is roughly
- * proportional to the limit if the limit is reached.
+ * `shortest_path()` for each path. The search visits the vertices through which an edge path can lead that is not
+ * longer than the edge paths of the first `number` classes, and those through which a path of another class can lead
+ * that is not longer than the last result. The cover is constructed in stages, each of which enlarges the constructed
+ * part by at least half, so the time is roughly proportional to the limit if the limit is reached.
  *
  * Shortest edge paths are searched in the universal cover of the surface, in which each class of paths has its own end
  * point. A part of the cover is constructed, and a shortest path to each of these end points is computed there as by
  * `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged until
- * these bounds exceed the lengths of the computed paths. If this does not succeed, the report is not confirmed.
+ * these bounds exceed the lengths of the computed paths. If the limit is reached before, the report is not confirmed.
  *
  * \sa `shortest_path()`
  */

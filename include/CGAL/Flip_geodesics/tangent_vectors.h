@@ -50,10 +50,10 @@ namespace CGAL::Flip_geodesics {
  * Geodesic_tracer<Triangulation>(triangulation).trace(source, Surface_direction{logarithm.halfedge(), p.angle},
  *                                             p.radius, CGAL::Emptyset_iterator()); \endcode
  *
- * This code arrives at the target unless the shortest path bends at a vertex, which a straightest geodesic never does.
- * A `Geodesic_distance_field` finds the edges that the path crosses. The faces between these edges are unfolded into a
- * plane, and the unfolded target gives the result. The error is therefore a few rounding errors per edge, not the error
- * of the distances.
+ * The geodesic traced by this code ends at the target unless the shortest path bends at a vertex, which a straightest
+ * geodesic never does. A `Geodesic_distance_field` finds the edges that the shortest path crosses. The faces between
+ * these edges are unfolded into a plane, and the unfolded target gives the result. The error is therefore a few
+ * rounding errors per edge, not the error of the distances.
  *
  * The map is discontinuous across the cut locus, the set of points that shortest paths reach from two sides. Which of
  * these paths is chosen there depends on rounding errors.
@@ -139,7 +139,8 @@ public:
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
    * \throws Invalid_location_error if `point` is not a point of the surface
    *
-   * Complexity: linear in the number of edges that the path crosses and of the windows on these edges.
+   * Complexity: linear in the number of edges that the path crosses and in the number of windows on the sides of the
+   * faces through which the path leads.
    */
   template <class Point = Surface_location>
   Polar_coordinates operator()(const Point& point) const
@@ -162,9 +163,9 @@ public:
     }
   }
 
-  /// Converts polar coordinates to Cartesian coordinates in the plane in which `halfedge()` is the positive first axis.
-  /// The angles around an interior source are scaled to a sum of \f$2\pi\f$. The result is the origin for the source,
-  /// and NaN if no path exists.
+  /// Converts polar coordinates to Cartesian coordinates in a plane in which `halfedge()` points in the direction of
+  /// the positive first axis. The angles around an interior source are scaled to a sum of \f$2\pi\f$. The result is the
+  /// origin for the source, and NaN if no path exists.
   std::array<double, 2> in_plane(const Polar_coordinates& p) const
   {
     if(p.radius == 0)
@@ -173,8 +174,8 @@ public:
     return {p.radius * std::cos(angle), p.radius * std::sin(angle)};
   }
 
-  /// Returns the polar coordinates of a vector in the plane of `in_plane()`, as the inverse of that function. At a
-  /// border vertex whose angles exceed \f$2\pi\f$, several angles correspond to the same vector; of these, the one
+  /// Returns the polar coordinates of a vector in the plane of `in_plane()`, of which this function is the inverse. At
+  /// a border vertex whose angles exceed \f$2\pi\f$, several angles correspond to the same vector; of these, the one
   /// nearest to the middle of the angular range of the surface is returned.
   Polar_coordinates from_plane(const std::array<double, 2>& vector) const
   {
@@ -183,9 +184,11 @@ public:
   }
 
   /*!
-   * Returns the point that divides a shortest path to a location at a given fraction of its length, for example its
-   * midpoint for 1/2.
+   * Returns the point at a given fraction of the length of a shortest path from the source to a location, for example
+   * the midpoint of the path for 1/2.
    *
+   * \param location the end of the path
+   * \param part the fraction, from 0 at the source to 1 at the location
    * \throws Invalid_location_error if `location` is not a point of the surface
    * \throws Invalid_parameter_error if the fraction is not between 0 and 1
    * \throws Disconnected_endpoints_error if no path exists within the limits
@@ -212,7 +215,7 @@ public:
    * Transports a direction at the source along a shortest path to a location, as `Parallel_transport` does.
    *
    * \param location the end of the path
-   * \param angle the angle of the direction, from `halfedge()`
+   * \param angle the angle of the direction in radians, counterclockwise from `halfedge()`
    * \return the direction, measured by the rule of `Surface_direction`; the angle is NaN if no path exists
    * \throws Invalid_location_error if `location` is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite
@@ -294,7 +297,8 @@ struct Logarithmic_map_result
   /// The halfedge type of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  /// Constructs a result from the end of the output, the report on the distances, and the data returned below.
+  /// Constructs a result from the end of the output, the report on the distances, and the values that the member
+  /// functions return.
   Logarithmic_map_result(OutputIterator out, const Distance_field_report& report, halfedge_descriptor halfedge,
                          double total_angle, bool is_on_border)
     : out(out)
@@ -379,8 +383,8 @@ private:
  * Computes the logarithmic map of a surface point, that is, the length and initial direction of a shortest path from it
  * to each target.
  *
- * `trace_geodesic(mesh, source, std::pair(result.halfedge(), p.angle), p.radius, out)` arrives at a target with the
- * coordinates `p`, unless the path bends at a vertex.
+ * A call of `trace_geodesic(mesh, source, std::pair(result.halfedge(), p.angle), p.radius, out)` traces a geodesic that
+ * ends at the target with the coordinates `p`, unless the shortest path to this target bends at a vertex.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
@@ -390,14 +394,14 @@ private:
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
  *        only the work limit is used
  * \return a `Logarithmic_map_result`. The angles are measured from a halfedge by the rule of `Surface_direction`
- * \throws Vertex_out_of_range_error if the source or a target is not a vertex of the mesh
- * \throws Invalid_location_error if the source or a target does not lie on the mesh
+ * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh
+ * \throws Invalid_location_error if a point does not lie on the mesh
  * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, which includes all targets at vertices, plus that of
- * `Logarithmic_map` for each other target.
+ * Complexity: that of `Geodesic_distance_field::compute()`, which also bounds the time for all targets given as
+ * vertices, plus that of `Logarithmic_map::operator()()` for each other target.
  *
  * \sa `Logarithmic_map`
  */
@@ -445,9 +449,9 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * Computes the parallel transport of a tangent vector along a curve, with respect to the Levi-Civita connection.
  *
  * \param mesh a triangle mesh
- * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s such that any two consecutive
- *        ones lie in one face. `geodesic_path()` and `trace_geodesic()` write such ranges, and a `Located_polyline`
- *        contains one
+ * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s; consecutive ones must lie in
+ *        a common face. `geodesic_path()` and `trace_geodesic()` write such ranges, and a `Located_polyline` contains
+ *        one
  * \param direction the direction at the start of the curve: a halfedge and the angle from this halfedge, as for
  *        `trace_geodesic()`
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
@@ -463,8 +467,8 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
- * Complexity: linear in the number of locations and the degrees of the vertices among them. Meshes other than
- * `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
+ * Complexity: linear in the number of locations and in the sum of the degrees of the vertices among them. A mesh other
+ * than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
  *
  * \sa `Parallel_transport`
  */
@@ -490,14 +494,14 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * Computes the parallel transport of a tangent vector in space along a curve, with respect to the Levi-Civita
  * connection.
  *
- * The vector is projected to the plane of the face of the first location. The result lies in the plane of the face of
+ * The vector is projected onto the plane of the face of the first location. The result lies in the plane of the face of
  * the last location, and has the length of the projection. At a vertex, a vector may point out of the corner of its
  * face. The vector then represents the direction at the same angle on the surface, which is unambiguous if the angles
  * at the vertex sum to \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
- * \param curve a range of locations in faces, of which any two consecutive ones lie in a common face. A vertex must be
- *        given as a `Face_location`, since vectors lie in the planes of faces
+ * \param curve a range of `Face_location`s, which also represent vertices, since vectors lie in the planes of faces.
+ *        Consecutive locations must lie in a common face
  * \param vector a vector in space, of any kernel
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
  *        only the work limit is used; the metric must have points
@@ -509,8 +513,8 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
- * Complexity: linear in the number of locations and the degrees of the vertices among them. Meshes other than
- * `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
+ * Complexity: linear in the number of locations and in the sum of the degrees of the vertices among them. A mesh other
+ * than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
  */
 template <class TriangleMesh, class LocationRange, class Vector_3, class... NamedParameters,
           std::enable_if_t<internal::is_vector_in_space<Vector_3>, int> = 0>

@@ -33,7 +33,7 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// Reports the result of `texture_coordinates()`.
+/// Reports on the faces with texture coordinates.
 struct Texture_report
 {
   std::size_t faces = 0; ///< the number of faces with coordinates
@@ -166,12 +166,12 @@ Value picture_place(double x, double y)
  * \cgalCite{SGW06}. The coordinates are those of the logarithmic map of a point, which is mapped to the center of the
  * image.
  *
- * In texture coordinates, the image is the unit square. Along each ray from its center, lengths are preserved;
- * curvature stretches or compresses the image in the perpendicular direction. The logarithmic map is discontinuous
- * where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these paths bend. Each
- * face that contains such points is unfolded separately, along the shortest path from the center of the image to the
- * center of the face, and its corners can have coordinates different from those in adjacent faces. A face is thus never
- * stretched across the image or reversed.
+ * In texture coordinates, the image is the unit square. Along each ray from its center, lengths are preserved up to the
+ * scale; curvature stretches or compresses the image in the perpendicular direction. The logarithmic map is
+ * discontinuous where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these
+ * paths bend. Each face that contains such points is unfolded separately, along the shortest path from the center of
+ * the image to the center of the face, and its corners can have coordinates different from those in adjacent faces. A
+ * face is thus never stretched across the image or reversed.
  *
  * \param mesh a triangle mesh
  * \param source the center: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
@@ -186,16 +186,16 @@ Value picture_place(double x, double y)
  * \return a report on the faces
  * \throws Invalid_parameter_error if the size is not positive and finite, the angle is not finite, or the halfedge is
  *         not a side of a face of the source
- * \throws Vertex_out_of_range_error if the source is not a vertex of the mesh
+ * \throws Vertex_out_of_range_error if a vertex given as the source does not belong to the mesh
  * \throws Invalid_location_error if the source does not lie on the mesh
  * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of a `Geodesic_distance_field` whose radius is the distance from the center of the image to its
- * corners plus the length of the longest edge of the mesh. In addition, at most as many windows as in this field are
- * created. For points whose shortest paths the windows do not determine because of rounding errors, the logarithmic map
- * is evaluated separately.
+ * Complexity: that of computing a `Geodesic_distance_field` up to the radius that is the sum of the distance from the
+ * center of the image to its corners and the length of the longest edge of the mesh. In addition, at most as many
+ * windows as in this field are created. For points whose shortest paths the windows do not determine because of
+ * rounding errors, the logarithmic map is evaluated separately.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(
