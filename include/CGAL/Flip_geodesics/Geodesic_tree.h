@@ -714,11 +714,11 @@ Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation
  * direction of the path to each vertex.
  *
  * The directions are angles on the surface in radians, counterclockwise from an input halfedge, in
- * \f$[0, \mathtt{total\_angle})\f$. They are measured on the input, so errors do not accumulate with the flips. All vertices
- * whose paths lead through the same vertex, for example a saddle vertex at which the paths bend, have the same angle.
- * The map is discontinuous across the cut locus, that is, the set of points that several shortest paths reach from
- * different sides. It can also be discontinuous at paths of the tree that are not shortest; `make_shortest()` replaces
- * these paths.
+ * \f$[0, \mathtt{total\_angle})\f$. They are measured on the input, so errors do not accumulate with the flips. All
+ * vertices whose paths lead through the same vertex, for example a saddle vertex at which the paths bend, have the same
+ * angle. The map is discontinuous across the cut locus, that is, the set of points that several shortest paths reach
+ * from different sides. It can also be discontinuous at paths of the tree that are not shortest; `make_shortest()`
+ * replaces these paths.
  *
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it must start at the source. By default, and always for an

@@ -71,9 +71,8 @@ struct Distances_report
   /// `geodesic_distance_matrix()` run a second search with outward-rounded bounds, which can still confirm the results,
   /// provided that all sources are vertices.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether all paths of the tree are locally shortest, including those that were not replaced, as in
-  /// `Geodesic_tree_report::status`; `LOCALLY_SHORTEST` if no tree was grown. `STOPPED_BY_VISITOR` if `go_further()` of
-  /// a visitor returned `false`.
+  /// The status of the tree, as in `Geodesic_tree_report::status`, which also covers the paths that were not replaced;
+  /// `LOCALLY_SHORTEST` if no tree was grown, and `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
 
   /// Returns whether the distances are confirmed.
@@ -846,11 +845,11 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
  * Complexity: that of `Geodesic_distance_field::compute()`; if a tree is grown, plus that of `Geodesic_tree::grow()`
- * and `make_shortest()`. If sources are points in space, building a search tree of the \f$n\f$ faces takes \cgalBigO{n
- * \log n} time, and locating each point takes logarithmic time if the point is close to the surface. If the search of
- * the first fallback is needed, it takes \cgalBigO{w\log w} time for \f$w\f$ windows; the `Window_limit` bounds
- * \f$w\f$, as it does for the field. If doubles are not accurate enough, the search is repeated in double-double
- * arithmetic, with at most twice as many windows.
+ * and `make_shortest()`. If sources are points in space, building a search tree of the \f$n\f$ faces takes
+ * \cgalBigO{n \log n} time, and locating each point takes logarithmic time if the point is close to the
+ * surface. If the search of the first fallback is needed, it takes \cgalBigO{w \log w} time for \f$w\f$ windows; the
+ * `Window_limit` bounds \f$w\f$, as it does for the field. If doubles are not accurate enough, the search is repeated in
+ * double-double arithmetic, with at most twice as many windows.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
