@@ -52,8 +52,9 @@ namespace CGAL::Flip_geodesics {
 /// than the path that the search has found.
 struct Distances_report
 {
-  /// the number of vertices other than sources that the search reached, in the case of a tree within its limit; for
-  /// `geodesic_distance_matrix()`, the number of pairs of points with a finite distance
+  /// the number of vertices other than sources that the search reached, of which only those within the limit of the
+  /// tree count if there is a tree; for `geodesic_distance_matrix()`, the number of pairs of points with a finite
+  /// distance
   std::size_t vertices = 0;
   /// the number of these vertices whose path in the tree was initially missing or longer than the path that the search
   /// found
@@ -793,7 +794,8 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *   sources are vertices.
  * - If the search does not confirm the distances, or the field exceeds its limit, a tree of geodesics is grown
  *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was passed by itself and not in a range.
- *   The paths of the tree are replaced wherever shorter ones are found (`make_shortest()`).
+ *   Unless the field exceeded its limit, the paths of the tree are then replaced wherever shorter ones have been found
+ *   (`make_shortest()`).
  *
  * \param mesh a triangle mesh
  * \param sources one source that is not a curve, or a range of sources, which are numbered by their positions; if the
@@ -846,10 +848,10 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *
  * Complexity: that of `Geodesic_distance_field::compute()`; if a tree is grown, plus that of `Geodesic_tree::grow()`
  * and `make_shortest()`. If sources are points in space, building a search tree of the \f$n\f$ faces takes
- * \cgalBigO{n \log n} time, and locating each point takes logarithmic time if the point is close to the
- * surface. If the search of the first fallback is needed, it takes \cgalBigO{w \log w} time for \f$w\f$ windows; the
- * `Window_limit` bounds \f$w\f$, as it does for the field. If doubles are not accurate enough, the search is repeated in
- * double-double arithmetic, with at most twice as many windows.
+ * \cgalBigO{n \log n} time, and locating each point takes logarithmic time if the point is close to the surface. If the
+ * search of the first fallback is needed, it takes \cgalBigO{w \log w} time for \f$w\f$ windows; the `Window_limit`
+ * bounds \f$w\f$, as it does for the field. If doubles are not accurate enough, the search is repeated in double-double
+ * arithmetic, with at most twice as many windows.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>

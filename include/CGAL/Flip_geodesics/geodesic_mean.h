@@ -33,9 +33,9 @@ namespace CGAL::Flip_geodesics {
 /// States why the search for a mean ended.
 enum class Mean_status {
   CONVERGED, ///< the weighted vectors to the points cancel out, up to the tolerance
-  /// no step in the direction of the weighted mean of the vectors to the points decreases the sum of squared distances;
-  /// this can happen at a vertex at which shortest paths bend, on the border, or at a point at which shortest paths
-  /// from one of the points arrive from two sides
+  /// no step in the direction of the weighted mean of the vectors to the points decreases the weighted sum of squared
+  /// distances; this can happen at a vertex at which shortest paths bend, on the border, or at a point at which
+  /// shortest paths from one of the points arrive from two sides
   STUCK,
   ITERATION_LIMIT ///< the maximal number of steps has been tried
 };

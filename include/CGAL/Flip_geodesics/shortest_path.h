@@ -91,8 +91,8 @@ struct Shortest_path_result
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes lower bounds on the distances on a surface between all pairs of vertices by means of landmarks: vertices
- * that are far from one another, or that the caller has chosen.
+ * Computes lower bounds on the distances on a surface between all pairs of vertices of a component by means of
+ * landmarks: vertices that are far from one another, or that the caller has chosen.
  *
  * A lower-bound propagation from each landmark assigns to each vertex a value close to its distance from the landmark.
  * The difference of the values of two vertices is a lower bound on the distance between them \cgalCite{GH05}. Landmarks
@@ -879,7 +879,7 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  *        `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or
  *        points in space. `surface_location()` describes how points are snapped, and which point of the mesh represents
  *        a point in space. A location at a vertex gives the same result as the vertex. A path between coincident points
- *        has the verdict `Verdict::WITHIN_ROUNDING`
+ *        has the verdict `Verdict::WITHIN_ROUNDING`, unless coordinates or lengths of the mesh had to be rounded
  * \param out an output iterator that receives the points of the path, in the form described at `geodesic_path()`
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric`,
  *        `geom_traits` and `visitor` as for `geodesic_path()`

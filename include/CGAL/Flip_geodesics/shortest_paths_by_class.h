@@ -58,8 +58,8 @@ struct Path_class
   /// not included.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of `edge_path`
-  /// The length of the shortest path found in the class; infinite if no path was computed, because the lower bound
-  /// sufficed to exclude the class.
+  /// The length of the shortest path found in the class; infinite if no path was computed, usually because the lower
+  /// bound excludes the class.
   double length = std::numeric_limits<double>::infinity();
   double lower_bound = 0; ///< a lower bound on the lengths of paths of the class, with allowance for rounding errors
 };
@@ -371,8 +371,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *     \cgalParamDefault{`Covering_limit()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor. Only its member `go_further()` is called, at regular intervals, because the
- *       paths are computed in the universal cover of the mesh}
+ *     \cgalParamDescription{a visitor, of which only `go_further()` is called, at regular intervals. Flips are not
+ *       reported, since they take place in the universal cover of the mesh}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If `go_further()` returns `false`, no path is written, and the report is unconfirmed and has the
@@ -382,7 +382,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *
  * \return the past-the-end output iterator, and a report
  * \pre `number > 0`
- * \throws Invalid_mesh_error if the mesh is not a surface, or if several umbrellas meet at a vertex
+ * \throws Invalid_mesh_error if a face is not a triangle, an edge does not belong to a face, or several umbrellas meet
+ *         at a vertex
  * \throws Vertex_out_of_range_error as `shortest_path()` does
  * \throws Disconnected_endpoints_error as `shortest_path()` does
  * \throws Degenerate_face_error as `shortest_path()` does

@@ -495,9 +495,9 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * connection.
  *
  * The vector is projected onto the plane of the face of the first location. The result lies in the plane of the face of
- * the last location, and has the length of the projection. At a vertex, a vector may point out of the corner of its
- * face. The vector then represents the direction at the same angle on the surface, which is unambiguous if the angles
- * at the vertex sum to \f$2\pi\f$.
+ * the last location, and has the length of the projection. At a vertex, the vector can point out of the corner of the
+ * face. It then represents the direction at the same angle on the surface, which is unambiguous if the angles at the
+ * vertex sum to \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
  * \param curve a range of `Face_location`s, which also represent vertices, since vectors lie in the planes of faces.
