@@ -312,7 +312,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex and about fifty times per length \f$t\f$ of a boundary. In all
+ * Complexity: the field is evaluated once per vertex and about forty times per length \f$t\f$ of a boundary. In all
  * other faces together, the number of further evaluations is at most a small multiple of \f$s / t\f$.
  *
  * \sa `isolines()`

@@ -117,7 +117,7 @@ enum class Search_method {
   /// are diverted along the directions of edges. On smooth meshes, `shorten()` then flips several times fewer edges
   /// than after a search for a shortest edge path. The lower bound on the remaining distance is multiplied by 1.1
   /// (weighted A*), so that paths of nearly equal length need not be compared. A vertex that is reached again by a path
-  /// that is only marginally shorter keeps its position in the queue. The search usually visits about a third as many
+  /// that is only marginally shorter keeps its position in the queue. The search usually visits at most a third as many
   /// vertices as `A_STAR`. If the metric has no lower bound and no landmarks are given, the method is equivalent to
   /// `DIJKSTRA`.
   LOOK_BACK,

@@ -689,7 +689,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * between them.
  *
  * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is usually within a relative
- * 1e-13 of the length. A `Verdict::PROVEN` geodesic whose length exceeds the bound by at most the fraction
+ * 1e-12 of the length. A `Verdict::PROVEN` geodesic whose length exceeds the bound by at most the fraction
  * `Shortest_path_report::rounding_tolerance()` of the length is reported as `Verdict::WITHIN_ROUNDING`. The path cannot
  * be confirmed if the search encounters a degenerate edge or is aborted. If coordinates or lengths of the mesh had to
  * be rounded, the path is not confirmed either, since the bound holds for the rounded mesh.
