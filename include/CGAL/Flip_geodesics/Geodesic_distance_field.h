@@ -41,7 +41,8 @@ namespace Flip_geodesics {
 /// Specifies where a distance field can be evaluated.
 enum class Distance_field_extent {
   EVERYWHERE,   ///< at any location
-  VERTICES_ONLY ///< at vertices only, which requires less memory because windows are freed once they have been used
+  VERTICES_ONLY ///< at vertices only, and without paths, which requires less memory because windows are freed once
+                ///< they have been used
 };
 
 /// \ingroup PkgFlipGeodesicsDistances
@@ -410,10 +411,8 @@ public:
    * result is empty if the distance is infinite.
    *
    * \param point a point of any type that `surface_location()` accepts
-   * \pre the extent is `EVERYWHERE`; otherwise the path need not be shortest
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
-   *         has not been called
+   * \throws Invalid_parameter_error if the extent is `VERTICES_ONLY`, or if `compute()` has not been called
    *
    * Complexity: linear in the number of edges that the path crosses and in the number of windows on the sides of the
    * faces through which the path leads.
@@ -421,6 +420,9 @@ public:
   template <class Point = Surface_location>
   std::vector<Surface_point> surface_points(const Point& point) const
   {
+    if(m_extent != Distance_field_extent::EVERYWHERE)
+      throw Invalid_parameter_error("a path is queried in a field with the extent VERTICES_ONLY, which does not store "
+                                    "the windows along it; construct the field with the extent EVERYWHERE");
     const Surface_location at = canonical(point);
     std::vector<Surface_point> result;
     if(!is_known(distance(at)))
@@ -443,10 +445,8 @@ public:
    * \param point a point of any type that `surface_location()` accepts
    * \param out the output iterator
    * \return the past-the-end output iterator
-   * \pre the extent is `EVERYWHERE`; otherwise the path need not be shortest
    * \throws Invalid_location_error if `point` is not a point of the surface
-   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
-   *         has not been called
+   * \throws Invalid_parameter_error if the extent is `VERTICES_ONLY`, or if `compute()` has not been called
    *
    * Complexity: that of `surface_points()`.
    */
