@@ -36,8 +36,9 @@ namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /*
- * The surface of an intrinsic triangulation cut open along some edges, without modifying it: the corners around a
- * vertex form sectors between cut edges and the border, and each sector is a vertex of the cut surface, a *copy*.
+ * The surface of an intrinsic triangulation cut open along some edges; the triangulation is not modified. The corners
+ * around a vertex form sectors between cut edges and the border, and each sector is a vertex of the cut surface, a
+ * *copy*.
  *
  * `is_cut(h)` returns whether the edge of halfedge h is cut.
  */
@@ -60,7 +61,7 @@ public:
   Vertex_copy_index copy_at(Halfedge_index h) const { return m_copy_at[h]; }
   Vertex_index vertex(Vertex_copy_index copy) const { return m_vertices[copy]; }
   bool is_on_border(Vertex_copy_index copy) const { return m_is_on_border[copy] != 0; }
-  /* Among connected surfaces, only a disk has 1. */
+  /* Among connected surfaces, only a disk has the Euler characteristic 1. */
   std::ptrdiff_t euler_characteristic() const { return m_euler_characteristic; }
 
 private:
@@ -114,16 +115,16 @@ private:
  * Computes the discretely conformal flattening \cgalCite{SSP08} of a surface that is cut open along the curves of a
  * network \cgalCite{SC20,section 6.1 and Figure 22}.
  *
- * Each vertex is assigned a scale factor \f$e^{u}\f$, and edges are assigned the lengths \f$e^{(u_i+u_j)/2}\,l_{ij}\f$,
- * such that the faces fit together in the plane. At the border of the cut surface, \f$u = 0\f$: lengths are preserved
- * there, so both sides of a seam have the same length. At a vertex at which the cut ends, such as a cone point, the sum
- * of the angles is not prescribed.
+ * Each vertex of the cut surface is assigned a scale factor \f$e^{u}\f$, and each edge of length \f$l_{ij}\f$ is
+ * assigned the length \f$e^{(u_i+u_j)/2}\,l_{ij}\f$, such that the faces fit together in the plane. At the border of
+ * the cut surface, \f$u = 0\f$: lengths are preserved there, so the two sides of a cut have the same length. The sum of
+ * the angles at a vertex of this border, such as a cone point at which a cut ends, is not prescribed.
  *
- * The factors minimize a convex function. The minimum is found by Newton's method with the cotangent Laplacian, which
- * usually requires a few sparse factorizations. Faces that violate the triangle inequality during the iteration are
- * treated as degenerate \cgalCite{SSP08}. If such a face remains at the end, the triangulation has no solution, and an
- * exception is thrown. `refine_and_flatten()` instead splits edges of such faces, which can lead to a triangulation
- * that has a solution.
+ * The values \f$u\f$ minimize a convex function, whose Hessian matrix is the cotangent Laplacian. The minimum is found
+ * by Newton's method; usually, a few sparse factorizations suffice. Faces that violate the triangle inequality during
+ * the iteration are treated as degenerate \cgalCite{SSP08}. If such a face remains at the minimum, the problem has no
+ * solution for this triangulation, and an exception is thrown. `refine_and_flatten()` instead splits edges of such
+ * faces in order to obtain a triangulation for which a solution exists.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -143,9 +144,11 @@ public:
 
   /*!
    * Cuts and flattens the surface.
-   * \param network the finished curves, a model of `CurveNetwork`, in a triangulation of a connected surface
-   * \param tolerance the largest deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians
-   * \throws Flattening_error if the cut surface is not a disk, a face remains degenerate, or the tolerance is exceeded
+   * \param network a model of `CurveNetwork` that contains the finished curves, in a triangulation of a connected
+   *        surface
+   * \param tolerance the largest accepted deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians
+   * \throws Flattening_error if the cut surface is not a disk, if a face remains degenerate, or if the tolerance is
+   *         exceeded
    * \throws Degenerate_face_error if a face of the triangulation is degenerate in double precision
    */
   template <class Network>
@@ -167,7 +170,7 @@ public:
   Index number_of_copies() const { return m_surface.number_of_copies(); }
   /// Returns the vertex of the triangulation to which a copy belongs.
   Vertex_index vertex(Vertex_copy_index copy) const { return m_surface.vertex(copy); }
-  /// Returns the copy to which the corner at the tail of halfedge `h` belongs, in the face on the left of `h`.
+  /// Returns the copy to which a corner belongs: the corner at the tail of halfedge `h` in the face on the left of `h`.
   /// \pre `h` is not on the border
   Vertex_copy_index copy_at(Halfedge_index h) const
   {
@@ -185,8 +188,8 @@ public:
    * \param subdivision the result of `common_subdivision()` for the triangulation in the state in which it was
    *        flattened
    * \param out a model of `WritablePropertyMap` with the halfedges of the subdivided mesh as keys and values that can
-   *        be constructed from two `double`s. Each halfedge that has a face receives the position of its target in this
-   *        face
+   *        be constructed from two `double`s. For each halfedge that has a face, the map receives the position of the
+   *        target of the halfedge in this face
    * \pre no edge of the triangulation connects a vertex to itself; this holds after `refine_and_flatten()`
    */
   template <class Subdivision, class HalfedgeMap>
@@ -203,8 +206,8 @@ public:
 
   /// Returns the largest deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians.
   double angle_error() const { return m_angle_error; }
-  /// Returns the largest distance between positions of the same copy that were computed in different faces, divided by
-  /// the largest distance of a copy from the origin.
+  /// Returns the largest distance between the position of a copy and a position of this copy that was computed in
+  /// another face, divided by the largest distance of a copy from the origin.
   double layout_error() const { return m_layout_error; }
   /// Returns the number of Newton steps.
   int iterations() const { return m_iterations; }
@@ -544,8 +547,8 @@ struct Internals<Conformal_flattening<Triangulation>>
    * Flattens a surface. Returns the sides to be split, and no result, if scaled lengths violate the triangle inequality
    * in some faces, or edges connect a vertex to itself.
    *
-   * The conformal factors of smooth surfaces solve a linear equation, of which the first step of Newton's method solves
-   * the discretization. If the faces are small enough for this solution, the method converges fast.
+   * The logarithms of the conformal factors of smooth surfaces solve a linear equation, and the first step of Newton's
+   * method solves its discretization. If the faces are small enough for this solution, the method converges fast.
    * \throws Flattening_error as `refine_and_flatten()` does
    */
   template <class Network>
@@ -626,7 +629,7 @@ private:
 
 /*
  * Replaces each halfedge of a chain that passes a vertex so closely that the face between them is degenerate in double
- * precision by the two other sides of this face. Returns whether there was one.
+ * precision by the two other sides of this face. Returns whether a halfedge was replaced.
  */
 template <class Network>
 bool replace_near_sides(const Network& network, std::vector<Halfedge_index>& chain)
@@ -674,8 +677,8 @@ bool split_in_half(Network& network, Halfedge_index h)
 }
 
 /*
- * Moves curves onto vertices that they pass so closely that faces next to them are degenerate in double precision.
- * Returns whether there were any.
+ * Moves curves onto vertices beside them that are so close that the faces between the curves and these vertices are
+ * degenerate in double precision. Returns whether a curve was moved.
  */
 template <class Network>
 bool move_to_near_vertices(Network& network)
@@ -706,20 +709,20 @@ bool move_to_near_vertices(Network& network)
  *
  * Refines a triangulation, cuts its surface open along the curves of a network, and flattens the cut surface.
  *
- * First, the triangulation is flipped to Delaunay, and `refine()` refines it with the default quality bounds, inserting
- * at most 10 000 vertices plus ten times the number of vertices of the triangulation. Then edges that connect a vertex
- * to itself are split. As long as the scaled lengths violate the triangle inequality in some faces, the longest sides
- * of these faces are split near their midpoints. Before the surface is cut, a curve that passes a vertex at a distance
- * of less than about \f$10^{-7}\f$ times the length of its edge there is moved onto this vertex; the order of
- * overlapping curves and the fixed nodes are then lost.
+ * First, the triangulation is flipped to Delaunay. Then `refine()` is called with the default quality bounds and a
+ * limit of 10 000 inserted vertices plus ten times the number of vertices of the triangulation. Edges that connect a
+ * vertex to itself are split. As long as the scaled lengths violate the triangle inequality in some faces, the longest
+ * sides of these faces are split near their midpoints. Before the surface is cut, a curve is moved onto a vertex beside
+ * it if the distance of the vertex from an edge of the curve is less than about \f$10^{-7}\f$ times the length of this
+ * edge; the order of overlapping curves and the fixed nodes are then lost.
  *
  * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface
- * \param np the named parameter `visitor` of `refine()`, whose members are called during flips and the refinement
- * \return the flattening, with a tolerance of 1e-10 radians
- * \throws Flattening_error if the cut surface is not a disk, if a scale factor is outside the range from about
- *         \f$10^{-9}\f$ to \f$10^9\f$, so that coordinates in the plane would be too inaccurate, or if splitting edges
- *         does not lead to a solution. In the last two cases, `elements()` contains a vertex to which the surface
- *         should be cut, if one is known
+ * \param np the named parameter `visitor` of `refine()`, whose members are called during the flips and the refinement
+ * \return the flattening, with a tolerance of 1e-10 radians for angle sums
+ * \throws Flattening_error if the cut surface is not a disk, if the scale factor of an input vertex is estimated to be
+ *         outside the range from about \f$10^{-9}\f$ to \f$10^9\f$, so that coordinates in the plane would be too
+ *         inaccurate, or if splitting edges does not lead to a solution. In the last two cases, `elements()` returns a
+ *         vertex to which the cut should be extended, if one is known
  * \throws Degenerate_face_error if a face is degenerate in double precision
  * \throws Occupied_triangulation_error as `refine()` does
  */

@@ -28,34 +28,34 @@ namespace CGAL::Flip_geodesics {
 struct Move_report
 {
   std::size_t legs = 0;              ///< the number of recomputed legs: 1 or 2, or 0 if the point has not moved
-  std::size_t legs_by_flips = 0;     ///< the number of these legs that required edge flips
+  std::size_t legs_by_flips = 0;     ///< the number of recomputed legs that required edge flips
   Verdict verdict = Verdict::PROVEN; ///< the worst verdict on the recomputed legs
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Represents a curve through points of the surface that can be moved one at a time, such as end points, waypoints or
- * control points.
+ * Represents a chain of geodesics through points that can be moved one at a time: a path with its end points and
+ * waypoints, or the control polygon of a spline.
  *
  * Each *leg*, the geodesic from one point to the next, is shortened independently, as by `geodesics_through()`, so legs
- * may cross. When a point moves, each leg at this point is deformed continuously with it: the new leg is obtained by
- * shortening the concatenation of the old leg and the path of the move. The other legs are bitwise unchanged. `undo()`
- * undoes moves.
+ * can cross each other. When a point moves, each leg at this point is deformed continuously with it: the new leg is
+ * obtained by shortening the concatenation of the old leg and the path of the move. The other legs are bitwise
+ * unchanged. `undo()` undoes moves.
  *
- * A leg is stored as the sequence of edges that it crosses. The time of a move depends only on the legs at the moved
- * point and not on previous moves. It is roughly the time to extract these legs, multiplied by the number of rows of
- * vertices over which they sweep. A leg is unfolded, shortened with a funnel algorithm, and certified as by
- * `certify()`, regardless of the traits. If this fails, edges are flipped as by `shorten()`, and the flips are rolled
- * back afterwards.
+ * The time of a move depends only on the legs at the moved point and on the path of the move, and not on previous
+ * moves. It is roughly proportional to the number of edges that these legs cross, multiplied by the number of rows of
+ * vertices over which the legs sweep. A leg is unfolded along its edge sequence, shortened with a funnel algorithm, and
+ * certified as by `certify()`, regardless of the traits. If the leg cannot be certified, edges are flipped as by
+ * `shorten()`, and the flips are rolled back afterwards.
  *
- * Guarantee: a leg is a bitwise reproducible function of its end points and its edge sequence, and does not depend on
- * the moves that led to it. If a homotopy class has only one geodesic, as on surfaces whose vertices have angles of
- * \f$2\pi\f$ or more, the moves affect the result only through the class. On other surfaces a class can contain several
- * geodesics, and a leg remains at the geodesic to which it was shortened.
+ * Guarantee: the end points and the edge sequence of a leg determine the leg bitwise, regardless of the moves that led
+ * to it. If each homotopy class contains only one geodesic, as on surfaces whose interior vertices have angle sums of
+ * at least \f$2\pi\f$, the moves affect the result only through the class. On other surfaces, a class can contain
+ * several geodesics, and the moves determine which of them is obtained.
  *
- * Each leg starts at the end of the previous leg and is a geodesic if `verdict()` confirms it. The triangulation is
- * unchanged after each call of a member function.
+ * Each leg starts at the end of the previous leg, and is a geodesic if the verdict on it is `Verdict::PROVEN`. The
+ * triangulation is unchanged after each call of a member function.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulationOfMesh`
  */
@@ -69,14 +69,14 @@ public:
   using Triangulation = Triangulation_; ///< the type of the triangulation
 
   /*!
-   * Constructs a curve whose legs are obtained by shortening short edge paths.
+   * Constructs a curve whose legs are obtained by shortening nearly shortest edge paths.
    *
    * \param triangulation a triangulation that has no curves and whose log is empty; it must outlive the editor
    * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts, such
    *        that no two consecutive points coincide; for a closed curve, the first point is not repeated at the end
    * \param np the named parameter `is_closed`, a `bool`: whether a leg connects the last point to the first; `false` by
    *        default
-   * \throws Invalid_curve_error if there are fewer than two points, or two consecutive ones coincide
+   * \throws Invalid_curve_error if there are fewer than two points, or two consecutive points coincide
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
@@ -139,9 +139,9 @@ public:
       sum += leg.length;
     return sum;
   }
-  /// Returns the verdict on a leg, obtained by exact arithmetic on the input coordinates. A leg can fail to be a
-  /// geodesic only if it requires flips and crosses itself, or if its computation exceeds the precision of the traits.
-  /// If coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`.
+  /// Returns the verdict on a leg, which is obtained by exact arithmetic from the coordinates or edge lengths of the
+  /// input. A leg can fail to be a geodesic only if it requires flips and crosses itself, or if its computation exceeds
+  /// the precision of the traits. If coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// Returns the verdict on the curve, which is the worst verdict on its legs.
   Verdict verdict() const
@@ -151,7 +151,8 @@ public:
       worst = (std::max)(worst, verdict(leg));
     return worst;
   }
-  /// Returns statistics of the filter failures of the predicates in all certificates, and of how they were resolved.
+  /// Returns statistics of the filter failures of the predicates in all certificates, and of how these failures were
+  /// resolved.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
   /// @}
@@ -161,10 +162,11 @@ public:
   /*!
    * Moves a point.
    *
-   * If both positions lie in one face, the path of the move is a straight line; otherwise it is a short edge path
-   * between vertices of their faces. The successive positions of a pen therefore determine the homotopy class of its
-   * path, provided that their distances are smaller than the widths of the handles and holes that the path passes. If
-   * an exception is thrown, the curve is unchanged.
+   * If both positions lie in one face, the path of the move is a straight line; otherwise, it leads along a nearly
+   * shortest edge path between vertices of the faces of these positions. If a point is dragged, its successive
+   * positions therefore determine the homotopy class of the path of the drag, provided that the distances between
+   * consecutive positions are smaller than the widths of the handles and holes near this path. If an exception is
+   * thrown, the curve is unchanged.
    *
    * \param i the number of the point
    * \param to the new position
@@ -197,7 +199,7 @@ public:
    * \return a report on the recomputed legs
    * \pre `i < number_of_points()`
    * \throws Invalid_curve_error if the path does not start at `point(i)`, or if two consecutive points have no common
-   *         face (`elements()` then contains the position of the second one in the path), or as `move()` does
+   *         face (`elements()` then returns the position of the second point in the path), or as `move()` does
    * \throws Invalid_location_error as `move()` does
    * \throws Occupied_triangulation_error as `move()` does
    * \throws Crossing_curves_error as `move()` does
@@ -268,7 +270,7 @@ private:
         report.legs_by_flips += leg.is_by_flips ? 1 : 0;
         report.verdict = (std::max)(report.verdict, verdict(leg));
       }
-    m_moves.push_back(std::move(move)); // nothing can fail any more
+    m_moves.push_back(std::move(move)); // nothing can fail from here on
     m_points[i] = to;
     for(auto& [l, leg] : m_moves.back().legs)
       std::swap(m_legs[l], leg);

@@ -28,8 +28,8 @@ namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /*
- * Returns the side of a face that starts at its corner at a vertex. For an inserted vertex, it is a corner next to the
- * vertex, the same in all faces. `anchor` identifies the vertex in the face.
+ * Returns the side of a face that starts at a vertex of the face, given by its `anchor` in the face. For an inserted
+ * vertex, the side starts at a corner next to the vertex, which is the same corner in all faces.
  */
 template <class Triangulation>
 Input_halfedge_index corner_next_to(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index anchor)
@@ -39,7 +39,7 @@ Input_halfedge_index corner_next_to(const Triangulation& triangulation, Vertex_i
   return is_at_other_end ? triangulation.input().next(anchor) : anchor;
 }
 
-/* Returns whether a vertex on an input halfedge, or at one of its ends, counts as its start. */
+/* Returns whether a vertex on an input halfedge, or at an end of it, counts as the start of the halfedge. */
 template <class Triangulation>
 bool is_next_to_start(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index along, bool is_tail)
 {
@@ -47,8 +47,9 @@ bool is_next_to_start(const Triangulation& triangulation, Vertex_index v, Input_
 }
 
 /*
- * Writes input halfedges along which an edge of the triangulation can be deformed with its ends fixed, derived from its
- * edge sequence. Inserted vertices are moved to the corners next to them, so that concatenated edges remain connected.
+ * Appends a path of input halfedges into which an edge of the triangulation, given by its edge sequence, can be
+ * deformed with its ends fixed. Inserted vertices are moved to the corners next to them, so that concatenated edges
+ * remain connected.
  *
  *      u ---- r        crossed: c from p to q. From u to p, and on along the tails of the crossed halfedges.
  *       \    /.
@@ -86,16 +87,16 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes a basis of the first homology group of a surface, and the homology class of any closed curve in this basis.
- * The basis consists of loops along edges of the input mesh.
+ * Computes a basis of the first homology group of a surface, and the coefficients of the homology class of any closed
+ * curve with respect to this basis. The basis consists of loops along edges of the input mesh.
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
- * otherwise. All loops of a component pass through its base point. They are the shortest edge loops through the base
- * point that generate the fundamental group. They are also the shortest such loops that generate the homology group,
- * since a greedy choice is optimal for both groups \cgalCite{EW05}. The basis depends on the base points. Lengths are
- * those of the metric.
+ * otherwise. All loops of a component pass through its base point. Among all sets of edge loops through this point that
+ * generate the fundamental group, or only the homology group, these loops have the smallest total length, since a
+ * greedy choice is optimal for both groups \cgalCite{EW05}. The basis depends on the base points. Lengths are those of
+ * the metric.
  *
- * The class reads only the input of the triangulation, so flips do not affect it. Construction takes
+ * The basis depends only on the input of the triangulation, so flips do not affect it. The construction takes
  * \cgalBigO{n \log n} time and linear memory.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
@@ -104,7 +105,7 @@ template <class Triangulation>
 class Loop_basis
 {
 public:
-  /// The coefficients of a class, one for each loop of the basis.
+  /// The coefficients of a homology class, one for each loop of the basis.
   using Homology_class = std::vector<std::int64_t>;
 
   /// Describes a component of the surface.
@@ -131,8 +132,8 @@ public:
   /*!
    * Constructs a basis with given base points.
    * \param triangulation a triangulation of the surface, which must outlive the basis
-   * \param base_points a range of `Vertex_index`, at most one for each component; in a component without one, the first
-   *        vertex is chosen
+   * \param base_points a range of `Vertex_index`, at most one for each component; in a component without a base point,
+   *        the first vertex is chosen
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
@@ -161,13 +162,13 @@ public:
   }
 
   /// Returns whether the construction was completed. If a visitor stopped it, there are no loops and no components, and
-  /// functions for a loop, a vertex or a curve throw `Invalid_parameter_error`.
+  /// the functions that take a loop, a vertex or a curve throw `Invalid_parameter_error`.
   bool is_complete() const { return m_is_complete; }
 
   /// \name Loops
   /// @{
 
-  /// Returns the number of loops of all components.
+  /// Returns the total number of loops of all components.
   Index number_of_loops() const { return static_cast<Index>(m_cotree.generators().size()); }
 
   /// Returns the halfedges of a loop, from the base point back to the base point. They can be passed to
@@ -178,14 +179,14 @@ public:
     return m_forest.loop(m_triangulation->input(), generator(i).halfedge).whole();
   }
 
-  /// Returns the simple cycle obtained from a loop by removing the part that the loop traverses back and forth. The
-  /// cycle passes no vertex twice, and need not contain the base point.
+  /// Returns the simple cycle obtained from a loop by removing the path that the loop traverses in both directions. The
+  /// cycle passes through no vertex twice, and need not contain the base point.
   std::vector<Halfedge_index> cycle(Index i) const
   {
     return m_forest.loop(m_triangulation->input(), generator(i).halfedge).cycle();
   }
 
-  /// Returns the length of `loop(i)`. The loops of a component are sorted by length.
+  /// Returns the length of `loop(i)`. The loops of a component are sorted by increasing length.
   double length(Index i) const { return generator(i).length; }
 
   /// @}
@@ -205,18 +206,18 @@ public:
   /// @{
 
   /*!
-   * Returns the homology class of a closed chain of input halfedges: its integer coefficients in the basis, which are
-   * exact. The chain differs from the corresponding combination of loops by the boundary of a part of the surface.
-   * Shortening a curve does not change its class.
+   * Returns the homology class of a closed chain of input halfedges, that is, its exact integer coefficients with
+   * respect to the basis. The difference between the chain and the corresponding combination of loops is the boundary
+   * of a set of faces, counted with multiplicities. Shortening a curve does not change its class.
    *
-   * \param halfedges a range of `Input_halfedge_index` that forms a closed chain; an empty one has class zero. A
+   * \param halfedges a range of `Input_halfedge_index` that forms a closed chain; an empty chain has class zero. A
    *        halfedge `h` of the mesh corresponds to `triangulation.input().index(h)`. A `Halfedge_index` refers to the
    *        intrinsic triangulation and is not accepted; a curve of such halfedges must be passed as a curve of a
    *        network
    * \throws Invalid_curve_error if the chain is not closed
    *
-   * Complexity: linear in the length of the chain, with a factor of at most the sum of the genus and the number of
-   * borders.
+   * Complexity: \cgalBigO{k (1 + g + b)} for \f$k\f$ halfedges in a component of genus \f$g\f$ with \f$b\f$ borders,
+   * plus time linear in the number of loops of all components.
    */
   template <class HalfedgeRange>
   Homology_class homology_class(const HalfedgeRange& halfedges) const
@@ -231,8 +232,8 @@ public:
   }
 
   /*!
-   * Returns the homology class of a closed curve of a network, regardless of flips and insertions. The class is zero if
-   * the curve has contracted.
+   * Returns the homology class of a closed curve of a network, whose triangulation can contain flipped edges and
+   * inserted vertices. The class is zero if the curve has contracted.
    * \throws Invalid_curve_error if the curve does not end where it starts
    * \pre the triangulation of the network has the same input as this basis
    */
@@ -247,7 +248,8 @@ public:
    *
    * The problem is solved exactly in the fundamental group: by reduction in the free group if the component has a
    * border, by exponent sums on a torus, and by Dehn's algorithm \cgalCite{LS77} on other closed surfaces. A curve of
-   * homology class zero need not be contractible: for example, a curve that separates two handles is not.
+   * homology class zero need not be contractible: for example, a curve that separates two handles is not contractible,
+   * although its class is zero.
    *
    * \param halfedges a range of `Input_halfedge_index` that forms a closed chain, as for `homology_class()`
    * \throws Invalid_curve_error if the chain is not closed
@@ -403,12 +405,15 @@ private:
  * \ingroup PkgFlipGeodesicsLoops
  *
  * Writes each border of a surface as a closed chain of halfedges with the surface on the left. Each chain begins with
- * its edge of smallest index, and the chains are sorted by these edges. Linear in the size of the mesh.
+ * its edge of smallest index, and the chains are sorted by these edges.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose edges are those of the input
  * \param out an output iterator that receives one `std::vector<Halfedge_index>` per border
  * \return the past-the-end output iterator
- * \throws Invalid_mesh_error as `Loop_basis` does
+ * \throws Invalid_mesh_error if a face is not a triangle, an edge belongs to no face, or a border passes through a
+ *         vertex twice
+ *
+ * Complexity: linear in the size of the mesh.
  */
 template <class Triangulation, class OutputIterator>
 OutputIterator border_loops(const Triangulation& triangulation, OutputIterator out)
@@ -443,20 +448,22 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes a homology basis of handle loops and tunnel loops of a surface that bounds a solid \cgalCite{DFW13}.
+ * Computes a homology basis that consists of handle loops and tunnel loops, for a surface that bounds a solid
+ * \cgalCite{DFW13}.
  *
  * A handle loop, such as the meridian of a torus, bounds a surface inside the solid; a tunnel loop bounds a surface
- * outside. Each component of genus \f$g\f$ has \f$g\f$ loops of each kind, independently of the other components. All
- * loops together form a basis of the first homology group with integer coefficients.
+ * outside. Each component is treated as if it were the only one, and a component of genus \f$g\f$ has \f$g\f$ loops of
+ * each kind. All loops together form a basis of the first homology group with integer coefficients.
  *
- * Which classes bound a surface inside or outside is decided exactly from linking numbers of loops that are pushed off
- * the surface. These numbers are computed by counting crossings in a projection. Each candidate consists of an edge and
- * the two paths to its ends in a tree of shortest paths, which starts at a base point or at a point near a handle. The
- * candidates that bound such a surface are considered in the order of their lengths, and a candidate is chosen if it
- * and the loops already chosen can be extended to a basis. If the candidates do not suffice, as on a knotted tube,
- * several loops of a `Loop_basis` are combined, and the resulting loops may pass edges more than once and cross
- * themselves. Since the points near the handles depend on the numbering of the mesh, a different numbering of the same
- * mesh can lead to different loops, whose lengths differ by a few percent.
+ * Which homology classes bound a surface inside or outside is decided exactly from linking numbers of loops that are
+ * pushed off the surface. These numbers are computed by counting crossings in a projection. Each candidate loop
+ * consists of an edge and the two paths to its ends in a tree of shortest paths from a base point or from a vertex near
+ * a handle. The candidates that bound a surface inside or outside are considered in the order of increasing length, and
+ * a candidate is chosen if it and the loops already chosen can be extended to a homology basis. If the candidates do
+ * not suffice, as on a knotted tube, several loops of a `Loop_basis` are combined, and the resulting loops can traverse
+ * edges more than once and cross themselves. Since the choice of vertices near the handles depends on the numbering of
+ * the mesh, a different numbering of the same mesh can lead to different loops, whose lengths can differ by a few
+ * percent.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; only its input is read
  * \param np an optional sequence of named parameters among those listed below
@@ -476,8 +483,9 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * \throws Degenerate_face_error if degenerate faces prevent the computation
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  *
- * Complexity: \cgalBigO{n \log n}, plus the cube of the genus times the length of the integers. For loops of \f$m\f$
- * edges, up to \f$m^2\f$ pairs of edges that are close to each other in the projection are processed in addition.
+ * Complexity: \cgalBigO{n \log n}, plus the cube of the genus times the number of digits of the integers that occur. In
+ * addition, all pairs of edges of loops that are close to each other in the projection are processed; for loops of
+ * \f$m\f$ edges in total, these are at most \f$m^2\f$ pairs.
  */
 template <class Triangulation, class... NamedParameters>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, const NamedParameters&... np)

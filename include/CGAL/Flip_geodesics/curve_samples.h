@@ -28,11 +28,12 @@ namespace CGAL::Flip_geodesics {
  *
  * Computes the parallel transport of tangent vectors along curves, with respect to the Levi-Civita connection.
  *
- * A vector is constant within a face, and remains constant across an edge if both faces are unfolded into a plane. At a
- * vertex on the curve, the vector keeps its angle to the curve. For this purpose, the angles around an interior vertex
- * are scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}; at a border vertex they are not scaled. Along a straightest
- * geodesic, the tangent is therefore transported to the tangent. Along a loop that does not contain a vertex, a vector
- * is rotated by the holonomy of the loop, the sum of the angle defects of the enclosed vertices.
+ * A vector is constant within a face, and remains constant across an edge if the two faces at the edge are unfolded
+ * into a plane. At a vertex on the curve, the vector keeps its angle to the curve. For this purpose, the angles around
+ * an interior vertex are scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}; at a border vertex they are not scaled. Along a
+ * straightest geodesic, the tangent is therefore transported to the tangent. Along a loop that passes through no vertex
+ * and bounds a disk, a vector is rotated by the holonomy of the loop, which is the sum of the angle defects of the
+ * vertices in the disk.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -50,14 +51,14 @@ public:
    * Transports a direction along a curve that is straight between consecutive locations.
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
-   *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
+   *        consecutive ones lie in one face or on its boundary; equal consecutive points count once
    * \param direction the direction at the first location; its halfedge must either be a side of a face that contains
    *        the location, or start at the location
    * \param halfedge the halfedge from which the resulting angle is measured; it must satisfy the same condition at the
    *        last location. By default, it is the halfedge described at `Surface_direction`
    * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$ or, at an interior vertex, between 0
    *         and the sum of the angles there. At a border vertex, where a full turn does not exist, the angle is not
-   *         reduced and can have any value
+   *         reduced to an interval and can have any value
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, or a halfedge does not satisfy the condition
@@ -88,8 +89,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Represents a curve that is straight between consecutive locations, parametrized by arc length: the members return the
- * location and the direction of the curve at a given length from its start.
+ * Represents a curve that is straight between consecutive locations and is parametrized by arc length; its member
+ * functions return the location and the direction at a given length from the start.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -102,7 +103,7 @@ public:
    *
    * \param triangulation the triangulation, which must outlive the curve
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
-   *        consecutive ones lie in one face or on its boundary; repeated consecutive points count once
+   *        consecutive ones lie in one face or on its boundary; equal consecutive points count once
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
@@ -130,8 +131,8 @@ public:
   const std::vector<Surface_location>& locations() const { return m_sleeve.places(); }
 
   /*!
-   * Returns the number \f$i\f$ of the piece that contains the point at a given length from the start. The piece leads
-   * from `locations()[i]` to `locations()[i + 1]`; at a common point of two pieces, the number of the second one is
+   * Returns the number \f$i\f$ of the piece, leading from `locations()[i]` to `locations()[i + 1]`, that contains the
+   * point at a given length from the start. At a common point of two pieces, the number of the second piece is
    * returned.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
@@ -146,9 +147,11 @@ public:
 
   /*!
    * Returns the location at a given length from the start, in the face in which the curve continues or, at its end, in
-   * the face in which it arrives. Logarithmic in the number of locations.
+   * the face in which it arrives.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
+   *
+   * Complexity: logarithmic in the number of locations.
    */
   Surface_location location(double length) const
   {
@@ -223,18 +226,19 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Returns the counterclockwise angle at a location from one direction to another. Except at a border vertex, the angle
- * is at least 0, and less than \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border vertex,
- * where a full turn does not exist, it is the difference of the angles of the directions, which can be negative.
+ * Returns the counterclockwise angle at a location from one direction to another. If the location is not a vertex, the
+ * angle is at least 0 and less than \f$2\pi\f$. At an interior vertex, it is at least 0 and less than the sum of the
+ * angles around the vertex. At a border vertex, where a full turn does not exist, it is the difference of the angles of
+ * the directions, which can be negative.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
  * \throws Degenerate_face_error if a face of the location has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if a face of the location has an invalid coordinate
  * \throws Invalid_mesh_error if a face of the location is invalid
  * \throws Invalid_parameter_error if an angle is not finite, or a halfedge neither bounds a face that contains the
- *         location nor starts there
+ *         location nor starts at it
  *
- * Complexity: linear in the degree of a vertex, otherwise constant.
+ * Complexity: linear in the degree of the vertex if the location is a vertex, and constant otherwise.
  */
 template <class Triangulation>
 double angle_between(const Triangulation& triangulation, const Surface_location& location,
@@ -339,7 +343,8 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s such that any two consecutive
  *        ones lie in one face. `geodesic_path()` and `trace_geodesic()` write such ranges, and an `Isoline` contains
  *        one as its member `locations`
- * \param number the number of samples, at least 2; the first and the last sample of a closed curve are the same
+ * \param number the number of samples, at least 2; on a closed curve, the first and the last sample lie at the same
+ *        point
  * \param out an output iterator that receives `Curve_sample`s
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
  *        only the work limit is used; the metric must have points
@@ -352,8 +357,8 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
- * Complexity: linear in the number of locations of the curve, and for each sample logarithmic in this number. Meshes
- * other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
+ * Complexity: linear in the number of locations of the curve, plus time logarithmic in this number for each sample.
+ * Meshes other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve, std::size_t number,
@@ -382,8 +387,9 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * Computes the angle between two curves that start at the same point, counterclockwise from the first one to the
  * second.
  *
- * The angle is at least 0, and less than \f$2\pi\f$ or, at a vertex, less than the sum of the angles there. At a border
- * vertex, where a full turn does not exist, it is negative if the second curve starts clockwise from the first.
+ * If the start is not a vertex, the angle is at least 0 and less than \f$2\pi\f$. At an interior vertex, it is at least
+ * 0 and less than the sum of the angles around the vertex. At a border vertex, where a full turn does not exist, the
+ * angle is negative if the second curve starts clockwise from the first.
  *
  * \param mesh a triangle mesh
  * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts that start at
@@ -399,7 +405,8 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * \throws Invalid_coordinate_error as `sample_curve()` does
  * \throws Invalid_mesh_error as `sample_curve()` does
  *
- * Complexity: that of `sample_curve()`.
+ * Complexity: linear in the numbers of locations of the curves. Meshes other than `Surface_mesh` are indexed first, in
+ * \cgalBigO{n \log n}.
  */
 template <class TriangleMesh, class LocationRange, class OtherLocationRange, class... NamedParameters>
 double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first, const OtherLocationRange& second,

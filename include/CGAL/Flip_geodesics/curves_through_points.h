@@ -36,23 +36,23 @@ namespace CGAL::Flip_geodesics {
 /// Specifies the type of a spline.
 enum class Spline_kind {
   BEZIER,                ///< a single B&eacute;zier curve, whose degree is one less than the number of control points
-  CUBIC_B_SPLINE,        ///< a uniform cubic B-spline that starts and ends at the first and last point
-  CLOSED_CUBIC_B_SPLINE, ///< a closed uniform cubic B-spline of at least three points
+  CUBIC_B_SPLINE,        ///< a uniform cubic B-spline from the first control point to the last
+  CLOSED_CUBIC_B_SPLINE, ///< a closed uniform cubic B-spline of at least three control points
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Computes a chain of geodesic B&eacute;zier curves on the surface \cgalCite{MCV08}, \cgalCite{SC20,section 6.2}, by de
- * Casteljau's algorithm with geodesics instead of straight lines. In the plane, the points at which pieces meet lie on
- * the B&eacute;zier curve up to rounding errors.
+ * Casteljau's algorithm with geodesics instead of straight lines. Each curve is subdivided into pieces. In the plane,
+ * the points at which consecutive pieces meet lie on the B&eacute;zier curve up to rounding errors.
  *
  * Each *leg* of a control polygon, the geodesic between two consecutive control points, is shortened independently, in
- * a triangulation that is restored afterwards. Legs may therefore pass through control points, overlap, and cross one
- * another, so the control polygon may cross itself. A leg of the next polygon of the algorithm is obtained by
- * shortening a path that leads from the midpoint of one leg through the control point to the midpoint of the next, so
- * that the curve stays in the homotopy class of the polygon. `add_curve_along()` turns the pieces of the finished curve
- * into a curve of a network, and thus into edges of a triangulation.
+ * a triangulation that is restored afterwards. Legs can therefore pass through control points, overlap, and cross one
+ * another, so the control polygon can cross itself. De Casteljau's algorithm repeatedly replaces a polygon by the
+ * polygon of the midpoints of its legs; each new leg is obtained by shortening the path that follows the old legs from
+ * one midpoint to the next, so that the curve stays in the homotopy class of the control polygon. `add_curve_along()`
+ * turns the pieces of the finished curve into a curve of a network, and thus into edges of a triangulation.
  *
  * Invariant: each leg is a geodesic that starts at the end of the previous leg, and the triangulation is unchanged.
  *
@@ -68,8 +68,8 @@ public:
    *
    * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline
    * \param control_points a range of at least two points of the surface, of any type that `surface_location()` accepts;
-   *        a closed spline has at least three and does not repeat the first. Consecutive points may coincide; the leg
-   *        between them then has length zero
+   *        a closed spline requires at least three points, and the first point is not repeated at the end. Consecutive
+   *        points may coincide; the leg between them then has length zero
    * \param kind the type of the spline
    * \throws Invalid_curve_error if there are fewer than two points, or fewer than three for a closed spline
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
@@ -88,15 +88,15 @@ public:
 
   /*!
    * Constructs a spline from a control polygon whose legs are already geodesics, such as those of a `Curve_editor`. If
-   * the legs are those of an editor, the curve stays in the homotopy class of the polygon while control points are
-   * dragged.
+   * the legs are those of an editor, the curve stays in the homotopy class of the control polygon also while control
+   * points are dragged.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline
    * \param legs the legs, each starting at the end of the previous one; any two consecutive locations must lie in one
    *        face, and the last leg of a closed spline ends where the first starts
    * \param kind the type of the spline
-   * \throws Invalid_curve_error if no leg is given, or fewer than three for a closed spline, if a leg has fewer than
-   *         two locations, or if two consecutive locations do not lie in a common face
+   * \throws Invalid_curve_error if no leg is given, or fewer than three legs for a closed spline, if a leg has fewer
+   *         than two locations, or if two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -138,9 +138,9 @@ public:
   }
 
   /*!
-   * Subdivides the pieces until a round changes the length of the control polygon by at most `tolerance` times that
-   * length, but no more than `most_rounds` times. The change in each round is about a quarter of the change in the
-   * previous one, so the total remaining change is about a third of the last change.
+   * Subdivides every piece in rounds, until a round changes the total length of the control polygons of the pieces by
+   * at most `tolerance` times this length, but in at most `most_rounds` rounds. The change in each round is about a
+   * quarter of the change in the previous one, so the total remaining change is about a third of the last change.
    * \return the number of rounds
    * \throws Insertion_error as `refine()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -189,7 +189,7 @@ public:
     return pieces;
   }
 
-  /// Returns the length of the control polygons of all pieces.
+  /// Returns the total length of the control polygons of all pieces.
   double polygon_length() const
   {
     double sum = 0;
@@ -198,8 +198,9 @@ public:
     return sum;
   }
 
-  /// Returns the report on `finish()`, which includes the flips of all previous calls. The initial length is that of
-  /// the first control polygon, and the verdict is that on all geodesics together.
+  /// Returns the report on `finish()`, which includes the flips of all previous calls. The initial length is the total
+  /// length of the control polygons of the pieces before the first call of `refine()`, and the verdict is the verdict
+  /// on all geodesics together.
   const Shortening_report& report() const { return m_report; }
   /// Returns the length of the finished curve. \throws Invalid_parameter_error before `finish()`
   double length() const { return finished().length; }
@@ -296,7 +297,7 @@ private:
       first[i] = std::move(third);
       std::tie(middle[i], last[i]) = divided(rest, 0.5);
     }
-    std::vector<Leg> before(n), after(n); // what leads to and from the middle third of each leg
+    std::vector<Leg> before(n), after(n); // the legs to and from the middle third of each leg
     before[0] = first[0];
     after[n - 1] = last[n - 1];
     for(std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i)
@@ -321,11 +322,11 @@ private:
  * Adds a curve through points of the surface. The points become vertices, at which the curve is fixed, and consecutive
  * points are connected.
  *
- * A curve through two points is a shortest edge path. A curve through more points consists of *legs*, which connect
- * consecutive points. Each leg is first shortened on its own, with the other points ignored, and therefore passes each
- * of these points on the same side as a geodesic without obstacles does. The edges that the legs cross are flipped. A
- * leg that crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects whether the
- * curves cross. The initial length of the curve is that of the edge paths.
+ * A curve through two points is added as a shortest edge path. A curve through more points consists of *legs*, which
+ * connect consecutive points. Each leg is first shortened independently of the other points; it therefore passes beside
+ * each of these points on the same side as a geodesic without obstacles does. The edges that the legs cross are
+ * flipped. A leg that crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects
+ * whether the curves cross. The initial length of the curve is that of the edge paths.
  *
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
@@ -333,7 +334,7 @@ private:
  * \param np the named parameter `is_closed`, a `bool`: whether the curve is closed; `false` by default
  * \return the index of the curve
  * \throws Invalid_curve_error if fewer than two points are given, or all points coincide
- * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` contains the ends of the
+ * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` returns the ends of the
  *         crossed edge. In this case no curve is added, but points may have become vertices, and edges may have been
  *         flipped
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
@@ -396,7 +397,7 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * \throws Invalid_curve_error if a leg has fewer than two points, consecutive points have no common face, or all legs
  *         are points
  * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()`
- *         contains the ends of the crossed edge. In this case no curve is added, but points may have become vertices,
+ *         returns the ends of the crossed edge. In this case no curve is added, but points may have become vertices,
  *         and edges may have been flipped
  * \throws Ambiguous_order_error if the search for an order of overlapping segments is aborted
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
@@ -427,7 +428,7 @@ Curve_index add_curve_along(Network& network, const std::vector<std::vector<Surf
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Contains geodesics between consecutive points, each computed separately.
+/// Contains geodesics between consecutive points, each of them computed independently of the others.
 struct Free_legs
 {
   std::vector<std::vector<Surface_location>> legs; ///< the points of each leg: its ends and its crossings with edges
@@ -468,15 +469,15 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
  *
  * Computes geodesics between consecutive points, by shortening a shortest edge path between each pair.
  *
- * The triangulation is restored after each leg. Legs therefore do not block one another and may cross, unlike those of
- * `add_curve_through()`; a triangulation that contains all legs need not exist. A leg between two coincident points
- * consists of that point twice. If all points coincide, the curve is a point, and its status is
+ * The triangulation is restored after each leg. Legs therefore do not block one another and, unlike those of
+ * `add_curve_through()`, can cross one another; a triangulation that contains all of them need not exist. A leg between
+ * two coincident points consists of that point twice. If all points coincide, the curve is a point, and its status is
  * `Shortening_status::CONTRACTED`.
  *
  * \param triangulation a triangulation of the input without flips and curves, which is unchanged afterwards
  * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts
- * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, for each leg. If the predicate has
- *        a member `restarted()`, the result of that member is used for each leg
+ * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, which are applied to each leg. If
+ *        the predicate has a member `restarted()`, the result of that member is used for each leg
  * \return the legs, and a report
  * \throws Invalid_curve_error if fewer than two points are given
  * \throws Occupied_triangulation_error if a network has curves in the triangulation
@@ -554,9 +555,9 @@ struct Path_between_points
  *
  * Computes a geodesic, that is, a locally shortest path, through points anywhere on the surface.
  *
- * The path leads from the first point to the last, and may have a corner at each point in between; with two points it
- * is a geodesic between them. It may cross itself. A point that coincides with the previous one has no effect; if all
- * points coincide, the path is that point.
+ * The path leads from the first point to the last, and can have a corner at each point in between; with two points, it
+ * is a geodesic between them. The path can cross itself. A point that coincides with the previous one has no effect; if
+ * all points coincide, the path is that point.
  *
  * \param mesh a triangle mesh
  * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, which are pairs
@@ -593,7 +594,7 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic spline \cgalCite{SC20,section 6.2}. The result consists of geodesics between the points at which
- * the pieces of a `Geodesic_spline` meet; these points lie on the curve. The control polygon and the curve may cross
+ * the pieces of a `Geodesic_spline` meet; these points lie on the spline. The control polygon and the spline can cross
  * themselves.
  *
  * \param mesh a triangle mesh

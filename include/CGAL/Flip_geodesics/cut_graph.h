@@ -35,16 +35,16 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Fills an empty network with curves along which each component of a surface can be cut open to a topological disk. The
- * ends of the curves are fixed, so the network can be shortened by `shorten_cut_graph()` and then be passed to
+ * Fills an empty network with curves along which each component of a surface can be cut open into a topological disk.
+ * The ends of the curves are fixed, so the network can be shortened by `shorten_cut_graph()`. It can then be passed to
  * `cut_along_curves()` or `Conformal_flattening`.
  *
- * In each component, the network consists of the shortest loops that generate the fundamental group \cgalCite{EW05}, as
- * in `Loop_basis`, without the paths that these loops traverse back and forth. The network is therefore short, but in
- * general not the shortest cut graph, whose computation is NP-hard \cgalCite{EH04}. Borders need not be cut open;
- * curves therefore lead from one border to another and end there, and paths along the border count as having length
- * zero. A disk receives no curve. A sphere receives one, from the base point to the vertex that is farthest from this
- * point along edges.
+ * In a closed component, the network consists of the edges of the shortest loops that generate the fundamental group
+ * \cgalCite{EW05}, as in `Loop_basis`, without dead ends. The network is therefore short, but in general not the
+ * shortest cut graph, whose computation is NP-hard \cgalCite{EH04}. In a component with borders, curves can also end at
+ * the border, and paths along the border count as having length zero, since the surface need not be cut there. A disk
+ * receives no curve. A sphere receives one curve, from the base point to the vertex that is farthest from this point
+ * along edges.
  *
  * \param network an empty network
  * \param base_points vertices, at most one in each component. In a component without a base point, the first vertex of
@@ -79,7 +79,7 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, const Name
 }
 
 /// \ingroup PkgFlipGeodesicsLoops
-/// Fills an empty network with curves along which each component of a surface can be cut open to a topological disk;
+/// Fills an empty network with curves along which each component of a surface can be cut open into a topological disk;
 /// the function chooses a base point in each component. The parameters and exceptions are those of the overload with
 /// base points.
 template <class Network, class... NamedParameters,

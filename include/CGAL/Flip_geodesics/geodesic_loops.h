@@ -41,7 +41,7 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  * Computes closed geodesics around the handles and holes of a surface, by shortening each loop of a `Loop_basis`
  * separately.
  *
- * The resulting geodesics may cross one another. For a sphere or a disk, the basis is empty.
+ * The resulting geodesics can cross one another. For a sphere or a disk, the basis is empty.
  *
  * \param mesh a triangle mesh
  * \param out an output iterator that receives one `std::vector` per loop, in the order of the basis, of the points that
@@ -94,16 +94,16 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Shortens a network along which each component of a surface is cut open to a disk, and preserves this property.
- * Afterwards, the curves cut each component open to a single disk and are locally shortest between their ends.
+ * Shortens a network that cuts each component of a surface open into one or several disks. Afterwards, the curves cut
+ * each component open into a single disk and are locally shortest between their ends.
  *
- * Curves that were disjoint can touch at a vertex or overlap along edges after shortening. Cutting along all of them
- * would then divide the component into several disks, and some of the curves are superfluous, because two disks with a
- * common chain merge into one disk if the chain is removed. Chains between different disks are therefore removed, the
- * longest first, together with all resulting dead ends. A vertex at which only two curves remain is no longer a fixed
- * end. Removals alternate with calls of `shorten()` until no chain is superfluous; since the total length decreases
- * each time, the process ends. If no chain is superfluous after the first call, the function is equivalent to
- * `shorten()`.
+ * When disjoint curves are shortened, they can come to touch at a vertex or to overlap along edges. Cutting along all
+ * curves would then divide a component into several disks. Some of the curves are superfluous in this case, because two
+ * disks with a common chain of edges merge into one disk if the chain is removed. Chains between different disks are
+ * therefore removed, the longest first, together with all resulting dead ends. If only two curves remain at an interior
+ * vertex, they are joined into one curve, which is not fixed at this vertex. Removals alternate with calls of
+ * `shorten()` until no chain is superfluous; since each removal decreases the total length, the process ends. If no
+ * chain is superfluous after the first call, the function is equivalent to `shorten()`.
  *
  * \param network a network made by `add_cut_graph()`, or any other network that cuts each component into disks; if
  *        curves are removed, the remaining ones are renumbered
@@ -123,7 +123,7 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  *
- * Complexity: that of `shorten()`, plus linear time in the size of the triangulation for each run.
+ * Complexity: that of `shorten()`, plus time linear in the size of the triangulation for each of its runs.
  */
 template <class Network, class... NamedParameters>
 Shortening_report shorten_cut_graph(Network& network, const NamedParameters&... np)
@@ -145,7 +145,7 @@ Shortening_report shorten_cut_graph(Network& network, const NamedParameters&... 
 namespace internal {
 
 /*
- * The shortest edge loop of a certain kind that passes one of several vertices.
+ * The shortest edge loop of a certain kind that passes through one of several vertices.
  *
  * Each search excludes the vertices whose loops have been searched before. The class of a path is represented by its
  * word, with all possible cancellations: the loop closed by an edge is contractible if the words of its end points
@@ -331,8 +331,9 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the halfedges of the loop from the vertex back to it; the loop may begin with a path that it traverses in the
- *         opposite direction at its end. The result is empty if no such loop exists, as on a sphere
+ * \return the halfedges of the loop from the vertex back to it; the loop can begin with a path that it traverses again
+ *         at its end, in the opposite direction. The result is empty if no loop of the given kind passes through the
+ *         vertex, as on a sphere
  * \throws Vertex_out_of_range_error if `v` is not a vertex of the input
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Invalid_coordinate_error as `Loop_basis` does
@@ -355,7 +356,7 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  * Computes the shortest edge loop of a given kind on a surface.
  *
  * Such a loop passes through a vertex of every network that cuts the surface into disks. Searches therefore start only
- * from the vertices of a cut graph, and each of them extends up to half the length of the shortest loop found so far.
+ * from the vertices of a cut graph, and each search extends up to half the length of the shortest loop found so far.
  * The parameters and exceptions are those of `shortest_loop()` through a given vertex.
  *
  * \return the halfedges of the loop; empty if no such loop exists

@@ -42,16 +42,18 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  * library.
  *
  * \note The geodesic is not necessarily a globally shortest path, since a path on the other side of a hole or a bump
- * may be shorter, and the path computed from `target` to `source` may be a different one; see `shortest_path()`.
+ * can be shorter. The path computed from `target` to `source` can be a different one. `shortest_path()` computes a
+ * globally shortest path.
  *
  * If the two vertices coincide, the path has length zero, the status `Shortening_status::CONTRACTED` and the verdict
  * `Verdict::PROVEN`, and the output consists of its two end points. The end points of a degenerate edge coincide in
  * this sense.
  *
- * The following holds for all functions that compute locally shortest curves on a mesh. If a degenerate edge is
- * encountered, all degenerate edges are contracted and the curve is computed again. The result is then a geodesic of
- * the contracted surface, and `Curve_report::are_zero_edges_contracted` is `true`. A visitor observes the steps of both
- * attempts. The output is written once the result is complete, so nothing is written if an exception is thrown.
+ * All functions that compute locally shortest curves on a mesh have the following properties. If a degenerate edge is
+ * encountered, all degenerate edges are contracted, and the curve is computed again. In this case, the result is a
+ * geodesic of the contracted surface, and `Curve_report::are_zero_edges_contracted` is `true`. A visitor observes the
+ * steps of both attempts. The output is written once the result is complete, so nothing is written if an exception is
+ * thrown.
  *
  * \param mesh a triangle mesh
  * \param source, target vertices in the same connected component
@@ -80,8 +82,8 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  *       `Intrinsic_triangulation_traits` if the metric is a user-defined one without `squared_length()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{stop_predicate}
- *     \cgalParamDescription{a predicate that can end the process early; the report then indicates this}
- *     \cgalParamType{a model of `FlipOutStopPredicate`}
+ *     \cgalParamDescription{a predicate that can end the shortening early; the report then indicates this}
+ *     \cgalParamType{a model of `FlipOutStopPredicate`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{`Never_stop_predicate`}
  *     \cgalParamExtra{With a stop predicate or a visitor, the initial straightening is omitted, so that both observe
  *       every step from the edge path on.}
@@ -90,7 +92,7 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  *     \cgalParamDescription{a visitor that is called for each step}
  *     \cgalParamType{a model of `FlipOutVisitor`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
- *     \cgalParamExtra{The search for the edge path also calls `go_further()`, about once per thousand vertices. If the
+ *     \cgalParamExtra{The search for the edge path also calls `go_further()`, about once per thousand vertices. If this
  *       call returns `false`, nothing is written, and the report has the status
  *       `Shortening_status::STOPPED_BY_VISITOR`.}
  *   \cgalParamNEnd
@@ -100,8 +102,8 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
  * \throws Disconnected_endpoints_error if no edge path connects `source` and `target`
- * \throws Degenerate_face_error if a face violates the triangle inequality, or if no surface remains at a contracted
- *         edge or connects the ends after the contraction
+ * \throws Degenerate_face_error if a face violates the triangle inequality, or if, after the contraction of degenerate
+ *         edges, no face remains at one of these edges, or no surface connects the ends of the path
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  * \throws Invalid_mesh_error if a visited face is not a triangle, or a `Surface_mesh` contains removed elements
  *
@@ -133,7 +135,7 @@ struct Path_between_points;
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic between two points of any types: vertices of the mesh,
+ * Computes a geodesic between two points, each of any of the following types: vertices of the mesh,
  * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or points in
  * space. The named parameters and exceptions are those of `geodesic_path_through()`. Programs that link the compiled
  * library must also include `curves_through_points.h`.
@@ -156,7 +158,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a closed geodesic by shortening a closed loop of edges.
+ * Computes a closed geodesic by shortening a loop of edges.
  *
  * \param mesh a triangle mesh
  * \param vertices a range of vertices. Consecutive vertices must share an edge, and so must the last and the first; the
@@ -192,7 +194,7 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes geodesics by shortening several curves together, so that they may touch but never cross one another.
+ * Computes geodesics by shortening several curves together, so that they can touch but do not cross one another.
  *
  * \param mesh a triangle mesh
  * \param curves a range of ranges of vertices. Consecutive vertices of a curve must share an edge; a curve whose last
@@ -210,7 +212,7 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `geodesic_loop()`, with the flips of all curves.
+ * Complexity: that of `geodesic_loop()`, with the flips for all curves.
  */
 template <class TriangleMesh, class CurveRange, class OutputIterator, class... NamedParameters>
 Geodesics_result<OutputIterator> geodesic_network(const TriangleMesh& mesh, const CurveRange& curves,

@@ -224,7 +224,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  * Computes many geodesics on one mesh, each as `geodesic_path()` does, with a single triangulation per thread.
  *
  * The results depend neither on the number of threads nor on the other pairs. If an exception such as
- * `Disconnected_endpoints_error` is thrown for a pair, it is stored as the result of the pair, and the other paths are
+ * `Disconnected_endpoints_error` is thrown for a pair, it is stored in the result of the pair, and the other paths are
  * still computed.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
@@ -253,16 +253,17 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{landmarks}
- *     \cgalParamDescription{landmarks computed for this mesh and its metric, which guide the searches and pay off for
- *       thousands of pairs. A path may then lie on the other side of a hole or a bump, with about the same length. If
- *       the number of vertices differs from that of the mesh, the result of each pair is an `Input_mismatch_error`.
- *       Landmarks have no effect on paths between points that are not given as vertices}
+ *     \cgalParamDescription{landmarks computed for this mesh and its metric, which accelerate the searches and are
+ *       worthwhile for thousands of pairs. With landmarks, a path can lie on another side of a hole or a bump than
+ *       without them; the lengths of the two paths are then similar. If the number of vertices differs from that of the
+ *       mesh, the result of each pair contains an `Input_mismatch_error`. Landmarks have no effect on a path unless
+ *       both ends are given as vertices}
  *     \cgalParamType{`Landmark_distances`}
  *     \cgalParamDefault{no landmarks}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{greatest_point_distance}
  *     \cgalParamDescription{the greatest distance from the surface at which a point in space is accepted. The result of
- *       a pair with a point farther away is a `Distant_point_error`; `Curve_report::point_distances` contains the
+ *       a pair with a point farther away contains a `Distant_point_error`; `Curve_report::point_distances` contains the
  *       distances}
  *     \cgalParamType{a non-negative number}
  *     \cgalParamDefault{no limit}
@@ -271,9 +272,9 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *
  * \return the past-the-end output iterator
  *
- * Complexity: that of the searches and of `shorten()`. Meshes other than `Surface_mesh` are indexed once per thread, in
- * \cgalBigO{n \log n}. Locating points in space takes \cgalBigO{n \log n} time once per thread, and logarithmic time
- * for each point close to the surface.
+ * Complexity: that of the searches and of `shorten()` for all pairs. Meshes other than `Surface_mesh` are indexed once
+ * per thread, in \cgalBigO{n \log n}. Locating points in space takes \cgalBigO{n \log n} time once per thread, and
+ * logarithmic time for each point close to the surface.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
           class... NamedParameters>

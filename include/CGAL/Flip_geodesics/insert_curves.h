@@ -36,9 +36,9 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Is the base class of visitors of `insert_curves()`; its members do nothing. Derive a visitor from this class, and
- * redefine the members that it needs. The names, the parameters and the order of the calls are those of
- * `CGAL::Polygon_mesh_processing::Corefinement::Default_visitor`.
+ * Serves as the base class of visitors of `insert_curves()`; its members do nothing. Derive a visitor from this class,
+ * and redefine the members that the visitor needs. The names, the parameters and the order of the calls of the members
+ * are those of the corresponding members of `CGAL::Polygon_mesh_processing::Corefinement::Default_visitor`.
  *
  * \tparam TriangleMesh the mesh into which curves are inserted
  */
@@ -49,14 +49,14 @@ struct Default_curve_insertion_visitor
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< the face type of the mesh
 
-  /// Called before the edge of a halfedge is split, once for each new vertex on it.
+  /// Called before the edge of a halfedge is split, once for each new vertex on this edge.
   void before_edge_split(halfedge_descriptor, TriangleMesh&) {}
   /// Called with the new halfedge, whose target is the new vertex, after the halfedge has been linked and the vertex
   /// has received its point.
   void edge_split(halfedge_descriptor, TriangleMesh&) {}
   /// Called after the edge has been split.
   void after_edge_split() {}
-  /// Called before a face is divided. The face remains as one of its parts.
+  /// Called before a face is divided. The descriptor of the face remains in use for one of the parts.
   void before_subface_creations(face_descriptor, TriangleMesh&) {}
   /// Called before a further part of the face is created.
   void before_subface_created(TriangleMesh&) {}
@@ -175,26 +175,27 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \ingroup PkgFlipGeodesicsSubdivision
  *
  * Inserts curves into a mesh as chains of edges, in place. The faces that curves cross are divided, all other faces are
- * kept, and nothing is shortened. The edges of the curves are marked, and faces can be labeled by the regions that the
- * marked edges bound.
+ * kept, and the curves are not shortened. The edges of the curves are marked, and faces can be labeled by the regions
+ * that the marked edges bound.
  *
- * A curve is the output of a function of this package, or a polyline drawn by a user. It may be open or closed; the
- * last point of a closed curve must repeat the first. A curve may cross itself and other curves, lie on edges, pass
- * through vertices, and overlap with other curves. Each crossing of two curves inside a face becomes one new vertex.
- * Whether curves cross is decided exactly, by a constrained Delaunay triangulation in the plane of each face.
+ * A curve can be the output of a function of this package, or a polyline drawn by a user. A curve can be open or
+ * closed; the last point of a closed curve must repeat the first. Curves are allowed to cross themselves and one
+ * another, to lie on edges, to pass through vertices, and to overlap. Each crossing of two curves inside a face becomes
+ * one new vertex. Whether curves cross is decided exactly, by a constrained Delaunay triangulation in the plane of each
+ * face.
  *
- * Vertices, edges and faces of the mesh are kept, with their points and properties, unless a curve divides them. One
- * part of a divided face or split edge keeps the descriptor of this face or edge; the other parts are new. New vertices
- * on an edge lie on the segment between its ends, at a parameter that is rounded to `double`, and new vertices in a
- * face are affine combinations of its corners. In a kernel with exact constructions, the vertices lie exactly at these
- * points, crossings lie exactly on both curves, barycentric coordinates in an exact number type are not rounded inside
- * faces, and a part of a face is degenerate only if the face itself is degenerate. Rounded coordinates cannot
+ * The vertices of the mesh, and the edges and faces that no curve divides, are kept with their points and properties.
+ * One part of a divided face or split edge keeps the descriptor of this face or edge; the other parts are new. New
+ * vertices on an edge lie on the segment between its ends, at a parameter that is rounded to `double`, and new vertices
+ * in a face are affine combinations of its corners. If the kernel has exact constructions, the vertices lie exactly at
+ * these points, crossings lie exactly on both curves, barycentric coordinates in an exact number type are not rounded
+ * inside faces, and a part of a face is degenerate only if the face itself is degenerate. Rounded coordinates cannot
  * distinguish vertices that are too close to each other. Therefore a point is moved to an edge if one of its
- * barycentric coordinates is at most the snapping tolerance, and to a vertex if two of them are. Points are *close* to
- * each other if their distance is at most the tolerance times the length of the edge, or of the longest side of the
- * face, plus \f$2^{-48}\f$ of the largest coordinate. Close points are merged, and a segment that passes close to a
- * vertex is moved to the vertex. If the tolerance is zero, nothing is merged, and with rounded coordinates, faces of
- * the result can be degenerate.
+ * barycentric coordinates is at most the snapping tolerance (\f$10^{-9}\f$ for points in space), and to a vertex if two
+ * of them are. Points on an edge or in a face are *close* to each other if their distance is at most the tolerance
+ * times the length of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ times the largest coordinate.
+ * Close points are merged, and a segment that passes close to a vertex is moved to the vertex. If the tolerance is
+ * zero, nothing is merged, and with rounded coordinates, faces of the result can be degenerate.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out.
  *
@@ -205,9 +206,9 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Surface_location`, `Surface_point`,
  *        `Curve_point` or `Curve_place`, a point in space that lies on the surface up to \f$10^{-6}\f$ of the diagonal
  *        of the bounding box, or a `std::variant` of several of these. A point in space is searched for in the faces
- *        around the previous point, and then in all faces. Any two consecutive points must lie in a common face. For
- *        other polylines, `complete_polyline()` computes the missing points. A curve that consists of a single point
- *        adds a vertex and no edge
+ *        around the previous point, and then, if it is not found there, in all faces. Any two consecutive points must
+ *        lie in a common face. For other polylines, `complete_polyline()` computes the missing points. A curve that
+ *        consists of a single point adds a vertex and no edge
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -234,7 +235,7 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *   \cgalParamNEnd
  *   \cgalParamNBegin{snapping_tolerance}
  *     \cgalParamDescription{the threshold up to which a barycentric coordinate counts as zero, so that the point is
- *                            moved to an edge or a vertex}
+ *       moved to an edge or a vertex; for points in space, the threshold is always 10<sup>-9</sup>}
  *     \cgalParamType{a number, at least 0 and below 1/3}
  *     \cgalParamDefault{10<sup>-12</sup>}
  *   \cgalParamNEnd
@@ -249,22 +250,22 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \return the numbers of new vertices, divided and new faces, and regions
  *
  * \exception Invalid_location_error if a face is null, barycentric coordinates are negative, NaN or do not sum to one
- *            within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` contains the
+ *            within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` returns the
  *            positions of the curve and of the point in it
  * \exception Vertex_out_of_range_error if a vertex does not belong to any face, with the same elements
  * \exception Invalid_curve_error if a curve has no points, or two consecutive points do not lie in a common face;
- *            `elements()` contains the positions of the curve and of the second point
+ *            `elements()` returns the positions of the curve and of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
  *            points in space, also if any face that is examined is not a triangle; if vertices, `Surface_location`s or
  *            `Surface_point`s are given, also if a `Surface_mesh` contains removed vertices or edges
- * \exception Invalid_coordinate_error if a vertex of such a face has a coordinate that is not finite;
- *            `elements()` contains the position of the vertex in the range of vertices
+ * \exception Invalid_coordinate_error if a vertex of a face that is divided or examined has a coordinate that is not
+ *            finite; `elements()` returns the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
- * Complexity: \cgalBigO{n \log n} in the number of points and crossings if each face contains few of them, and at most
- * quadratic in the number within a single face. Regions are labeled in time linear in the size of the mesh. If points
- * in space are not found in the faces around their previous points, the search for them takes \cgalBigO{n \log n} time
- * in the size of the mesh once, and logarithmic time for each such point.
+ * Complexity: \cgalBigO{n \log n} for \f$n\f$ points and crossings if each face contains few of them, and at most
+ * quadratic in the number of points and crossings within a single face. Regions are labeled in time linear in the size
+ * of the mesh. If points in space are not found in the faces around their previous points, the search for them takes
+ * \cgalBigO{n \log n} time in the size of the mesh once, and logarithmic time for each such point.
  *
  * \sa `cut_along_curves()`
  * \sa `Slit_mesh`

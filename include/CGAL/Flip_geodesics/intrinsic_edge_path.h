@@ -145,8 +145,8 @@ std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulati
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the halfedges of a shortest path along the current edges of a triangulation, between any two of its vertices.
- * The result is empty if the vertices are equal.
+ * Returns the halfedges of a shortest path from `source` to `target` along the current edges of a triangulation. The
+ * result is empty if the vertices are equal.
  *
  * The function also handles inserted vertices and flipped triangulations, in contrast to `Shortest_edge_path`, which
  * searches the edges of the input. Of several paths of equal length, the same one is always returned.
@@ -157,7 +157,7 @@ std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulati
  *         inequality
  * \throws Invalid_coordinate_error if a face that the search visits has an invalid coordinate or length
  *
- * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices visited.
+ * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices that the search visits.
  */
 template <class Triangulation>
 std::vector<Halfedge_index> shortest_intrinsic_edge_path(const Triangulation& triangulation, Vertex_index source,

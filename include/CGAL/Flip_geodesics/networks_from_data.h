@@ -25,8 +25,8 @@ namespace CGAL::Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsBuilders
 /// Specifies the treatment of vertices at which more than two regions meet.
 enum class Junctions {
-  FIXED, ///< these vertices are fixed, and every curve ends there
-  FREE   ///< these vertices can move: every region has its own curves, next to those of its neighbors
+  FIXED, ///< these vertices are fixed, and curves end there
+  FREE   ///< the junctions can move: every region has its own curves, next to those of its neighbors
 };
 
 namespace internal {
@@ -151,18 +151,18 @@ private:
  *
  * With fixed junctions, as with `add_marked_edges()`, the curves end at the vertices that are incident to exactly one
  * edge between regions or to more than two; a curve without such a vertex is closed. With free junctions, each edge
- * carries two segments, one for each adjacent region, with the region on the left; the segments form closed curves and
- * paths from border to border. The junctions can then move, and a gap that does not belong to any region opens between
- * the curves of three regions that met at one vertex. Regions still do not overlap, and every curve keeps its isotopy
- * class among the others.
+ * between two regions carries two segments, one for each region, with the region on the left; the segments form closed
+ * curves and paths from border to border. When the network is shortened, the junctions can move, and a gap that does
+ * not belong to any region can open between the curves of regions that met at one vertex. Regions do not overlap
+ * afterwards either, and every curve keeps its isotopy class among the others.
  *
- * If the function or `regions` throws, the network is left empty.
+ * If an exception is thrown, also by `regions`, the network is left empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation
  * \param regions a model of `ReadablePropertyMap` with the faces of the mesh as keys, and values that can be compared
  *        by `!=`
- * \param junctions whether junctions are fixed
+ * \param junctions whether junctions are fixed or free
  * \return the number of curves added
  *
  * Complexity: linear in the size of the mesh.
@@ -206,13 +206,13 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
  * ends.
  *
  * A curve ends at each vertex that is incident to exactly one seam edge or to more than two, and hence wherever a seam
- * ends inside the surface or on its border. Border edges are not seams. If the function or `texture` throws, the
- * network is left empty.
+ * ends inside the surface or on its border. Border edges are not seams. If an exception is thrown, also by `texture`,
+ * the network is left empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation
- * \param texture a model of `ReadablePropertyMap` with the halfedges of the mesh as keys; the values are the texture
- *        coordinates of the face of a halfedge at its target, and can be compared by `!=`
+ * \param texture a model of `ReadablePropertyMap` with the halfedges of the mesh as keys; the value of a halfedge
+ *        contains the texture coordinates of its target in its face; values can be compared by `!=`
  * \return the number of curves added
  *
  * Complexity: linear in the size of the mesh.
@@ -234,8 +234,9 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Completes a polyline whose consecutive points need not lie in a common face, such as the positions of a pen. Between
- * points without a common face, the crossings of a geodesic with the edges are inserted.
+ * Completes a polyline whose consecutive points need not lie in a common face, such as the recorded positions of a pen.
+ * Between two consecutive points without a common face, the points at which a geodesic between them crosses edges are
+ * inserted.
  *
  * \param triangulation the triangulation, which is unchanged afterwards
  * \param polyline the points, a range of points of the surface, of any type that `surface_location()` accepts
@@ -283,13 +284,14 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * Adds a polyline anywhere on the mesh to a network, as a curve that is fixed at all points of the polyline
  * \cgalCite{SC20,Figure 9}.
  *
- * The points become vertices of the triangulation, and the segments become edges, by flips of edges in the input faces
- * that contain them; a segment that passes a vertex consists of several edges. The curve therefore coincides with the
- * polyline. `Edge_path_network::free_nodes()` allows the curve to be shortened.
+ * The points become vertices of the triangulation. The segments of the polyline become edges; for this purpose, edges
+ * are flipped in the input faces that contain the segments. A segment that passes through a vertex becomes several
+ * edges. The curve therefore coincides with the polyline. After a call of `Edge_path_network::free_nodes()`, the curve
+ * can be shortened.
  *
- * Which edges a segment crosses is decided exactly, from the weights of the points. Polylines may be added one after
- * another. They may meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross at these
- * places. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
+ * Which edges a segment crosses is decided exactly, from the weights of the points. Several polylines can be added one
+ * after another. They can meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross at
+ * these places. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
  * \param network the network
  * \param polyline the points, of any type that `surface_location()` accepts; any two consecutive ones must lie in a
@@ -300,7 +302,7 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * \pre in the input faces that contain the polyline, no edge of the triangulation crosses an input edge
  * \throws Invalid_curve_error if two consecutive points have no common face, or there are too few points
  * \throws Crossing_curves_error if a segment crosses another one, or a curve of the network, between vertices;
- *         `elements()` contains the ends of the crossed edge. In this case no curve is added, but points of the
+ *         `elements()` returns the ends of the crossed edge. In this case no curve is added, but points of the
  *         polyline may have become vertices
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Insertion_error as `Edge_path_network::insert()` does
@@ -321,15 +323,15 @@ Curve_index draw_polyline(Network& network, const PointRange& polyline, const Na
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the vertices of a path of input edges in the isotopy class of a polyline. Each point on an edge is moved to
- * the nearer end of the edge, and each end of an open polyline to the vertex at which its weight is largest. No vertex
- * is added.
+ * Returns the vertices of a path of input edges to which a polyline is snapped: each point on an edge is moved to the
+ * nearer end of the edge, and each end of an open polyline to the vertex at which its weight is largest. Apart from the
+ * moves of its ends, the path is in the isotopy class of the polyline. No vertex is added.
  *
  * \param triangulation the triangulation
  * \param polyline the points, as for `draw_polyline()`
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
- * \return the vertices of the path, for `halfedges_through()`; fewer than two if the polyline shrinks to a vertex. A
- *         closed path does not repeat the first vertex
+ * \return the vertices of the path, for `halfedges_through()`; fewer than two vertices if the polyline shrinks to a
+ *         vertex. A closed path does not repeat the first vertex
  * \throws Invalid_curve_error as `draw_polyline()` does
  * \throws Invalid_location_error as `draw_polyline()` does
  */

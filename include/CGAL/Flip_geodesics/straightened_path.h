@@ -221,24 +221,24 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds an edge path to an empty network after initial straightening, so that `shorten()` needs few flips.
+ * Straightens an edge path and adds the result to an empty network, so that `shorten()` needs few flips.
  *
  * The curve is never longer than the path. The curve may pass through vertices between its ends, but stays in the
- * homotopy class of the path. `shorten()` determines afterwards which segments and joints of the curve are straight.
- * The function is intended for paths of which only the ends matter, such as those of `Shortest_edge_path`. If a stop
- * predicate or a visitor has to observe the whole process, use `Edge_path_network::add_curve()` instead.
+ * homotopy class of the path. A subsequent call of `shorten()` determines which segments and joints of the curve are
+ * straight. The function is intended for paths of which only the ends matter, such as those of `Shortest_edge_path`. If
+ * a stop predicate or a visitor has to observe the whole process, use `Edge_path_network::add_curve()` instead.
  *
- * The face strip along the path is unfolded, the path is shortened in it with a funnel algorithm, and the strip is
- * moved to the other side of the vertices at which the path bends \cgalCite{XW07}. All of this is computed in doubles
- * and without flips. The resulting geodesic segments are then inserted by flipping the edges that they cross. If
- * degenerate faces, segments that block each other, or rounding errors make the result doubtful, the path itself is
- * added, and nothing is flipped.
+ * The face strip along the path is unfolded, the path is shortened within the strip by a funnel algorithm, and the
+ * strip is moved to the other side of the vertices at which the path bends \cgalCite{XW07}. These steps are repeated;
+ * they are computed in doubles and without flips. The resulting geodesic segments are then inserted by flipping the
+ * edges that they cross. If degenerate faces, segments that block each other, or rounding errors make the result
+ * doubtful, all flips are undone, and the path itself is added.
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path, whose length becomes the initial length of the curve
- * \param most_memory a limit in bytes, as for `Memory_stop_predicate`: if the records of the flips would take more, the
- *        path itself is added
- * \return the number of flips
+ * \param most_memory a limit in bytes, as for `Memory_stop_predicate`: if the records of the flips would require more
+ *        memory, the path itself is added
+ * \return the number of flips, including those that were undone
  *
  * \throws Invalid_curve_error as `Edge_path_network::add_curve()` does
  * \throws Degenerate_face_error if a face at the path has a degenerate edge or violates the triangle inequality; in
@@ -247,8 +247,9 @@ private:
  *         is empty, and nothing is flipped
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; in this case nothing changes
  *
- * Complexity: that of several rounds over the strip, roughly one for each row of vertices between the path and the
- * geodesic. The number of flips is linear in the number of edges that the geodesic crosses.
+ * Complexity: linear in the number of faces of the strip for each repetition; roughly one repetition is required for
+ * each row of vertices between the path and the geodesic. The number of flips is linear in the number of edges that the
+ * geodesic crosses.
  */
 template <class Network>
 std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_index>& path,

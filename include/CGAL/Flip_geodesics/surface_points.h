@@ -71,12 +71,12 @@ Surface_location surface_location(
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Converts a `CGAL::Polygon_mesh_processing::Face_location`, that is, a face and barycentric coordinates, to a
- * `Surface_location`. The coordinates belong to the source, target and third vertex of `halfedge(face, mesh)`, and are
- * rounded to double, even from exact number types.
+ * `Surface_location`. The coordinates belong, in this order, to the source of `halfedge(face, mesh)`, to its target,
+ * and to the third vertex of the face. They are rounded to `double`, even if their number type is exact.
  *
  * Coordinates of at most `snap` count as exactly zero. A point that was located with rounding errors, and has a
- * coordinate of -5.6e-17 for instance, thus lies on the intended edge or vertex. A `Surface_location` is never snapped
- * afterwards.
+ * coordinate of -5.6e-17 for instance, thus lies on the intended edge or vertex. The resulting `Surface_location` is
+ * not snapped again, except by `insert_curves()`.
  *
  * \param triangulation the triangulation
  * \param mesh the mesh of the triangulation
@@ -229,9 +229,10 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
  * Returns the location of the point of the mesh that is nearest to a point in space, up to rounding errors. If several
  * points are equally near, one of them is chosen.
  *
- * The location is moved to an edge if one of its barycentric coordinates is at most 1e-9, and to a vertex if two are.
- * All faces are considered. Functions that take many points build a tree of bounding boxes, with the same results. For
- * many single calls, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns `Face_location`s.
+ * The location is moved to an edge if one of its barycentric coordinates is at most 1e-9, and to a vertex if two of
+ * them are. Functions that take many points build a tree of bounding boxes, and obtain the same locations. For many
+ * single calls of this function, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns
+ * `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
  * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is more than 1e140

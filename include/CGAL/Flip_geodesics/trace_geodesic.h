@@ -45,7 +45,7 @@ enum class Trace_status {
   VERTEX,           ///< the geodesic reaches a vertex exactly and is required to stop there
   BORDER,           ///< the geodesic meets the border, or would leave the surface at its start
   CONSTRAINED_EDGE, ///< the geodesic meets an edge that must not be crossed, or a vertex of such an edge
-  CROSSING_LIMIT    ///< the geodesic has crossed the maximal number of edges
+  CROSSING_LIMIT    ///< the geodesic has passed the maximal number of edges and vertices
 };
 
 /// Returns the name of a status, spelled like the enumerator.
@@ -329,8 +329,8 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
  * \ingroup PkgFlipGeodesicsTracing
  *
  * Traces straightest geodesics on the input mesh of a triangulation \cgalCite{PS98}, that is, evaluates the exponential
- * map. Such geodesics are straight across faces and edges, and have the same angle on both sides of a vertex. The free
- * function is `trace_geodesic()`.
+ * map. Such geodesics are straight across faces and edges, and have equal angles on both sides at each vertex that they
+ * pass. The corresponding free function is `trace_geodesic()`.
  *
  * Which edges are crossed, and whether a vertex is reached, is decided exactly, from the signs of real numbers that are
  * defined by the weights of the start, the direction, and the input coordinates or lengths. A direction given as an
@@ -358,19 +358,20 @@ public:
    * \param source the start, a point of any type that `surface_location()` accepts. A `Face_location` is not moved to a
    *        nearby edge or vertex. Tracing can therefore continue from the end of any geodesic
    * \param direction a `Surface_direction`, whose angle extends over all incident faces if the start is a vertex, so
-   *        that a full turn is the sum of their angles. Alternatively, if the start is a `Surface_location`, a
-   *        `std::array<double, 2>` of coordinates in the face of its halfedge: the coefficients of the vectors from the
-   *        tail of this halfedge to its head and to the third corner. Coordinates are not rounded, unless the start is
-   *        a vertex and the direction points out of the face, or one coefficient is more than 1e100 times the other
+   *        that a full turn is the sum of their angles. Alternatively, if the start is a `Surface_location`, the
+   *        direction can be a `std::array<double, 2>` of coordinates in the face of the halfedge of the location: the
+   *        coefficients of the vectors from the tail of this halfedge to its head and to the third corner. Coordinates
+   *        are not rounded, unless the start is a vertex and the direction points out of the face, or one coefficient
+   *        is more than 1e100 times the other
    * \param length the maximal length, in the unit of the coordinates
    * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and
-   *        the end; `CGAL::Emptyset_iterator()` if they are not needed
+   *        the end; `CGAL::Emptyset_iterator()` if these points are not needed
    * \param np an optional sequence of the named parameters `edge_is_constrained_map`, `number_of_iterations` and
    *        `at_vertices` of `trace_geodesic()`
    * \return a report with the end of the geodesic
    * \throws Invalid_location_error if `source` is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, its halfedge is neither a side of a face that contains
-   *         the source nor starts there, or the length is negative or not finite
+   *         the source nor starts at it, the length is negative or not finite, or the number of iterations is negative
    * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
    *         lies in a degenerate face
    * \throws Invalid_coordinate_error if a coordinate is not finite
@@ -515,7 +516,8 @@ private:
  *
  * The geodesic is straight across faces and edges. At a vertex it continues with the same angle on its left as on its
  * right, or ends. Which edges are crossed, and whether a vertex is reached, is decided exactly. The direction is
- * rounded in the first face, and again after each vertex whose angles do not sum to exactly \f$2\pi\f$.
+ * rounded in the first face, and again after each vertex whose angles do not sum to exactly \f$2\pi\f$ or that belongs
+ * to a degenerate face.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
@@ -523,7 +525,7 @@ private:
  * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
  *        halfedge, in radians and counterclockwise on the surface. The halfedge must be a side of a face that contains
  *        the source; if the source is a vertex, the angle extends over all incident faces. A vector requires a source
- *        that is not given as a vertex, and is projected to the plane of the face of the source; the vector may point
+ *        that is not given as a vertex, and is projected to the plane of the face of the source; the vector can point
  *        out of this face
  * \param length the maximal length, in the unit of the coordinates
  * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
@@ -550,10 +552,10 @@ private:
  * \cgalNamedParamsEnd
  *
  * \return a `Trace_result`, whose `location` and `direction` can be used to continue the geodesic
- * \throws Vertex_out_of_range_error if the source is not a vertex of the mesh
+ * \throws Vertex_out_of_range_error if the source is given as a vertex that does not belong to the mesh
  * \throws Invalid_location_error if the source does not lie on the mesh
  * \throws Invalid_parameter_error if the length or the direction is not finite, the length or the number of iterations
- *         is negative, the vector has no component in the plane of its face, or the halfedge does not satisfy the
+ *         is negative, the vector has no component in the plane of the face, or the halfedge does not satisfy the
  *         condition above
  * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
  *         at the start points into a degenerate face

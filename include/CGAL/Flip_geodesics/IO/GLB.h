@@ -23,9 +23,10 @@ namespace CGAL::Flip_geodesics {
 namespace internal {
 
 /*
- * Writes a node for each shape, below a node that moves the shapes to their position, since coordinates are floats
- * relative to the center. Empty shapes are omitted, because glTF has no empty arrays. The bytes of a shape are those of
- * its points, followed by those of the corners of triangles, each with its own view and accessor.
+ * Writes a node for each shape, below a node that moves the shapes to their position, since coordinates are written as
+ * floats relative to the center. Empty shapes are omitted, because glTF has no empty arrays. The bytes of a shape are
+ * those of its points, followed by those of the corners of triangles; the points and the corners each have their own
+ * view and accessor.
  */
 class Glb_writer
 {
@@ -338,13 +339,15 @@ namespace IO {
  * Writes surfaces, curves and points in the binary glTF 2.0 format, which browsers and animation programs support.
  *
  * The file has a node `surface`, a node `curve_N` for each curve, and a node `points`. Coordinates are floats relative
- * to the center of the surface. With an `IO::Texture`, each face has three separate vertices with `TEXCOORD_0`.
+ * to the center of the bounding box of the surface, or of all data if there is no surface. With an `IO::Texture`, each
+ * face has three separate vertices with `TEXCOORD_0`.
  *
  * \param destination a binary stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`; the named parameters `use_binary_mode` and `stream_precision` are
  *        ignored. A mesh without faces is omitted
  *
- * \throws File_write_error as `write_VTP()` does, and if the file would have 4294967296 bytes or more
+ * \throws File_write_error as `write_VTP()` does, and if the file would have 4294967296 bytes or more, or the name of
+ *         an image contains a control character
  * \throws Invalid_coordinate_error as `write_VTP()` does, and if a point is farther from the center than floats can
  *         represent
  * \throws Invalid_mesh_error as `write_VTP()` does

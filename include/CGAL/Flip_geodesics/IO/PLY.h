@@ -160,10 +160,10 @@ namespace IO {
  * Writes surfaces, curves and points in the PLY format, with elements `vertex`, `face` and `edge`.
  *
  * The property `curve` of an edge is the number of its curve. If the data contain tubes, faces have this property as
- * well, with the value -1 for faces of a surface. Values at vertices are properties of the vertices with the given
- * names. A vector has three properties, whose names end in `_x`, `_y` and `_z`, and an array has one property for each
- * of its entries. MeshLab colors a surface by the property `quality`. With `IO::Colors`, vertices and edges have
- * colors.
+ * well, with the value -1 for faces of a surface. Values at vertices are written as properties of the vertices under
+ * the given names. A vector has three properties, whose names end in `_x`, `_y` and `_z`, and an array has one property
+ * for each of its entries. MeshLab colors a surface by the property `quality`. With `IO::Colors`, vertices and edges
+ * have colors.
  *
  * \param destination a stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`

@@ -230,9 +230,10 @@ namespace IO {
  *
  * Writes surfaces, curves and points in the PolyData format of VTK (`.vtp`), which ParaView reads.
  *
- * Cells have an array `curve`: the number of the curve to which they belong, and -1 for surfaces and points. Points
- * have an array for each `Vertex_values`. If an exception is thrown because of the data, nothing is written. The data
- * are not copied, but tubes are kept until they are written, and a mesh other than a `Surface_mesh` is numbered.
+ * Cells have an array `curve` with the number of the curve to which a cell belongs, or -1 for cells of surfaces and of
+ * separate points. Points have an array for each `Vertex_values`. If an exception is thrown because of the data,
+ * nothing is written. The data are not copied, but tubes are kept until they are written, and a mesh other than a
+ * `Surface_mesh` is numbered.
  *
  * \param destination the name of a file, which is replaced if it exists, or a stream, which must be opened in binary
  *        mode on systems that distinguish binary from text mode; the locale and the format settings of the stream have
@@ -268,7 +269,7 @@ namespace IO {
  * \throws File_write_error if the data are empty; if the stream has failed or fails, which its state also indicates; or
  *         if values at vertices are written as text and one of them is not finite, which is always the case if the data
  *         contain curves or separate points
- * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` contains the number of the vertex or of
+ * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` returns the number of the vertex or of
  *         the point; for a point of a curve, the number of the curve comes first
  * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed elements
  * \throws Invalid_parameter_error if two sets of values at vertices have the same name, or a name contains characters

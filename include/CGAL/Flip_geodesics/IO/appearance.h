@@ -111,7 +111,7 @@ struct Texture
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Passes values at the vertices of the mesh, such as distances, numbers of nearest sources, or directions, to
+ * Passes values at the vertices of the mesh, such as distances, indices of nearest sources, or directions, to
  * `write_VTP()` and `write_PLY()`, along with the data. Viewers use them to color the mesh.
  *
  * The value at points of curves and at separate points is NaN. Other writers ignore the values.

@@ -441,8 +441,8 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * repeating all flips and restoring the curves.
  *
  * The result is bitwise identical, including the ids of segments, so shortening continues as it would have without
- * saving. Inserted vertices, including those of `refine()` and on curves, are restored as well. The order of
- * overlapping curves is restored as it was saved, even if `order_overlapping_curves()` was not called before;
+ * saving. Inserted vertices, including those inserted by `refine()` and those on curves, are restored as well. The
+ * order of overlapping curves is restored as it was saved, even if `order_overlapping_curves()` was not called before;
  * `Edge_path_network::is_valid()` can then be `false`, as for the saved network.
  *
  * The function reads up to the end of the line with the checksum, so several networks can be read from one stream. The
