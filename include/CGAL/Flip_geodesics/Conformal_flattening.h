@@ -628,8 +628,9 @@ private:
 };
 
 /*
- * Replaces each halfedge of a chain that passes a vertex so closely that the face between them is degenerate in double
- * precision by the two other sides of this face. Returns whether a halfedge was replaced.
+ * Replaces a halfedge of a chain by the two other sides of a face beside it if the opposite vertex is so close to the
+ * halfedge that this face is degenerate in double precision. This is done for all halfedges of the chain. Returns
+ * whether a halfedge was replaced.
  */
 template <class Network>
 bool replace_near_sides(const Network& network, std::vector<Halfedge_index>& chain)

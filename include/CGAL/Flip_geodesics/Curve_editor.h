@@ -116,10 +116,10 @@ public:
   bool is_closed() const { return m_is_closed; }
   /// Returns the number of legs; leg `i` leads from point `i` to the next one.
   std::size_t number_of_legs() const { return m_points.size() - (m_is_closed ? 0 : 1); }
-  /// Returns the points of a leg: its ends, its crossings with edges, and the vertices that it passes. Two consecutive
-  /// points lie in a common face. If a leg runs along a degenerate face, the positions of its crossings with the edges
-  /// of this face can be ambiguous, and consecutive points can move back and forth along the face. The length and the
-  /// verdict do not depend on these positions.
+  /// Returns the points of a leg: its ends, its crossings with edges, and the vertices through which it passes. Two
+  /// consecutive points lie in a common face. If a leg runs along a degenerate face, the positions of its crossings
+  /// with the edges of this face can be ambiguous, and consecutive points can move back and forth along the face. The
+  /// length and the verdict do not depend on these positions.
   const std::vector<Surface_location>& leg(std::size_t i) const { return m_legs[i].points; }
   /// Returns the points of all legs, one leg after the other.
   std::vector<std::vector<Surface_location>> legs() const

@@ -47,8 +47,8 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  * \param out an output iterator that receives one `std::vector` per loop, in the order of the basis, of the points that
  *        `geodesic_path()` writes
  * \param np named parameters, as for `geodesic_path()`; the stop predicate is applied to each loop separately. If the
- *        `go_further()` of a visitor returns `false`, the remaining loops are written without being shortened. If this
- *        happens before the basis is known, nothing is written, and the report has one entry with
+ *        `go_further()` of a visitor returns `false`, the remaining loops are written without being shortened. If it
+ *        returns `false` before the basis is known, nothing is written, and the report has one entry with
  *        `Shortening_status::STOPPED_BY_VISITOR`
  * \return the past-the-end output iterator, and a report with one entry per loop
  * \throws Invalid_mesh_error as `Loop_basis` does

@@ -193,11 +193,12 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * distinguish vertices that are too close to each other. Therefore a point is moved to an edge if one of its
  * barycentric coordinates is at most the snapping tolerance (\f$10^{-9}\f$ for points in space), and to a vertex if two
  * of them are. Points on an edge or in a face are *close* to each other if their distance is at most the tolerance
- * times the length of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ times the largest coordinate.
- * Close points are merged, and a segment that passes close to a vertex is moved to the vertex. If the tolerance is
- * zero, nothing is merged, and with rounded coordinates, faces of the result can be degenerate.
+ * times the length of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ times the largest coordinate of
+ * the ends of the edge or of the corners of the face. Close points are merged, and a segment that passes close to a
+ * vertex is led through the vertex. If the tolerance is zero, nothing is merged, and with rounded coordinates, faces of
+ * the result can be degenerate.
  *
- * The mesh is unchanged if an exception is thrown, unless memory runs out.
+ * The mesh is unchanged if an exception is thrown, unless memory runs out or the visitor throws the exception.
  *
  * \param mesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two faces may have
  *        the same three vertices; only faces that are divided must be triangles

@@ -25,8 +25,8 @@ namespace internal {
  * which determines afterwards what is straight. The result is a chain of geodesic segments between vertices that is not
  * longer than the path.
  *
- * The path first passes each of its vertices on the side with fewer faces, and then each vertex at which the funnel
- * bends on a side with an angle below pi, until no such vertex remains.
+ * The path is first led around each of its vertices on the side with fewer faces, and then around each vertex at which
+ * the funnel bends, on a side with an angle below pi, until no such vertex remains.
  */
 template <class Triangulation>
 class Strip_straightener
@@ -96,7 +96,7 @@ private:
 
   struct Rounded_bends
   {
-    static constexpr bool drops_loops = false; // a path that passes a vertex twice is left to FlipOut
+    static constexpr bool drops_loops = false; // a path that passes through a vertex twice is left to FlipOut
 
     const Iterative_unfolding<Triangulation>& unfolding;
 
@@ -165,7 +165,7 @@ double length_of(const Triangulation& triangulation, const std::vector<Halfedge_
   return length;
 }
 
-/* Returns whether an open path passes no vertex twice. */
+/* Returns whether an open path passes through no vertex twice. */
 template <class Triangulation>
 bool is_simple(const Triangulation& triangulation, const std::vector<Halfedge_index>& path)
 {
@@ -223,7 +223,7 @@ private:
  *
  * Straightens an edge path and adds the result to an empty network, so that `shorten()` needs few flips.
  *
- * The curve is never longer than the path. The curve may pass through vertices between its ends, but stays in the
+ * The curve is never longer than the path. The curve can pass through vertices between its ends, but stays in the
  * homotopy class of the path. A subsequent call of `shorten()` determines which segments and joints of the curve are
  * straight. The function is intended for paths of which only the ends matter, such as those of `Shortest_edge_path`. If
  * a stop predicate or a visitor has to observe the whole process, use `Edge_path_network::add_curve()` instead.

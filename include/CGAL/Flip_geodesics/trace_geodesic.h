@@ -345,7 +345,8 @@ template <class Triangulation>
 class Geodesic_tracer
 {
 public:
-  /// Constructs a tracer, which refers to the triangulation and caches the quantities computed for faces.
+  /// Constructs a tracer for a triangulation, which must outlive the tracer. The tracer caches the quantities that it
+  /// computes for faces.
   explicit Geodesic_tracer(const Triangulation& triangulation)
     : m_triangulation(triangulation)
     , m_exact_faces(triangulation)

@@ -437,13 +437,13 @@ std::ostream& write_network(std::ostream& out, const Network& network)
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Loads a network that `write_network()` has saved into a triangulation of the same input with the same traits, by
- * repeating all flips and restoring the curves.
+ * Loads a network that was saved by `write_network()`. In a triangulation of the same input with the same traits, the
+ * function repeats all flips and insertions and restores the curves.
  *
  * The result is bitwise identical, including the ids of segments, so shortening continues as it would have without
  * saving. Inserted vertices, including those inserted by `refine()` and those on curves, are restored as well. The
- * order of overlapping curves is restored as it was saved, even if `order_overlapping_curves()` was not called before;
- * `Edge_path_network::is_valid()` can then be `false`, as for the saved network.
+ * order of overlapping curves is restored as it was saved, even if `order_overlapping_curves()` was not called before
+ * the network was saved; in this case, `Edge_path_network::is_valid()` can be `false`, as it was for the saved network.
  *
  * The function reads up to the end of the line with the checksum, so several networks can be read from one stream. The
  * line endings of all systems are accepted. If the function throws, the triangulation and the network are unchanged.
@@ -456,7 +456,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * \throws Input_mismatch_error if the network was saved for another mesh, or another metric
  * \throws Occupied_triangulation_error if another network has curves in the triangulation
  *
- * Complexity: linear in the size of the mesh, for its fingerprint, and in the number of flips and of segments.
+ * Complexity: linear in the size of the mesh, for its fingerprint, and in the numbers of flips and of segments.
  */
 template <class Triangulation>
 void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
