@@ -91,10 +91,9 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
  * curve with respect to this basis. The basis consists of loops along edges of the input mesh.
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
- * otherwise. All loops of a component pass through its base point. Among all sets of edge loops through this point that
- * generate the fundamental group, or only the homology group, these loops have the smallest total length, since a
- * greedy choice is optimal for both groups \cgalCite{EW05}. The basis depends on the base points. Lengths are those of
- * the metric.
+ * otherwise. All loops of a component pass through its base point. No other set of edge loops through this point that
+ * generates the fundamental group, or only the homology group, has a smaller total length, since a greedy choice is
+ * optimal for both groups \cgalCite{EW05}. The basis depends on the base points. Lengths are those of the metric.
  *
  * The basis depends only on the input of the triangulation, so flips do not affect it. The construction takes
  * \cgalBigO{n \log n} time and linear memory.

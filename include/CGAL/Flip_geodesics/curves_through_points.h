@@ -51,7 +51,7 @@ enum class Spline_kind {
  * a triangulation that is restored afterwards. Legs can therefore pass through control points, overlap, and cross one
  * another, so the control polygon can cross itself. De Casteljau's algorithm repeatedly replaces a polygon by the
  * polygon of the midpoints of its legs; each new leg is obtained by shortening the path that follows the old legs from
- * one midpoint to the next, so that the curve stays in the homotopy class of the control polygon. `add_curve_along()`
+ * one midpoint to the next, so that the spline stays in the homotopy class of the control polygon. `add_curve_along()`
  * turns the pieces of the finished curve into a curve of a network, and thus into edges of a triangulation.
  *
  * Invariant: each leg is a geodesic that starts at the end of the previous leg, and the triangulation is unchanged.
@@ -88,7 +88,7 @@ public:
 
   /*!
    * Constructs a spline from a control polygon whose legs are already geodesics, such as those of a `Curve_editor`. If
-   * the legs are those of an editor, the curve stays in the homotopy class of the control polygon also while control
+   * the legs are those of an editor, the spline stays in the homotopy class of the control polygon also while control
    * points are dragged.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline

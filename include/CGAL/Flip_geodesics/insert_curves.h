@@ -174,9 +174,9 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Inserts curves into a mesh as chains of edges, in place. The faces that curves cross are divided, all other faces are
- * kept, and the curves are not shortened. The edges of the curves are marked, and faces can be labeled by the regions
- * that the marked edges bound.
+ * Inserts curves into a mesh as chains of edges, in place. The faces that curves cross, and the faces beside split
+ * edges, are divided; all other faces are kept. The curves are not shortened. The edges of the curves are marked, and
+ * faces can be labeled by the regions that the marked edges bound.
  *
  * A curve can be the output of a function of this package, or a polyline drawn by a user. A curve can be open or
  * closed; the last point of a closed curve must repeat the first. Curves are allowed to cross themselves and one

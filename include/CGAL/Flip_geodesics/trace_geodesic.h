@@ -86,8 +86,7 @@ struct Trace_report
   std::size_t edges = 0;                      ///< the number of crossed edges
   std::size_t vertices = 0;                   ///< the number of vertices passed straight through
   Surface_location location;                  ///< the end of the geodesic
-  Input_halfedge_index halfedge;              ///< the halfedge from which the direction at the end is measured; see
-                                              ///< `Geodesic_tracer::trace()`
+  Input_halfedge_index halfedge;              ///< the halfedge from which the direction at the end is measured
   double angle = 0;               ///< the counterclockwise angle from this halfedge to the direction, in radians
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 };
