@@ -59,9 +59,9 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  * \param source, target vertices in the same connected component
  * \param out an output iterator that receives the points of the path from `source` to `target`. The value type of the
  *        iterator selects the form of the points. Points in space are written if the metric has points and the output
- *        accepts them; otherwise `CGAL::Polygon_mesh_processing::Face_location`s are written. If the output accepts
- *        neither, it receives `Curve_point`s, which contain both together with the crossed halfedges and the tangents,
- *        or `Curve_place`s, which have no points
+ *        accepts them; otherwise, `CGAL::Polygon_mesh_processing::Face_location`s are written if the output accepts
+ *        these. If the output accepts neither, it receives `Curve_point`s, which contain both together with the crossed
+ *        halfedges and the tangents, or `Curve_place`s, which have no points
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin
