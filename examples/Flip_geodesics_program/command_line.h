@@ -128,8 +128,8 @@ private:
 
   static constexpr const char* m_points =
       "A POINT is `v`, a vertex; `a,b,t`, the point (1-t) a + t b of an edge; `a,b,c,t,u`, the point "
-      "(1-t-u) a + t b + u c of a face; or `x,y,z` with a decimal point or an exponent in x or y, the point of the "
-      "mesh nearest to this point in space";
+      "(1-t-u) a + t b + u c of a face; or `x,y,z`, the point of the mesh nearest to this point in space (x or y must "
+      "have a decimal point or an exponent)";
   static constexpr Range positive = {0, std::numeric_limits<double>::infinity(), true};
   static constexpr Range not_negative = {0};
 

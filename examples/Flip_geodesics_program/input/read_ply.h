@@ -65,10 +65,8 @@ public:
     for(const Element_kind& kind : m_elements) {
       if(kind.is_vertex())
         read_vertices(kind);
-      else if(kind.name == "face" || kind.name == "faces")
+      else if(kind.is_face())
         read_faces(kind);
-      else if(kind.name == "tristrips")
-        scanner().fail("the file has triangle strips, which are not supported; write faces instead");
       else
         for(std::size_t i = 0; i < kind.count && !kind.properties.empty(); ++i)
           for(const Property& property : kind.properties)
@@ -99,6 +97,10 @@ private:
     std::vector<Property> properties;
 
     bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+    bool is_face() const { return name == "face" || name == "faces"; }
+
+    std::array<std::size_t, 3> coordinates() const { return {find("x"), find("y"), find("z")}; }
+    std::size_t corners() const { return (std::min)(find("vertex_indices"), find("vertex_index")); }
 
     // The position of a property among others; their number if there is none of that name.
     std::size_t find(std::string_view property) const
@@ -129,8 +131,26 @@ private:
       else if(keyword == "property")
         read_property();
     }
+    for(const Element_kind& kind : m_elements)
+      check(kind);
     if(format != "ascii")
       m_bytes.emplace(m_input, start_of_bytes(), is_big ? boost::endian::order::big : boost::endian::order::little);
+  }
+
+  void check(const Element_kind& kind) const
+  {
+    const auto is_number = [&](std::size_t place) {
+      return place < kind.properties.size() && kind.properties[place].type_of_size == nullptr;
+    };
+    const auto places = kind.coordinates();
+    if(kind.is_vertex() && !std::all_of(places.begin(), places.end(), is_number))
+      m_words.fail("the vertices do not have the properties x, y and z; correct the header");
+    const std::size_t corners = kind.corners();
+    if(kind.is_face() &&
+       (corners == kind.properties.size() || is_number(corners) || !kind.properties[corners].type->is_integer))
+      m_words.fail("the faces do not have a property vertex_indices that is a list of integers; correct the header");
+    if(kind.name == "tristrips")
+      m_words.fail("the file has triangle strips, which are not supported; write faces instead");
   }
 
   // The first word of the next line that is not a comment.
@@ -241,10 +261,7 @@ private:
 
   void read_vertices(const Element_kind& kind)
   {
-    const std::array<std::size_t, 3> places = {kind.find("x"), kind.find("y"), kind.find("z")};
-    for(std::size_t place : places)
-      if(place == kind.properties.size() || kind.properties[place].type_of_size != nullptr)
-        scanner().fail("the vertices do not have the properties x, y and z; correct the header");
+    const auto places = kind.coordinates();
     for(std::size_t i = 0; i < kind.count; ++i) {
       const Element element = {"vertex", m_soup.points.size()};
       std::array<double, 3> x = {0, 0, 0};
@@ -262,10 +279,7 @@ private:
 
   void read_faces(const Element_kind& kind)
   {
-    const std::size_t place = (std::min)(kind.find("vertex_indices"), kind.find("vertex_index"));
-    if(place == kind.properties.size() || kind.properties[place].type_of_size == nullptr ||
-       !kind.properties[place].type->is_integer)
-      scanner().fail("the faces do not have a property vertex_indices that is a list of integers; correct the header");
+    const std::size_t place = kind.corners();
     for(std::size_t i = 0; i < kind.count; ++i) {
       const Element element = {"face", m_soup.faces.size()};
       m_soup.faces.emplace_back();

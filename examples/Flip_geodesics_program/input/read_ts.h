@@ -68,7 +68,7 @@ private:
   void add(long long number, std::size_t vertex, const Element& element)
   {
     if(!m_vertices.emplace(number, vertex).second)
-      m_words.fail(element, "has the same number as another vertex; correct it");
+      m_words.fail("the vertex number " + std::to_string(number) + " is already used by another vertex; correct it");
   }
 
   void read_vertex()

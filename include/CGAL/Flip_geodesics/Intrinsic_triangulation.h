@@ -669,7 +669,9 @@ public:
    * The face or edge that contains the point is determined exactly, and the edge sequences of the new edges are
    * correct, even if the geometry is rounded. If inexact predicates have caused incorrect flips, it is possible that no
    * face contains the point. In this case the point is inserted on the nearest edge, provided that rounding errors can
-   * explain its distance from this edge. `rollback()` removes the vertex again.
+   * explain its distance from this edge.
+   *
+   * An insertion can be undone by `rollback()`.
    *
    * \param location any point of the surface
    * \return the new vertex, or the existing one at the point
@@ -683,7 +685,8 @@ public:
    * \throws Invalid_coordinate_error if a visited face has a coordinate or length that is not finite or is out of range
    *
    * Complexity: linear in the total length of the edge sequences of those edges of the triangulation that cross the
-   * input face of the point. Usually, only the edges of the face that contains the point are examined.
+   * input face of the point, plus the degree of a corner of this input face if the edges there have been flipped. In a
+   * part of the triangulation without flips, the time is constant.
    */
   Vertex_index insert(const Surface_location& location)
   {

@@ -88,8 +88,8 @@ public:
 
   /*!
    * Constructs a spline from a control polygon whose legs are already geodesics, such as those of a `Curve_editor`. If
-   * the legs are those of an editor, the spline stays in the homotopy class of the control polygon also while control
-   * points are dragged.
+   * such a spline is constructed from the legs of an editor after each move, its homotopy class is always that of the
+   * dragged control polygon.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline
    * \param legs the legs, each starting at the end of the previous one; any two consecutive locations must lie in one

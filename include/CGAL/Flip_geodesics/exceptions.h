@@ -172,8 +172,9 @@ private:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a coordinate is not finite, or if an edge length is neither zero nor a number between 1e-70 and 1e70.
 /// It is also thrown if the offset of a source is negative, not finite, or so large compared with the sides of a face
-/// at the source that adding it would cause large rounding errors. `elements()` returns the vertex, the two vertices of
-/// the edge, or the number of the source.
+/// at the source that adding it would cause large rounding errors, or if a given value or density of a Dirichlet
+/// problem is not finite. `elements()` returns the vertex, the vertices of the edge or face, or the number of the
+/// source.
 class Invalid_coordinate_error : public Error
 {
 public:
@@ -185,8 +186,8 @@ public:
 /// positive or is smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached,
 /// isolated base points of loops, or two base points in one component. It is also thrown if a distance field returns
 /// NaN, or is queried at a location for which it stores no data, or if a result is requested before it has been
-/// computed. `elements()` returns the position of the level, the element of the mesh or the base point concerned, if
-/// applicable.
+/// computed. If one of these values is at fault, `elements()` returns the position of the level or of the point of a
+/// mean, the index of the element of the mesh, or the index of the base point.
 class Invalid_parameter_error : public Error
 {
 public:

@@ -499,8 +499,8 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
     return result;
   if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
     throw Degenerate_face_error(
-        "geodesics remain bent at several vertices that coincide once degenerate faces are contracted; "
-        "contract degenerate edges (Zero_length_edges::CONTRACT)",
+        "geodesics are bent, possibly at vertices that coincide because faces are degenerate; construct the "
+        "triangulation with Zero_length_edges::CONTRACT",
         {});
   if(result.report.longer > 0)
     result.report.verdict = Verdict::UNDECIDED;

@@ -589,7 +589,7 @@ public:
   }
 
   /*!
-   * Constructs the metric and computes the length to be added for the default factor, 1e-5.
+   * Constructs the metric as the next constructor does, with the factor 1e-5.
    *
    * \param mesh the triangle mesh of the metric
    * \param metric the other metric
@@ -736,9 +736,8 @@ private:
  *
  * Weights given at vertices are interpolated linearly along edges. The length of an edge is that of the other metric,
  * times the mean of the weights of its two ends. Each face is again a flat triangle, with the new lengths. If the
- * weight changes little within a face, the new metric agrees with the conformal change of the other metric by the
- * weight up to terms of second order. A weight given for an edge is the factor by which the length of this edge is
- * multiplied.
+ * weight changes little within a face, the new metric is, up to terms of second order, the other metric scaled
+ * conformally by the weight. A weight given for an edge is the factor by which the length of this edge is multiplied.
  *
  * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
  * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each

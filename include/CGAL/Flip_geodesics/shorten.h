@@ -70,8 +70,9 @@ public:
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    *
-   * Complexity: typically linear in the number of flips. With traits whose `Has_drift` is `CGAL::Tag_true`, the curves
-   * are also measured when no step remains, in the time of `report()`.
+   * Complexity: typically linear in the number of flips. With traits whose `Has_drift` is `CGAL::Tag_true`, each
+   * measurement of the curves takes the time of `report()` in addition. The curves are measured when no step remains,
+   * and again each time that faces at a bend had to be recomputed, at most 50 times.
    */
   template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
   bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())

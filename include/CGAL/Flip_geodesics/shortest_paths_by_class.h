@@ -401,7 +401,8 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * Shortest edge paths are searched in the universal cover of the surface, in which each class of paths has its own end
  * point. A part of the cover is constructed, and a shortest path to each of these end points is computed there as by
  * `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged until
- * these bounds exceed the lengths of the computed paths. If the limit is reached before, the report is not confirmed.
+ * these bounds exceed the lengths of the computed paths. If the limit is reached before the
+ * bounds exceed the lengths, the report is not confirmed.
  *
  * \sa `shortest_path()`
  */

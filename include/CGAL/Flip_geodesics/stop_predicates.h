@@ -9,6 +9,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -135,7 +137,7 @@ public:
   explicit Angle_stop_predicate(double angle)
     : m_key(1 - std::cos(angle) / (std::abs(std::cos(angle)) + std::sin(angle)))
   {
-    CGAL_precondition(angle > 0);
+    CGAL_precondition(angle > 0 && angle <= boost::math::constants::pi<double>());
   }
 
   /// Returns `ANGLE_LIMIT` if the angle of the wedge of the step is at least the limit, otherwise `CONTINUE`. Since

@@ -132,7 +132,7 @@ auto compute_on_surface(Surfaces&& surfaces, const Compute& compute)
 [[noreturn]] inline void throw_no_surface_left(Vertex_index v)
 {
   throw_naming<Degenerate_face_error>("no surface remains at vertex ", v,
-                                      " after the contraction of degenerate faces that share a zero-length edge");
+                                      " after the contraction of degenerate edges and folded faces");
 }
 
 /* Returns a halfedge of the mesh from one vertex to another, the first clockwise, or null_index. */

@@ -156,8 +156,8 @@ constexpr bool is_field()
 template <class NT>
 constexpr bool has_division()
 {
-  static_assert(is_field<NT>(), "the number type has no division: use a kernel over a field, such as double or "
-                                "Gmpq, or Intrinsic_triangulation_traits<K, double>");
+  static_assert(is_field<NT>(), "the number type has no division; use a kernel whose number type is a field, such as "
+                                "double or Gmpq, or specify the traits Intrinsic_triangulation_traits<K, double>");
   return true;
 }
 
