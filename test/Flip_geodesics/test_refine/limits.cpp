@@ -189,6 +189,18 @@ BOOST_AUTO_TEST_CASE(faces_are_given_up_alone)
   BOOST_CHECK_EQUAL(bad, 0u);
 }
 
+// Thin faces that are out of reach do not keep edges that are too long from being divided.
+BOOST_AUTO_TEST_CASE(long_edges_are_divided_beside_faces_out_of_reach)
+{
+  Curve_setting s(disjoint_union(cone_disk(20, 3, 1e-6), scaled(flat_grid(1, 1, Diagonal_rule::RISING), 100)));
+  FG::Refinement_options options;
+  options.longest_edge = 10;
+  options.maximum_insertions = 2000;
+  FG::refine(s.triangulation, options);
+  for(Halfedge_index h : descriptors<Halfedge_index>(s.triangulation.number_of_halfedges()))
+    BOOST_TEST(s.triangulation.length(h) <= options.longest_edge);
+}
+
 // A / s^2, of the right triangle with sides 3, 4 and 5.
 BOOST_AUTO_TEST_CASE(the_need_of_a_face_does_not_depend_on_its_first_side)
 {

@@ -311,14 +311,14 @@ public:
     return 0.5 * sine_of_smallest_angle * (longest / shortest) * (middle / shortest);
   }
 
-  /* Adds a face that enters the queue. */
+  /* Adds a thin face that enters the queue. */
   void add(double need)
   {
     m_need += need;
     ++m_size;
   }
 
-  /* Removes a face that leaves the queue. */
+  /* Removes a thin face that leaves the queue. */
   void remove(double need)
   {
     m_need -= need;
@@ -327,7 +327,7 @@ public:
       --m_left_of_generation;
   }
 
-  /* Returns whether the bounds are out of reach with `allowed` more vertices. Must be called before each face. */
+  /* Returns whether the bounds are out of reach with `allowed` more vertices. Must be called before each thin face. */
   bool is_hopeless(std::size_t allowed)
   {
     if(m_left_of_generation > 0)
@@ -689,7 +689,10 @@ public:
     while(!m_queue.empty()) {
       if(is_full())
         return End::LIMIT;
-      if(m_outlook.is_hopeless(has_given_up() ? 0 : m_limits.insertions - number_of_new_vertices())) {
+      // Faces with edges that are too long come first, and do not reduce the need.
+      if(!is_too_long(m_queue.top().lengths) &&
+         m_outlook.is_hopeless(has_given_up() ? 0 : m_limits.insertions - number_of_new_vertices()))
+      {
         if(has_given_up())
           break;
         give_up();
@@ -768,14 +771,16 @@ private:
     if(is_given_up(shape.lengths()))
       return;
     m_queue.push({how_bad, need(shape), first, shape.lengths()});
-    m_outlook.add(need(shape));
+    if(!is_too_long(shape.lengths()))
+      m_outlook.add(need(shape));
   }
 
   Bad_face take_worst()
   {
     const Bad_face worst = m_queue.top();
     m_queue.pop();
-    m_outlook.remove(worst.need);
+    if(!is_too_long(worst.lengths))
+      m_outlook.remove(worst.need);
     return worst;
   }
 
