@@ -193,6 +193,16 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(certify_distant 0 "certificates: 1 PROVEN" certify far_from_origin.off --draw
                                   far_from_origin.polylines.txt)
   set_tests_properties(program_certify_distant PROPERTIES DEPENDS program_distant_curve)
+  file(WRITE ${program_dir}/thin_and_far.off
+       "OFF\n9 8 0\n500000.274 5400000.13 0\n500001.31 5400000.27 0.31\n500002.19 5400000.05 0\n"
+       "500000.22 5401000.23 0.17\n500001.11 5401000.09 0.41\n500002.07 5401000.16 0.08\n500000.21 5402000.12 0\n"
+       "500001.17 5402000.31 0.22\n500002.03 5402000.09 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 3 4 7\n3 3 7 6\n"
+       "3 4 5 8\n3 4 8 7\n")
+  flip_geodesics_add_program_test(thin_distant_curve 0 "1 LOCALLY_SHORTEST" path thin_and_far.off --from 0,1,0.37 --to
+                                  7,8,0.41 -o thin_and_far.polylines.txt)
+  flip_geodesics_add_program_test(certify_thin_distant 0 "certificates: 1 PROVEN" certify thin_and_far.off --draw
+                                  thin_and_far.polylines.txt)
+  set_tests_properties(program_certify_thin_distant PROPERTIES DEPENDS program_thin_distant_curve)
   foreach(format polylines.txt html json csv)
     flip_geodesics_add_program_test(tubes_in_${format} 2 "--tubes requires an .obj, .ply, .vtp or .glb file; use --output" path torus.off --from
                                     0 --to 150 --tubes 0.02 -o x.${format})
@@ -646,6 +656,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   torus.off --source 0 --voronoi)
   flip_geodesics_add_program_test(voronoi_of_near_sources 2 "between vertex 0 and point 0,1,1e-14 is below the rounding errors"
                                   distance torus.off --source 0 --source 0,1,1e-14 --voronoi)
+  flip_geodesics_add_program_test(voronoi_of_one_point_twice 2 "is below the rounding errors" distance torus.off --source
+                                  0,12,13,0.2,0.3 --source 12,13,0,0.3,0.5 --voronoi)
   flip_geodesics_add_program_test(voronoi_of_one_place 0 "no boundary: in each component, all points have the" distance
                                   torus.off --source 0,0 --voronoi)
   flip_geodesics_add_program_test(json_named_as_mesh 2 "--json writes lines of text. use a name that ends in .json" path

@@ -50,14 +50,15 @@ public:
     const auto found = m_nearest_face(CGAL::Flip_geodesics::internal::half_of(p));
     m_mesh.note_projection(2 * found.distance(), name);
     CGAL::Flip_geodesics::Surface_location result = {index_of(m_sides.side(found.face)), found.nearest.weights};
-    const double least = least_weight(m_sides(found.face));
-    for(double& weight : result.weights)
-      weight = weight < least ? 0 : weight;
+    const std::array<double, 3> least = least_weights(m_sides(found.face));
+    for(std::size_t i = 0; i < 3; ++i)
+      result.weights[i] = result.weights[i] < least[i] ? 0 : result.weights[i];
     return result;
   }
 
 private:
-  static double least_weight(const CGAL::Flip_geodesics::internal::Triangle_places& corners)
+  // The errors of the weights of a point on a side: those of coordinates, relative to the heights of the face.
+  static std::array<double, 3> least_weights(const CGAL::Flip_geodesics::internal::Triangle_places& corners)
   {
     double largest = 0, longest = 0;
     for(std::size_t i = 0; i < 3; ++i)
@@ -65,7 +66,17 @@ private:
         largest = std::max(largest, std::abs(corners[i][k]));
         longest = std::max(longest, std::abs(corners[i][k] - corners[(i + 1) % 3][k]));
       }
-    return std::clamp(16 * std::numeric_limits<double>::epsilon() * (largest / longest), 1e-12, 1e-6);
+    const auto side = [&](std::size_t i) { // in units in which no product overflows or underflows
+      const auto &p = corners[(i + 1) % 3], &q = corners[(i + 2) % 3];
+      return Kernel::Vector_3((q[0] - p[0]) / longest, (q[1] - p[1]) / longest, (q[2] - p[2]) / longest);
+    };
+    const double area = std::sqrt(CGAL::cross_product(side(0), side(1)).squared_length());
+    std::array<double, 3> result;
+    for(std::size_t i = 0; i < 3; ++i)
+      result[i] = std::clamp(16 * std::numeric_limits<double>::epsilon() * (largest / longest) *
+                                 (std::sqrt(side(i).squared_length()) / area),
+                             1e-12, 1e-6);
+    return result;
   }
 
   static bool is_degenerate(const Mesh& mesh, Mesh::Face_index f)

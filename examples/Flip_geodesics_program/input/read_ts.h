@@ -65,7 +65,7 @@ private:
 
   long long read_number(const Element& element) { return m_words.number<long long>(m_words.next_word(), element); }
 
-  void add(long long number, std::size_t vertex, const Element& element)
+  void add(long long number, std::size_t vertex)
   {
     if(!m_vertices.emplace(number, vertex).second)
       m_words.fail("the vertex number " + std::to_string(number) + " is already used by another vertex; correct it");
@@ -74,7 +74,7 @@ private:
   void read_vertex()
   {
     const Element element = {"vertex", m_soup.points.size()};
-    add(read_number(element), element.index, element);
+    add(read_number(element), element.index);
     std::array<double, 3> x;
     for(double& coordinate : x)
       coordinate = m_words.number<double>(m_words.next_word(), element);
@@ -94,7 +94,7 @@ private:
   {
     const Element element = {"atom", m_vertices.size()};
     const long long number = read_number(element);
-    add(number, read_reference(element), element);
+    add(number, read_reference(element));
   }
 
   void read_triangle()

@@ -258,14 +258,16 @@ void check_that_sources_are_apart(const Triangulation& triangulation, const Mesh
   const auto distance = [&](std::size_t p, std::size_t q) {
     return distances_between(mesh, triangulation.metric(), {sources[p], sources[q]}, progress)[0][1];
   };
+  const auto is_rounding = [&](double d) { return 0 < d && d <= rounding; };
   std::vector<std::pair<Point_3, std::size_t>> points;
   for(const FG::Surface_location& source : sources)
     points.emplace_back(FG::point_in_space(triangulation, FG::surface_point(triangulation, source)), points.size());
   std::sort(points.begin(), points.end());
   for(auto p = points.begin(); p != points.end(); ++p)
     for(auto q = p + 1; q != points.end() && q->first.x() - p->first.x() <= rounding; ++q)
-      if(p->first != q->first && CGAL::squared_distance(p->first, q->first) <= rounding * rounding &&
-         distance(p->second, q->second) <= rounding)
+      if(!are_in_one_place(triangulation.input(), sources[p->second], sources[q->second]) &&
+         CGAL::squared_distance(p->first, q->first) <= rounding * rounding &&
+         is_rounding(distance(p->second, q->second)))
         throw Bad_input("--voronoi: the distance between " + request.sources[p->second].name + " and " +
                         request.sources[q->second].name + " is below the rounding errors; omit one of these sources");
 }
