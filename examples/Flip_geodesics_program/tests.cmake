@@ -198,8 +198,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
        "500000.22 5401000.23 0.17\n500001.11 5401000.09 0.41\n500002.07 5401000.16 0.08\n500000.21 5402000.12 0\n"
        "500001.17 5402000.31 0.22\n500002.03 5402000.09 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 3 4 7\n3 3 7 6\n"
        "3 4 5 8\n3 4 8 7\n")
-  flip_geodesics_add_program_test(thin_distant_curve 0 "1 LOCALLY_SHORTEST" path thin_and_far.off --from 0,1,0.37 --to
-                                  7,8,0.41 -o thin_and_far.polylines.txt)
+  flip_geodesics_add_program_test(thin_distant_curve 0 "1 LOCALLY_SHORTEST" path thin_and_far.off --from 0,1,0.51 --to
+                                  7,8,0.77 -o thin_and_far.polylines.txt)
   flip_geodesics_add_program_test(certify_thin_distant 0 "certificates: 1 PROVEN" certify thin_and_far.off --draw
                                   thin_and_far.polylines.txt)
   set_tests_properties(program_certify_thin_distant PROPERTIES DEPENDS program_thin_distant_curve)

@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(wrong_sources_are_refused)
   at_vertices.compute();
   BOOST_TEST(at_vertices.distance(s.vertex(0)) == 0);
   BOOST_CHECK_THROW(at_vertices.distance(Location{h, {{1, 1, 1}}}), FG::Invalid_parameter_error);
-  BOOST_CHECK_THROW(at_vertices.surface_points(1_v), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(at_vertices.surface_points(s.vertex(1)), FG::Invalid_parameter_error);
   // A vertex twice: the smaller offset counts.
   Field twice(s.triangulation, s.mesh);
   for(double offset : {0.75, 0.25, 0.5})
