@@ -5,15 +5,15 @@
  * \cgalConcept
  *
  * The concept `CurveNetwork` describes read access to a network of curves along the edges of an intrinsic
- * triangulation: the curves, their segments, and the order of the segments around each vertex. Certification,
- * the measurement of curves, extraction, subdivision, cutting, flattening, direction fields, `edges_near_curves()` and
- * `write_network()` require this concept.
+ * triangulation: the curves, their segments, and the order of the segments around each vertex. This concept is required
+ * by certification, the measurement of curves, extraction, subdivision, cutting, flattening, direction fields,
+ * `edges_near_curves()` and `write_network()`.
  *
  * A curve is a chain of segments; the end points of segments are called nodes. Each segment has its own `Segment_index`
- * and lies on a halfedge of the triangulation. Two consecutive segments of a curve form a joint, which has two sides;
- * an object of type `Joint` identifies one side of a joint by the arriving segment and the side. Segments that lie on
- * the same edge are ordered from left to right, whether they belong to one curve or to several. This order and the
- * cyclic order of the halfedges around a vertex define a cyclic order of all segment ends at the vertex.
+ * and lies on a halfedge of the triangulation. Two consecutive segments of a curve form a joint, which has a left and a
+ * right side. An object of type `Joint` identifies one side of a joint: it stores the side and the segment that arrives
+ * at the joint. Segments on the same edge are ordered from left to right, even if they belong to different curves. This
+ * order and the cyclic order of the halfedges around a vertex define a cyclic order of all segment ends at the vertex.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Edge_path_network<Triangulation>}
@@ -86,21 +86,21 @@ public:
 
   /// @}
   /// \name Joints
-  /// \pre `next(joint.incoming)` is a segment
+  /// \pre `next(joint.incoming)` is not `null_index`
   /// @{
 
   /// Returns the two segment ends that meet at a joint, in such an order that the wedge on `joint.side` extends
   /// clockwise from the first end to the second.
   std::pair<Segment_end, Segment_end> ends(const Joint& joint) const;
 
-  /// Returns the next segment end clockwise around the same vertex; this is the given end if there is no other end. If
-  /// the border of the surface, or an edge that only other networks hold, comes first, the result is a null end, for
-  /// which `Segment_end::is_none()` returns `true`.
+  /// Returns the next segment end clockwise around the same vertex. The result is the given end if there is no other
+  /// end at the vertex. If the border of the surface or an edge held only by other networks comes first, the result is
+  /// a null end, for which `Segment_end::is_none()` returns `true`.
   Segment_end next_clockwise(const Segment_end& end) const;
 
-  /// Returns whether the curve turns back at a joint: its two ends are adjacent on one edge, and no face lies between
-  /// them on `joint.side`. The wedge on this side has angle zero. A wedge that extends around the whole vertex also
-  /// begins and ends at one edge, but has a positive angle; for such a wedge, the result is `false`.
+  /// Returns whether the curve turns back at a joint: the two ends at the joint are adjacent on one edge, and no face
+  /// lies between them on `joint.side`. The wedge on this side has angle zero. A wedge that extends around the whole
+  /// vertex also begins and ends at the same edge, but has a positive angle; for such a wedge, the result is `false`.
   bool is_turning_back(const Joint& joint) const;
 
   /// @}

@@ -5,7 +5,7 @@
  * \cgalConcept
  *
  * The concept `FlipOutStopPredicate` describes a predicate that can end a shortening early. `shorten()` evaluates the
- * predicate from one thread.
+ * predicate from a single thread.
  *
  * Before a step takes effect, `shorten()` computes the outcome of the step and evaluates the predicate. If the
  * predicate rejects the step, `shorten()` rolls the step back. A predicate can therefore keep lengths from falling
@@ -28,14 +28,13 @@ class FlipOutStopPredicate
 {
 public:
   /// Returns `Stop_decision::CONTINUE` to accept the step, and otherwise the reason for rejecting it. If the result is
-  /// `Stop_decision::CURVE_LENGTH_LIMIT`, the curve of the step is not changed any more, but other curves are still
-  /// shortened. All values other than these two end the shortening.
+  /// `Stop_decision::CURVE_LENGTH_LIMIT`, the curve of the step no longer changes, but other curves are still
+  /// shortened. Any other reason ends the shortening of all curves.
   Stop_decision operator()(const Shortening_step& step) const;
 
-  /// (Optional) Returns a predicate of the same type in its initial state; for example, a restarted
-  /// `Time_stop_predicate` starts its timer again. `geodesic_paths()`, `geodesics_through()` and
-  /// `geodesic_path_through()`, which shorten several curves, call this member before they shorten each curve, and
-  /// evaluate the returned predicate for this curve. If this member is missing, these functions evaluate the same
-  /// predicate for all curves.
+  /// (Optional) Returns a predicate of the same type in its initial state; for example, `Time_stop_predicate` restarts
+  /// its timer. The functions `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()` shorten several
+  /// curves. Before they shorten a curve, they call this member; during the shortening of this curve, they evaluate the
+  /// returned predicate. If this member is missing, these functions evaluate the same predicate for all curves.
   FlipOutStopPredicate restarted() const;
 };

@@ -4,16 +4,19 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `FlipOutVisitor` describes an observer of a shortening, for progress, interruption and animation.
- * `shorten()` calls the members of the visitor from one thread. If a member throws an exception, the exception
- * propagates through `shorten()`; the curves are then valid, and none of them is longer than before.
+ * The concept `FlipOutVisitor` describes an observer of a shortening. A visitor can report progress, stop the
+ * shortening, or record an animation. `shorten()` calls the members of the visitor from a single thread. If a member
+ * throws an exception, the exception propagates through `shorten()`; the curves are then valid, and none of them is
+ * longer than before.
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` also take a visitor, and call `go_further()` and
- * `on_flip()`; the visitor of `refine()` must be a model of `RefinementVisitor`. `Geodesic_distance_field::compute()`,
- * `Logarithmic_map`, `geodesic_distance_matrix()`, `make_shortest()` and `shortest_paths_by_class()` call
- * `go_further()` and no other required member, as do `geodesic_distances()` and `logarithmic_map()` unless they grow a
- * tree. The report of each of these functions states whether the visitor stopped the function. After a stop, nothing is
- * certified, no output is written, and all objects remain usable.
+ * `on_flip()`; the visitor of `refine()` must be a model of `RefinementVisitor`. Of the required members,
+ * `Geodesic_distance_field::compute()`, `Logarithmic_map`, `geodesic_distance_matrix()`, `make_shortest()` and
+ * `shortest_paths_by_class()` call only `go_further()`. The same holds for `geodesic_distances()` and
+ * `logarithmic_map()` unless they grow a tree.
+ *
+ * The report of each of these functions states whether the visitor stopped the function. After the visitor has stopped
+ * a function, nothing is certified, no output is written, and all objects remain usable.
  *
  * The computations in the following table call only `go_further()`, at regular intervals. After `go_further()` has
  * returned `false`, they do not call it again, and return the following results:
@@ -29,7 +32,7 @@
  * | `isolines()`, `voronoi_boundaries()` | no output |
  *
  * `shorten_cut_graph()` and `geodesic_loop_basis()` shorten curves several times. After the visitor has stopped one of
- * these shortenings, the following ones do not take any steps.
+ * these shortenings, the remaining shortenings do not take any steps.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
@@ -48,21 +51,23 @@ public:
   /// Returns whether the computation should continue. `shorten()` calls this member before each step. If the result is
   /// `false`, the shortening ends, and the curves that could still be shortened have the status
   /// `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` also calls this member before each pair of end points.
-  /// Searches, distance fields and computations of loops, landmarks and isolines call it at regular intervals, about
-  /// once per thousand steps, which is usually at least once per millisecond.
+  /// Searches, distance fields, and the computations of loops, landmarks and isolines call this member about once per
+  /// thousand steps, which is usually at least once per millisecond.
   bool go_further();
 
-  /// (Optional) Is called by `geodesic_distance_matrix()` before each call of `go_further()`, with the fraction of rows
-  /// that are complete, from 0 to 1. If this member is missing, `geodesic_distance_matrix()` does not report progress.
+  /// (Optional) Is called by `geodesic_distance_matrix()` before each call of `go_further()`. The argument is the
+  /// fraction of rows that are complete, a number from 0 to 1. If this member is missing, `geodesic_distance_matrix()`
+  /// does not report progress.
   void on_progress(double fraction);
 
-  /// Is called after the edge of halfedge `h` has been flipped. In a shortening, the joint whose wedge contains the
-  /// edge has not been moved yet. This member is not called when the flips of a rejected step are rolled back; only
-  /// `triangulation.log_position()` indicates the rollback.
+  /// Is called after the edge of halfedge `h` has been flipped. During a shortening, this happens before the joint
+  /// whose wedge contained the edge is moved. This member is not called when the flips of a rejected step are rolled
+  /// back; a rollback can be detected only by `triangulation.log_position()`.
   template <class Triangulation>
   void on_flip(const Triangulation& triangulation, Halfedge_index h);
 
-  /// Is called after a step has shortened a curve. The compound step for a loop of one segment counts as one step.
+  /// Is called after a step has shortened a curve. The compound step that shortens a loop of one segment
+  /// (\ref Flip_geodesicsUnit) counts as one step.
   template <class Network>
   void after_flip_out(const Network& network, Curve_index curve);
 };

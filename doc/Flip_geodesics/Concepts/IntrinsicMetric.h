@@ -4,15 +4,16 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces. These can be
- * computed from points or given in another form. A model must be cheap to copy, since a triangulation keeps a copy.
+ * The concept `IntrinsicMetric` describes the lengths of the edges of a mesh and the shapes of its faces. Lengths and
+ * shapes can be computed from points, or be given in another form. A model must be cheap to copy, since a triangulation
+ * keeps a copy.
  *
  * The argument `mesh` of the members is a mesh whose vertices and halfedges are numbered by consecutive integers, such
  * as the one that `Intrinsic_triangulation::input()` returns.
  *
  * Curves can be certified with respect to a metric only if the metric has the optional member `squared_length()` or is
- * one of the models below. A class that is derived from one of these models does not count as this model, and therefore
- * requires `squared_length()`.
+ * one of the models below. For this purpose, a class that is derived from one of these models does not count as one of
+ * them, and therefore requires `squared_length()`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}
@@ -36,18 +37,19 @@ public:
   /// Returns the length of the edge of a halfedge, rounded. The result must be positive, and equal for both halfedges
   /// of the edge.
   /// \throws Degenerate_face_error if the edge has length zero
-  /// \throws Invalid_coordinate_error if the length is not finite or outside [1e-70, 1e70]
+  /// \throws Invalid_coordinate_error if the length is not finite or not in [1e-70, 1e70]
   double length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// Returns the length of the edge of a halfedge without checking the length; searches for edge paths call this
-  /// member. The result is zero for a zero-length edge, and arbitrary if the length is not finite or outside [1e-70,
-  /// 1e70].
+  /// member. The result is zero for a zero-length edge, and arbitrary if the length is not finite or not in
+  /// [1e-70, 1e70].
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
-  /// The data of a vertex from which lower bounds are computed, such as the coordinates of its point. The type must be
-  /// default constructible and cheap to copy. If it is a class without data members, every lower bound is taken to be
-  /// 0. If it is `std::array<double, 3>`, the library interprets the data as the coordinates of a point, and unfolds
-  /// faces from these coordinates, for example in `add_straightened_path()`.
+  /// The type of the data of a vertex, such as the coordinates of its point. Lower bounds on distances are computed
+  /// from these data. The type must be default constructible and cheap to copy. If the type is a class without data
+  /// members, every lower bound is taken to be 0. If the type is `std::array<double, 3>`, the library interprets the
+  /// data as the coordinates of a point, and unfolds faces from these coordinates, for example in
+  /// `add_straightened_path()`.
   typedef unspecified_type Place;
 
   /// Returns `weight(mesh, h)` up to rounding errors, given the data of the two ends of the halfedge. This overload
@@ -59,39 +61,42 @@ public:
 
   /// Returns a lower bound on the lengths of all paths on the surface between two vertices, including paths across
   /// faces. Verdicts on shortest paths are correct only if this bound is correct. The bound from a vertex to itself
-  /// must be 0, and the bounds from the two ends of an edge to the same vertex must differ by at most the weight of the
-  /// edge.
+  /// must be 0. For every edge and every vertex, the bounds from the two ends of the edge to the vertex must differ by
+  /// at most the weight of the edge.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
-  /// (Optional) The type of the points in space at which vertices lie; see `point_in_space()`. The type must have the
-  /// members `x()`, `y()` and `z()` and must be constructible from three coordinates. If `Point_3` is missing or
-  /// `void`, the metric does not have points, and functions that write points cannot be used.
+  /// (Optional) The type of the points of vertices in space; see `point_in_space()`. The type must have the members
+  /// `x()`, `y()` and `z()` and must be constructible from three coordinates. If `Point_3` is missing or `void`, the
+  /// metric does not have points, and functions that write points cannot be used.
   typedef unspecified_type Point_3;
 
   /// (Optional) Returns the point of vertex `v`; required if `Point_3` is present and not `void`.
   Point_3 point(const Mesh& mesh, Vertex_index v) const;
 
-  /// (Optional) Returns the exact squared length of the edge of a halfedge, which must be equal for both halfedges of
-  /// the edge. The return type must be an exact number type with rational values: `Gmpq`, `mpq_class`,
+  /// (Optional) Returns the exact squared length of the edge of a halfedge. The result must be equal for both halfedges
+  /// of the edge. The return type must be an exact number type with rational values: `Gmpq`, `mpq_class`,
   /// `Exact_rational`, `cpp_rational`, `Lazy_exact_nt` of one of these, or an integer type of any size. `length()` must
   /// return the square root of this number, rounded. The three lengths of a face must satisfy the triangle inequality;
-  /// equality is allowed. If this member exists, the default traits are `Certified_intrinsic_triangulation_traits`,
-  /// and their predicates and all certificates refer to the exact squared lengths. Traits that do not accept exact
-  /// squared lengths, such as `Intrinsic_triangulation_traits` in double, receive rounded lengths.
+  /// equality is allowed.
+  ///
+  /// If this member exists, the default traits are `Certified_intrinsic_triangulation_traits`. The predicates of these
+  /// traits, and all certificates, then refer to the exact squared lengths. Traits that do not accept exact squared
+  /// lengths, such as `Intrinsic_triangulation_traits` in double, receive rounded lengths.
   unspecified_type squared_length(const Mesh& mesh, Input_halfedge_index h) const;
 
-  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed by one of the functors of
-  /// `traits`. This member is neither required nor called for a metric that has `squared_length()`.
-  /// \throws Degenerate_face_error if an edge of the face has length zero, or the lengths of the edges violate the
+  /// Returns the geometry of the face on the left of `h`, constructed by one of the functors of `traits`. The first
+  /// element of the result is the geometry of `h`. If the metric has the member `squared_length()`, this member is not
+  /// required and not called.
+  /// \throws Degenerate_face_error if an edge of the face has length zero, or if the lengths of the edges violate the
   /// triangle inequality
-  /// \throws Invalid_coordinate_error if a coordinate or length is not finite, or a length is outside [1e-70, 1e70]
+  /// \throws Invalid_coordinate_error if a coordinate or length is not finite, or if a length is not in [1e-70, 1e70]
   /// \pre `h` is not on the border
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const;
 
   /// (Optional) Returns whether the metric rounds the numbers that define it, such as coordinates or lengths, to
   /// double. If the result is `true`, curves are not certified and distances are not confirmed, since predicates refer
-  /// to the rounded numbers. Without this member, the numbers of the metric are assumed not to be rounded.
+  /// to the rounded numbers. If this member is missing, the numbers of the metric are assumed not to be rounded.
   bool is_rounded(const Mesh& mesh) const;
 
   /// (Optional) Throws an exception if the metric detects, for example from the number of edges, that it was made for a

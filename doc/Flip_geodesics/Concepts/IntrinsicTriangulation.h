@@ -5,16 +5,16 @@
  * \cgalConcept
  *
  * The concept `IntrinsicTriangulation` describes a triangulation of a surface with straight edges that can be flipped.
- * `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
- * `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`, `Geodesic_tree`, `intrinsic_faces()`, `Operators` and
- * the solvers that are built on `Operators` require this concept. The table in Section \ref Flip_geodesicsAsked lists
- * the requirements of each algorithm.
+ * This concept is required by `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`,
+ * `halfedges_through()`, `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`, `Geodesic_tree`,
+ * `intrinsic_faces()`, `Operators`, and the solvers that are built on `Operators`. The table in Section
+ * \ref Flip_geodesicsAsked lists the requirements of each algorithm.
  *
  * The elements are identified by the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, and are numbered from
  * 0. The edge with number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: edges from
  * a vertex to itself, several edges between two vertices, and faces that are glued to themselves are allowed. Every
- * face is a triangle and lies on the left of its halfedges; a border halfedge has no face. The surface is oriented and
- * manifold; only a model of `IntrinsicTriangulationOfMesh` may have non-manifold vertices.
+ * face is a triangle and lies on the left of its halfedges; a border halfedge has no face. The surface is oriented. It
+ * is manifold, except that a model of `IntrinsicTriangulationOfMesh` may have non-manifold vertices.
  *
  * If `Traits::Has_drift` is `CGAL::Tag_true`, the library measures finished curves and trees on the input mesh, and
  * recomputes inaccurate faces from the input mesh. In this case, `shorten()`, `Geodesic_tree` and `flip_to_delaunay()`
@@ -33,18 +33,18 @@ public:
   /// \name Types
   /// @{
 
-  /// A model of `IntrinsicTriangulationTraits`. Algorithms that require only this concept use the types `Turn` and
-  /// `Has_drift` of the traits and the functor `Turn_key`.
+  /// A model of `IntrinsicTriangulationTraits`. Of these traits, algorithms that require only `IntrinsicTriangulation`
+  /// use the types `Turn` and `Has_drift` and the functor `Turn_key`.
   typedef unspecified_type Traits;
 
   /// `Traits::Turn`.
   typedef unspecified_type Turn;
 
   /// A model of `IntrinsicTriangulationWalker`: a handle that stores the position of a halfedge in memory, so that
-  /// walks of many steps are fast. Copyable, assignable, and comparable by `==` and `!=`.
+  /// walks of many steps are fast. The type must be copyable, assignable, and comparable by `==` and `!=`.
   typedef unspecified_type Walker;
 
-  /// A position in the log of flips, an integer.
+  /// An integer type for positions in the log of flips.
   typedef unspecified_type Log_position;
 
   /// @}
@@ -78,7 +78,8 @@ public:
   Halfedge_index counterclockwise(Halfedge_index h) const;
   /// Returns a halfedge that starts at `v`, or `null_index` for an isolated vertex.
   Halfedge_index outgoing(Vertex_index v) const;
-  /// Prefetches the face on the left of `h`, which will be read soon. A model may leave this function empty.
+  /// Prefetches the face on the left of `h`. The library calls this function for faces that it will read soon. A model
+  /// may leave the function empty.
   void prefetch_face(Halfedge_index h) const;
 
   /// @}
@@ -94,24 +95,25 @@ public:
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const;
   /// Returns whether `turn`, the angle clockwise from `from` to `to` around a vertex, is at least \f$\pi\f$.
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const;
-  /// Returns whether the edge of `h` is on the border, or the two angles opposite to it add up to at most \f$\pi\f$.
+  /// Returns whether the edge of `h` is locally Delaunay, that is, whether it is on the border or the two angles
+  /// opposite to it add up to at most \f$\pi\f$.
   bool is_locally_delaunay(Halfedge_index h) const;
 
   /// @}
   /// \name Flips
   /// @{
 
-  /// Returns whether the edge of `h` can be flipped: it is not on the border and not held, it is the diagonal of a
-  /// convex quadrilateral, and each of its ends has another edge.
+  /// Returns whether the edge of `h` can be flipped. An edge can be flipped if it is neither on the border nor held, it
+  /// is the diagonal of a convex quadrilateral, and each of its end vertices has another edge.
   bool is_flippable(Halfedge_index h) const;
   /// Flips the edge of `h`. If `(h, hn, hp)` and `(t, tn, tp)` are the faces on its two sides, the new faces are
   /// `(h, hp, tn)` and `(t, tp, hn)`. \pre `is_flippable(h)`
   void flip(Halfedge_index h);
-  /// Returns the end of the log, which grows with each flip.
+  /// Returns the position of the end of the log. The log grows with each flip.
   Log_position log_position() const;
   /// Rolls back flips in reverse order until the log ends at `position`. This restores the former state bitwise.
   void rollback(Log_position position);
-  /// Returns the memory of the records of flips, in bytes, for `Memory_stop_predicate`.
+  /// Returns the size of the records of flips, in bytes. `Memory_stop_predicate` compares this size with its limit.
   std::size_t memory_of_records() const;
 
   /// @}

@@ -4,11 +4,13 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulationOfMesh` refines `IntrinsicTriangulation` by the correspondence with the mesh from
- * which the triangulation was constructed: the sequence of input edges that each edge crosses, and the positions of
- * inserted vertices. This concept is required by certification, the measurement of curves, extraction, subdivision,
- * searches, drawn polylines, splines, refinement, `logarithmic_map()` and saving, and, if `Traits::Has_drift` is
- * `CGAL::Tag_true`, by `shorten()`, `Geodesic_tree` and `flip_to_delaunay()`.
+ * The concept `IntrinsicTriangulationOfMesh` refines `IntrinsicTriangulation`. It adds the correspondence with the mesh
+ * from which the triangulation was constructed: the sequence of input edges that each edge crosses, and the positions
+ * of inserted vertices.
+ *
+ * This concept is required by certification, the measurement of curves, extraction, subdivision, searches, drawn
+ * polylines, splines, refinement, `logarithmic_map()`, `write_network()` and `read_network()`. If `Traits::Has_drift`
+ * is `CGAL::Tag_true`, it is also required by `shorten()`, `Geodesic_tree` and `flip_to_delaunay()`.
  *
  * Edge sequences are exact. Since an edge is straight across the faces that its sequence connects, the sequence and the
  * input determine the edge, regardless of the rounding errors that the triangulation has accumulated.
@@ -39,12 +41,15 @@ public:
   /// A model of `IntrinsicMetric` for meshes of this type.
   typedef unspecified_type Metric;
 
-  /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`, `bool
-  /// is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped halfedge.
-  /// For an insertion, `number` is the number of vertices that had been inserted before. The vertex was inserted on the
-  /// edge of `h` if `is_on_edge()` returns `true`, and otherwise into the face of `h`; `gap()` is the number of edges
-  /// in the former edge sequence of `h` that are crossed before the input face that contains the vertex. Any other
-  /// entry records that the face of `h` was recomputed from the input.
+  /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`,
+  /// `bool is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. For a flip, `h` is the flipped
+  /// halfedge.
+  ///
+  /// For an insertion, `number` is the number of earlier insertions. If `is_on_edge()` returns `true`, the vertex was
+  /// inserted on the edge of `h`; otherwise, it was inserted into the face of `h`. `gap()` is the number of input edges
+  /// that the old halfedge `h` crosses before it enters the input face that contains the vertex.
+  ///
+  /// An entry that is neither a flip nor an insertion records that the face of `h` was recomputed from the input.
   typedef unspecified_type Flip_record;
 
   /// @}
@@ -70,9 +75,9 @@ public:
   /// measure finished curves, and their reports take into account whether the metric is rounded.
   Edge_sequence edge_sequence(Halfedge_index h) const;
 
-  /// Returns the number of input edges that start at the common tail of `from` and `to`, strictly inside the wedge
-  /// clockwise from `from` to `to`. If `from == to`, the wedge is the full turn. An input edge with an inserted
-  /// vertex on it counts as two edges that start at this vertex. \pre the wedge does not contain the border
+  /// Returns the number of input edges that start at the common tail of `from` and `to` and lie strictly inside the
+  /// wedge clockwise from `from` to `to`. If `from == to`, the wedge is the full turn. If the common tail was inserted
+  /// on an input edge, the two parts of this edge count as two edges. \pre the wedge does not contain the border
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const;
 
   /// Returns a number that changes whenever the edge changes, and that is 0 for an unchanged input edge.
@@ -88,34 +93,36 @@ public:
   /// Returns whether vertex `v` was inserted. The numbers of inserted vertices follow those of the input vertices.
   bool is_inserted(Vertex_index v) const;
 
-  /// Returns the position of a vertex on the input in the canonical form of `Intrinsic_triangulation::location()`.
+  /// Returns the position of a vertex on the input, in the canonical form that `Intrinsic_triangulation::location()`
+  /// defines.
   Surface_location location(Vertex_index v) const;
 
   /// Inserts a point as a vertex, unless a vertex already lies at this point. The face or edge that contains the point
-  /// is split; new edges are numbered after the others, and the log grows. If an edge is split, the function calls
-  /// `on_split` with an object that has two members, both halfedges: `first` has become shorter, and `second` leads
-  /// from the new vertex to the old head of `first`.
+  /// is split; new edges are numbered after the existing edges, and the log grows.
+  ///
+  /// If an edge is split, the function calls `on_split(s)`, where `s` has two halfedges as members: `s.first` has
+  /// become shorter, and `s.second` leads from the new vertex to the old head of `s.first`.
   /// \return the new or existing vertex at the point
   /// \throws Invalid_location_error if the location is not valid; in this case nothing changes
   /// \throws Insertion_error if the point cannot be inserted; in this case nothing changes
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split);
 
-  /// Splits the edge of `h` at a point, which is taken to lie on the edge even if rounding errors have moved the point
-  /// off the edge, and returns the new vertex. `on_split` is called as by `insert()`. `gap` is the number of edges in
-  /// the edge sequence of `h` that are crossed before the input face that contains the point.
+  /// Splits the edge of `h` at a point, and returns the new vertex. The point is assumed to lie on the edge even if
+  /// rounding errors have moved it off the edge. The function calls `on_split` as `insert()` does. `gap` is the number
+  /// of input edges that `h` crosses before it enters the input face that contains the point.
   /// \throws Invalid_location_error if the location is not valid; in this case nothing changes
   /// \throws Insertion_error if the point cannot be inserted; in this case nothing changes
   template <class OnSplit>
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split);
 
-  /// Splits the face on the left of `h` at a point inside it, and returns the new vertex. `gap` is the number of edges
-  /// in the edge sequence of `h` that are crossed before the input face that contains the point.
+  /// Splits the face on the left of `h` at a point inside the face, and returns the new vertex. `gap` is the number of
+  /// input edges that `h` crosses before it enters the input face that contains the point.
   /// \throws Invalid_location_error if the location is not valid; in this case nothing changes
   /// \throws Insertion_error if the point cannot be inserted; in this case nothing changes
   Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap);
 
-  /// Replaces the geometry of the face on the left of `h` by `geometry`, which is more accurate and starts with the
+  /// Replaces the geometry of the face on the left of `h` by the more accurate `geometry`, whose first element is the
   /// geometry of `h`. The log grows.
   void set_face_geometry(Halfedge_index h, const Traits::Face_geometry& geometry);
 

@@ -4,16 +4,16 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation`. The
- * handle returns walkers at neighboring halfedges. Its members from `tail()` to `extend_turn_clockwise()` correspond to
- * members of the triangulation.
+ * The concept `IntrinsicTriangulationWalker` describes a handle to a halfedge of an `IntrinsicTriangulation`. Its
+ * members return information about the halfedge, and walkers at neighboring halfedges. The members from `tail()` to
+ * `extend_turn_clockwise()` correspond to the members of the triangulation with the same names.
  *
  * \sa `IntrinsicTriangulation`
  */
 class IntrinsicTriangulationWalker
 {
 public:
-  /// The position of an edge in memory; default constructible and copyable.
+  /// The position of an edge in memory. The type must be default constructible and copyable.
   typedef unspecified_type Place;
 
   /// Returns the halfedge.
@@ -38,15 +38,15 @@ public:
 
   /// Returns the length of the edge.
   double length() const;
-  /// Prefetches the face on the left, which will be read soon.
+  /// Prefetches the face on the left. The library calls this function for faces that it will read soon.
   void prefetch_face() const;
   /// Adds to `turn` the corner on the right of the halfedge at its tail, and returns `clockwise()`. If the result has
   /// no halfedge, `turn` is unchanged.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
-  /// Returns a number that is unique to the edge, never changes, and can serve as an index into arrays of edge data. A
-  /// model can return the number of the edge, or number the edges in the order in which they are first used; such
-  /// arrays are then short.
+  /// Returns a number that identifies the edge, and that never changes. The library uses this number as an index into
+  /// arrays of edge data. A model can return the number of the edge. A model can also number the edges in the order in
+  /// which walkers first visit them; this makes the arrays short.
   std::size_t edge_place() const;
   /// Returns whether the edge is held.
   bool is_held() const;

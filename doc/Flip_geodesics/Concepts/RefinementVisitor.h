@@ -4,7 +4,8 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `RefinementVisitor` describes an observer of a refinement, for progress and interruption.
+ * The concept `RefinementVisitor` describes an observer of a refinement. A visitor can report progress or stop the
+ * refinement.
  *
  * \cgalRefines{FlipOutVisitor}
  *
