@@ -22,20 +22,19 @@ namespace CGAL::Flip_geodesics {
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Provides exact predicates for intrinsic triangulations: each predicate is the sign of a real number that the input
- * defines. Coordinates and edge lengths that are doubles, or of an exact number type with rational values such as that
- * of `Exact_predicates_exact_constructions_kernel`, are used exactly; others are rounded to doubles.
+ * defines. Coordinates and edge lengths are used exactly if they are doubles, or if their number type is exact and has
+ * rational values, such as the `FT` of `Exact_predicates_exact_constructions_kernel`. Numbers of other types are
+ * rounded to doubles.
  *
- * Each halfedge stores its vector in doubles, as with `Intrinsic_triangulation_traits` in double, and a bound on the
- * relative error of the vector. If this bound is too large to determine a sign, the triangulation determines the sign
- * from the unfolded input faces: by doubles with an a-priori error bound, or by exact predicates on points if the faces
- * lie in one plane or bend along parallel edges only; and if this does not suffice, by numbers of 50 digits with an
- * error bound, or by exact arithmetic with the square roots of the squared areas of the faces. Unless a work limit is
- * reached, zeros are therefore proven, and flipping terminates.
+ * For each halfedge, a vector of two doubles and a bound on the relative error of this vector are stored. If the bound
+ * is too large to determine a sign, the triangulation determines the sign from the input faces, by the methods listed
+ * in Section \ref Flip_geodesicsCertified. These methods include exact arithmetic with the square roots of the squared
+ * areas of the faces.
  *
  * Since exact arithmetic with many independent roots can take a very long time, it is subject to a work limit; see
- * `sign_work_limit()`. A sign that has not been determined when the limit is reached is assumed to be zero and counted
- * in `Decision_statistics::unproven_zeros`. A certificate that depends on this assumption has the verdict
- * `PROBABLE` instead of `PROVEN`.
+ * `sign_work_limit()`. Unless this limit is reached, zeros are proven, and flipping terminates. A sign that cannot be
+ * determined within the limit is assumed to be zero and counted in `Decision_statistics::unproven_zeros`. A certificate
+ * that depends on this assumption has the verdict `PROBABLE` instead of `PROVEN`.
  *
  * \tparam K a kernel with `Point_3` and `FT`; numbers of type `FT` can be converted to double
  *
@@ -62,34 +61,37 @@ public:
   /// Constructs traits with the default work limit, which corresponds to about a tenth of a second per sign.
   Certified_intrinsic_triangulation_traits() = default;
 
-  /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, signs are not determined by
-  /// exact arithmetic with roots.
+  /// Constructs traits with a given work limit; see `sign_work_limit()`. If the limit is 0, exact arithmetic with
+  /// square roots is not used.
   explicit Certified_intrinsic_triangulation_traits(std::uint64_t sign_work_limit)
     : m_sign_work_limit(sign_work_limit)
   {
   }
 
   /*!
-   * Returns the work limit for computing one sign by exact arithmetic with roots, counted in products of two 64-bit
-   * words; each operation on integers counts as at least 32 such products. A product of two numbers with \f$r\f$
-   * independent roots takes \f$4^r\f$ products of integers. All other methods take time linear in the number of faces,
-   * with one exception: if the faces bend along parallel edges only, the sign of a sum of roots is computed, with the
-   * default limit.
+   * Returns the work limit for computing one sign by exact arithmetic with square roots. The unit of work is the
+   * multiplication of two 64-bit words; each operation on integers counts as at least 32 units. The multiplication of
+   * two numbers with \f$r\f$ independent roots takes \f$4^r\f$ multiplications of integers.
+   *
+   * The limit does not apply to the other methods. They take time linear in the number of input faces on which the sign
+   * depends, with one exception: if these faces bend along parallel edges only, the sign of a sum of square roots is
+   * computed. The default work limit always applies to this computation.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 
-  /// Stores the vector of a halfedge in the frame of its face, and a bound on its error relative to its length.
+  /// Stores the vector of a halfedge in the frame of its face, and a bound on the relative error of the vector.
   struct Halfedge_geometry
   {
     double x;     ///< a coordinate, in the unit of the mesh
     double y;     ///< a coordinate, in the unit of the mesh
-    double error; ///< a bound on the error of the vector, relative to the length
+    double error; ///< a bound on the error of the vector, relative to its length
   };
 
-  /// The geometry of a face, in the order of its halfedges.
+  /// The geometry of the three halfedges of a face, in counterclockwise order.
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
-  /// Stores the rotation over a fan of corners as a complex number of any magnitude, with a bound on its error.
+  /// Stores a sum of corner angles as the argument of a complex number of any magnitude, and a bound on the error of
+  /// this number.
   struct Turn
   {
     double x = 1;                           ///< the real part; the argument of the complex number is the angle
@@ -102,14 +104,14 @@ public:
   /// Stores the new geometry of the four halfedges that a flip changes.
   struct Flipped_geometry
   {
-    Halfedge_geometry h;  ///< the geometry of the side `h` of the edge
-    Halfedge_geometry t;  ///< the geometry of the side `t` of the edge
-    Halfedge_geometry tn; ///< the geometry of the halfedge after `t` in its old face
-    Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
+    Halfedge_geometry h;  ///< the geometry of halfedge `h`
+    Halfedge_geometry t;  ///< the geometry of halfedge `t`
+    Halfedge_geometry tn; ///< the geometry of the halfedge after `t` in the old face
+    Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in the old face
   };
 
-  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, and stores a bound on
-  /// the rounding error with each vector.
+  /// Constructs a face from points as `Intrinsic_triangulation_traits::Construct_face_3` does, and stores with each
+  /// vector a bound on the rounding error.
   class Construct_face_3
   {
   public:
@@ -126,8 +128,8 @@ public:
     }
   };
 
-  /// Constructs a face from lengths as `Intrinsic_triangulation_traits::Construct_face_from_lengths` does, and stores a
-  /// bound on the rounding error with each vector.
+  /// Constructs a face from lengths as `Intrinsic_triangulation_traits::Construct_face_from_lengths` does, and stores
+  /// with each vector a bound on the rounding error.
   class Construct_face_from_lengths
   {
   public:
@@ -147,8 +149,8 @@ public:
     }
   };
 
-  /// Constructs a face from vectors as `Intrinsic_triangulation_traits::Construct_face_2` does, and stores the error
-  /// bound with each vector.
+  /// Constructs a face from vectors as `Intrinsic_triangulation_traits::Construct_face_2` does, and stores with each
+  /// vector the given error bound.
   class Construct_face_2
   {
   public:
@@ -223,8 +225,8 @@ public:
     }
   };
 
-  /// Computes a key in [0, 2] that is 0 for the rotation by zero and increases with the angle of the turn, for angles
-  /// below \f$\pi\f$.
+  /// Computes a key in [0, 2] by which turns with angles below \f$\pi\f$ are ordered. The key is 0 for the angle zero,
+  /// and increases with the angle.
   class Turn_key
   {
   public:
@@ -262,7 +264,7 @@ public:
     }
   };
 
-  /// Determines whether the sum of the angles opposite to the edge with the sides `h` and `t` is at most \f$\pi\f$.
+  /// Determines whether the sum of the angles opposite to the edge with the halfedges `h` and `t` is at most \f$\pi\f$.
   class Is_locally_delaunay
   {
   public:
@@ -294,7 +296,8 @@ public:
     }
   };
 
-  /// Determines whether the error bound of a vector is so large that its face must be recomputed from the input.
+  /// Determines whether the error bound of the vector of a halfedge is so large that the face of the halfedge must be
+  /// recomputed from the input.
   class Is_inaccurate
   {
   public:

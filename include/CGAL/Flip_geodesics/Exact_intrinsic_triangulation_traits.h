@@ -31,31 +31,32 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * Evaluates the predicates of intrinsic triangulations with a number type of your choice, which determines whether the
- * predicates are exact:
+ * Evaluates the predicates of intrinsic triangulations with a number type of your choice. The number type determines
+ * whether the predicates are exact:
  *
  * | number type | predicates | supported meshes |
  * |---|---|---|
- * | exact with roots, such as `Exact_predicates_exact_constructions_kernel_with_sqrt::FT` | exact | any mesh |
+ * | exact with square roots, such as `Exact_predicates_exact_constructions_kernel_with_sqrt::FT` | exact | any mesh |
  * | rational, such as `Gmpq`, `boost::multiprecision::cpp_rational`, `Epeck::FT` | exact | meshes with one radicand |
  * | `Sqrt_extension<NT, ROOT>` | exact | meshes with one radicand |
  * | `Interval_nt<>` | exact, or `Uncertain_conversion_exception` | any mesh |
  * | rounded, such as `boost::multiprecision::cpp_bin_float_100`, `double` | up to `angle_tolerance()` | any mesh |
  *
- * A mesh has one radicand \f$d\f$ if the area of each face is a rational multiple of \f$\sqrt d\f$. The radicand is 1
+ * A mesh has one radicand \f$d\f$ if the area of every face is a rational multiple of \f$\sqrt d\f$. The radicand is 1
  * for meshes in a coordinate plane and for axis-aligned boxes, and 3 for regular tetrahedra and octahedra.
- * `common_radicand()` computes the radicand of a mesh; a radicand other than 1 must be passed to the constructor. When
- * a face whose area is not such a multiple is accessed, `Inexact_root_error` is thrown.
+ * `common_radicand()` computes the radicand of a mesh; a radicand other than 1 must be passed to the constructor.
+ * `Inexact_root_error` is thrown when a face is accessed whose area is not a rational multiple of \f$\sqrt d\f$.
  *
- * With exact numbers, faces store squared lengths and areas. Only one root per input face is then required, that of the
- * squared area, and flips do not require roots. With rounded numbers and intervals, faces store vectors instead.
+ * With exact numbers, faces store squared lengths and areas. For each input face, only one square root is computed,
+ * that of the squared area; flips do not require square roots. With rounded numbers and intervals, faces store vectors
+ * instead.
  *
  * The representations of exact numbers grow with the number of flips; Section \ref Flip_geodesicsKernelTimes lists the
  * cost of each number type.
  *
- * \tparam NT a field number type: a model of `RealEmbeddable` and `FieldWithSqrt`, or of `Field` with the functor
- *         `Is_square`, `Sqrt_extension`, `Interval_nt<>`, a rational or floating point number of Boost.Multiprecision,
- *         `double` or `float`
+ * \tparam NT a field number type: `double`, `float`, `Interval_nt<>`, a `Sqrt_extension`, a rational or floating-point
+ *         number type of Boost.Multiprecision, or any other model of `RealEmbeddable` and `Field` that is a model of
+ *         `FieldWithSqrt` or has the functor `Is_square`
  * \tparam K a kernel with `Point_3` and `FT`; coordinates are used exactly if `FT` is `NT` or has rational values, and
  *         are rounded to doubles otherwise
  *
@@ -105,37 +106,37 @@ public:
   /// The geometry of the four halfedges that a flip changes.
   using Flipped_geometry = typename Geometry::Flipped_geometry;
 
-  /// Stores the rotation over a fan of corners as a complex number of any magnitude.
+  /// Stores a sum of corner angles as the argument of a complex number of any magnitude.
   struct Turn
   {
     NT x = NT(1);         ///< the real part; the argument of the complex number is the angle
-    NT y = NT(0);         ///< the imaginary part; if `NT` is rational, divided by the root of the radicand
-    bool is_empty = true; ///< whether the turn is the rotation by zero
+    NT y = NT(0);         ///< the imaginary part; if `NT` is rational, divided by the square root of the radicand
+    bool is_empty = true; ///< whether no corners have been added
     Uncertain<Comparison_result> comparison = SMALLER; ///< the comparison of the angle with \f$\pi\f$
   };
 
-  /// Constructs traits for any mesh or, if `NT` is rational or a `Sqrt_extension`, for meshes with radicand 1.
+  /// Constructs traits for any mesh. If `NT` is rational or a `Sqrt_extension`, the mesh must have the radicand 1.
   Exact_intrinsic_triangulation_traits() = default;
 
-  /// Constructs traits for meshes with the radicand `d`, a positive number. Only available if `NT` is rational or a
-  /// `Sqrt_extension`.
+  /// Constructs traits for meshes with the radicand `d`, a positive number. This constructor is available only if `NT`
+  /// is rational or a `Sqrt_extension`.
   explicit Exact_intrinsic_triangulation_traits(const Radicand& d)
     : m_unit(d)
   {
     static_assert(has_radicand, "only a number type without square roots accepts a radicand");
   }
 
-  /// Returns the default work limit. These traits determine all signs themselves; only functions that compute signs
-  /// from the input, such as `certify()`, use the limit.
+  /// Returns the default work limit. These traits determine all signs without this limit. Only functions that compute
+  /// signs from the input, such as `certify()`, use the limit.
   static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
-  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. It is 0 for
-  /// exact numbers and intervals. For rounded numbers, about half of the digits are reserved for errors: the result is
-  /// about 1e-9 for `double` and 1e-51 for 100 digits.
+  /// Returns the largest deviation from \f$\pi\f$, in radians, at which an angle still counts as straight. The result
+  /// is 0 for exact numbers and intervals. For rounded numbers, about half of the digits are reserved for rounding
+  /// errors: the result is about 1e-9 for `double`, and about 1e-51 for numbers of 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
   /// Constructs a face from points. \throws Inexact_root_error if `NT` is rational or a `Sqrt_extension`, and the
-  /// area is not a rational multiple of the square root of the radicand
+  /// area of the face is not a rational multiple of the square root of the radicand
   class Construct_face_3 : Functor_with_unit
   {
     using Vector_3 = typename Geometry::Vector_3;
@@ -172,7 +173,7 @@ public:
   };
 
   /// Constructs a face from lengths. \throws Inexact_root_error if `NT` is rational or a `Sqrt_extension`, and the
-  /// area is not a rational multiple of the square root of the radicand
+  /// area of the face is not a rational multiple of the square root of the radicand
   class Construct_face_from_lengths : Functor_with_unit
   {
   public:
@@ -201,8 +202,8 @@ public:
     }
   };
 
-  /// Constructs a face from vectors; the library calls it only for rounded numbers and intervals. \pre `NT` is not
-  /// exact
+  /// Constructs a face from vectors. The library uses this functor only for rounded numbers and intervals. \pre `NT` is
+  /// not exact
   class Construct_face_2
   {
   public:
@@ -221,7 +222,7 @@ public:
   class Construct_exact_subface
   {
   public:
-    /// Returns the triangle whose vertex `i` is the point with the weights `weights[i]` of the corners of `face`.
+    /// Returns the triangle whose vertex `i` is the point of `face` with the weights `weights[i]`.
     Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& weights) const
     {
       return Geometry::subface(face, weights);
@@ -355,7 +356,7 @@ public:
     static double key(double x, double y) { return 1 - x / (std::abs(x) + y); }
   };
 
-  /// Flips an edge with one division and no root.
+  /// Flips an edge with one division and no square root.
   class Flip : Functor_with_unit
   {
   public:
@@ -371,8 +372,8 @@ public:
   };
 
   /*!
-   * Determines whether the sum of the angles opposite to the edge with the sides `h` and `t` is at most \f$\pi\f$ plus
-   * `angle_tolerance()`.
+   * Determines whether the sum of the angles opposite to the edge with the halfedges `h` and `t` is at most \f$\pi\f$
+   * plus `angle_tolerance()`.
    * \throws Uncertain_conversion_exception if interval arithmetic cannot decide the comparison
    */
   class Is_locally_delaunay : Functor_with_unit
@@ -404,7 +405,7 @@ public:
   };
 
   /// Determines whether the geometry of a halfedge is so inaccurate that its face must be recomputed from the input.
-  /// This can be the case only with intervals.
+  /// The result can be `true` only if `NT` is an interval type.
   class Is_inaccurate
   {
   public:
@@ -460,18 +461,18 @@ private:
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Computes a number \f$d\f$ such that the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$. If
- * \f$d\f$ is not 1, `Exact_intrinsic_triangulation_traits` of rational numbers or of a `Sqrt_extension` must be
- * constructed with this number. The result is an integer that is not divisible by the square of a prime below 1000. If
- * all faces are degenerate, the result is 1.
+ * \f$d\f$ is not 1, this number must be passed to the constructor of `Exact_intrinsic_triangulation_traits` with
+ * rational numbers or a `Sqrt_extension`. The result is an integer that is not divisible by the square of a prime below
+ * 1000. If all faces are degenerate, the result is 1.
  *
  * \tparam Radicand the type of the result, a number type that can represent integers, such as
  *         `Exact_intrinsic_triangulation_traits::Radicand`
  * \param mesh a triangle mesh
  * \param metric an `Embedded_metric` or `Edge_length_metric`
- * \throws Inexact_root_error if no such number exists; `elements()` returns the vertices of a face whose area is not a
- *         rational multiple of the area of the first face that is not degenerate
+ * \throws Inexact_root_error if no such number exists; `elements()` then returns the vertices of a face whose area is
+ *         not a rational multiple of the area of the first nondegenerate face
  *
- * Complexity: linear in the size of the mesh, with arithmetic on integers that typically have a few hundred bits.
+ * Complexity: linear in the number of faces. The integers in the computation typically have a few hundred bits.
  */
 template <class Radicand, class TriangleMesh, class Metric>
 Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
@@ -499,8 +500,8 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
 }
 
 /// \ingroup PkgFlipGeodesicsTraits
-/// Computes a number \f$d\f$ such that the area of every face of a mesh, embedded in space by the points of the mesh,
-/// is a rational multiple of \f$\sqrt d\f$. The result, the exceptions and the complexity are those of
+/// Computes a number \f$d\f$ such that the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$. The
+/// areas are computed from the points of the mesh. The result, the exceptions and the complexity are those of
 /// `common_radicand()` with an `Embedded_metric`.
 template <class Radicand, class TriangleMesh>
 Radicand common_radicand(const TriangleMesh& mesh)

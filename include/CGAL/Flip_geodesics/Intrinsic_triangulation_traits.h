@@ -49,13 +49,14 @@ using Traits_in_number_type =
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Computes angles, squared lengths and flips with numbers of type `NT`, by default the number type of the kernel.
- * Predicates are exact if this type is exact. The following call computes with the number type of kernel `K`:
+ * Predicates are exact if `NT` is exact. The following call computes with the number type of kernel `K`:
  *
  *     const FG::Intrinsic_triangulation_traits<K> traits;
  *     FG::geodesic_path(mesh, source, target, output, CGAL::parameters::geom_traits(traits));
  *
  * For `double`, see `Intrinsic_triangulation_traits<K, double>`. For all other number types, this class has the members
- * and constructors of `Exact_intrinsic_triangulation_traits<NT, K>`, whose header must also be included.
+ * and constructors of `Exact_intrinsic_triangulation_traits<NT, K>`, and the header
+ * `Exact_intrinsic_triangulation_traits.h` must be included first.
  *
  * \tparam K a kernel with `Point_3` and `FT`
  * \tparam NT a number type as for `Exact_intrinsic_triangulation_traits`
@@ -77,17 +78,17 @@ public:
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * Provides fast arithmetic with doubles for intrinsic triangulations. Each halfedge stores its vector, two doubles, in
- * a frame of its own face. A flip takes one complex division and no square root.
+ * Provides fast arithmetic with doubles for intrinsic triangulations. For each halfedge, a vector of two doubles is
+ * stored, in a frame of the face of the halfedge. A flip takes one complex division and no square root.
  *
  * Predicates have the tolerance `angle_tolerance()`: an angle that is less than \f$\pi\f$ by at most this tolerance
- * counts as straight, both at joints and at the ends of edges that might be flipped. Since the errors of vectors grow
- * with the number of flips, `shorten()` measures the finished curves on the input.
+ * counts as straight. This applies to angles at joints and to angles at the ends of edges that might be flipped. Since
+ * the errors of vectors grow with the number of flips, `shorten()` measures the finished curves on the input.
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *
- * \tparam K a kernel with `Point_3` and `FT`; coordinates are rounded to double, except that the
- *         differences of exact rational coordinates are computed first and then rounded
+ * \tparam K a kernel with `Point_3` and `FT`; differences of exact rational coordinates are computed exactly and then
+ *         rounded to double, whereas other coordinates are rounded to double first
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -113,7 +114,7 @@ public:
     double y; ///< a coordinate, in the unit of the mesh
   };
 
-  /// The geometry of a face, one vector per halfedge, in the order of the face.
+  /// The geometry of the three halfedges of a face, in counterclockwise order.
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
   /*!
@@ -148,7 +149,7 @@ public:
   class Construct_face_2
   {
   public:
-    /// Returns the face whose halfedges have the vectors `v`; the error is not stored.
+    /// Returns the face whose halfedges have the vectors `v`. The argument `error` is ignored.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const;
   };
 #else
@@ -156,8 +157,8 @@ public:
   using typename Base::Halfedge_geometry;
 #endif
 
-  /// Stores the rotation over a fan of corners as a complex number of any magnitude. The angle of this number is
-  /// meaningful only up to \f$\pi\f$.
+  /// Stores a sum of corner angles as the argument of a complex number of any magnitude. The argument is meaningful
+  /// only up to \f$\pi\f$.
   struct Turn
   {
     double x = 1;             ///< the real part; the argument of the complex number is the angle
@@ -168,18 +169,18 @@ public:
   /// Stores the new geometry of the four halfedges that a flip changes.
   struct Flipped_geometry
   {
-    Halfedge_geometry h;  ///< the geometry of the side `h` of the edge
-    Halfedge_geometry t;  ///< the geometry of the side `t` of the edge
-    Halfedge_geometry tn; ///< the geometry of the halfedge after `t` in its old face
-    Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in its old face
+    Halfedge_geometry h;  ///< the geometry of halfedge `h`
+    Halfedge_geometry t;  ///< the geometry of halfedge `t`
+    Halfedge_geometry tn; ///< the geometry of the halfedge after `t` in the old face
+    Halfedge_geometry tp; ///< the geometry of the halfedge before `t` in the old face
   };
 
   /// Returns the largest deviation from \f$\pi\f$ at which an angle still counts as straight: 1e-9 radians.
   static constexpr double angle_tolerance() { return internal::straight_angle_tolerance; }
 
   /*!
-   * Adds to a turn the corner between two consecutive halfedges of a face, `in` and `out`; `opposite` is the third
-   * halfedge. The complex number of the corner is `conj(out) * -in`.
+   * Adds to a turn the corner between two consecutive halfedges of a face, `in` and `out`. The argument `opposite` is
+   * the third halfedge. The corner is represented by the complex number `conj(out) * -in`.
    */
   class Extend_turn
   {
@@ -235,8 +236,8 @@ public:
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.is_straight ? LARGER : SMALLER; }
   };
 
-  /// Computes a key in [0, 2] that is 0 for the rotation by zero and increases with the angle of the turn, for angles
-  /// below \f$\pi\f$.
+  /// Computes a key in [0, 2] by which turns with angles below \f$\pi\f$ are ordered. The key is 0 for the angle zero,
+  /// and increases with the angle.
   class Turn_key
   {
   public:
@@ -245,8 +246,8 @@ public:
   };
 
   /*!
-   * Computes the geometry after the flip of the edge with the halfedges `h`, from `i` to `j`, and `t`, between the
-   * faces `(h, hn, hp)` and `(t, tn, tp)`.
+   * Computes the geometry after the flip of the edge with the halfedges `h` and `t`. The faces are `(h, hn, hp)` and
+   * `(t, tn, tp)` before the flip, and `(h, hp, tn)` and `(t, tp, hn)` afterwards.
    *
    *         k                     k
    *       / ^ .                  /|^
@@ -288,10 +289,12 @@ public:
   };
 
   /*!
-   * Determines whether the sum of the angles opposite to the edge with the sides `h` and `t` is at most \f$\pi\f$, up
-   * to `angle_tolerance()`. If the sum is \f$s\f$ before a flip, it is \f$2 \pi - s\f$ after the flip, so flipping an
-   * edge that is not Delaunay yields a Delaunay edge. Lawson's algorithm therefore terminates as long as the drift
-   * stays below the tolerance.
+   * Determines whether the sum of the angles opposite to the edge with the halfedges `h` and `t` is at most \f$\pi\f$
+   * plus `angle_tolerance()`.
+   *
+   * If the sum is \f$s\f$ before a flip, it is \f$2 \pi - s\f$ after the flip. Flipping an edge that is not locally
+   * Delaunay therefore yields a locally Delaunay edge, and Lawson's algorithm terminates as long as the errors of the
+   * angles stay below the tolerance.
    */
   class Is_locally_delaunay
   {
@@ -317,8 +320,9 @@ public:
     }
   };
 
-  /// Determines whether a vector is so inaccurate that its face must be recomputed. This is never the case, since these
-  /// traits do not bound errors; instead, `shorten()` detects drift when it measures the finished curves.
+  /// Determines whether a vector is so inaccurate that its face must be recomputed. The result is always `false`, since
+  /// these traits do not bound errors. Instead, `shorten()` detects inaccurate faces when it measures the finished
+  /// curves.
   class Is_inaccurate
   {
   public:
