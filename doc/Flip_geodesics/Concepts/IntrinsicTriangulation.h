@@ -4,11 +4,11 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * The concept `IntrinsicTriangulation` describes a triangulation of a surface with straight edges that can be flipped.
- * This concept is required by `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`,
- * `halfedges_through()`, `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`, `Geodesic_tree`,
- * `intrinsic_faces()`, `Operators`, and the solvers that are built on `Operators`. The table in Section
- * \ref Flip_geodesicsAsked lists the requirements of each algorithm.
+ * The concept `IntrinsicTriangulation` describes a triangulation of a surface. The edges of the triangulation are
+ * straight and can be flipped. This concept is required by `Edge_path_network`, `shorten()`, `Shortener`,
+ * `order_overlapping_curves()`, `halfedges_through()`, `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`,
+ * `Geodesic_tree`, `intrinsic_faces()`, `Operators`, and the solvers that are built on `Operators`. The table in
+ * Section \ref Flip_geodesicsAsked lists the requirements of each algorithm.
  *
  * The elements are identified by the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, and are numbered from
  * 0. The edge with number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: edges from
@@ -119,7 +119,7 @@ public:
   /// @}
   /// \name Held edges
   /// Each network places exactly one hold on every edge on which it has segments. Functions that flip edges, such as
-  /// `shorten()` for another network and `flip_to_delaunay()`, do not flip edges that are held.
+  /// `shorten()` for another network and `flip_to_delaunay()`, do not flip held edges.
   /// @{
 
   /// Returns the number of holds on an edge, initially 0.

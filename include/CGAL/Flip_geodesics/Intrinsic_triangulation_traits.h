@@ -56,7 +56,7 @@ using Traits_in_number_type =
  *
  * For `double`, see `Intrinsic_triangulation_traits<K, double>`. For all other number types, this class has the members
  * and constructors of `Exact_intrinsic_triangulation_traits<NT, K>`, and the header
- * `Exact_intrinsic_triangulation_traits.h` must be included first.
+ * `Exact_intrinsic_triangulation_traits.h` must also be included.
  *
  * \tparam K a kernel with `Point_3` and `FT`
  * \tparam NT a number type as for `Exact_intrinsic_triangulation_traits`
