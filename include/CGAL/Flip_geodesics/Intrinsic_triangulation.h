@@ -155,8 +155,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Provides the elements of an intrinsic triangulation, with their connectivity, their geometry, and the holds on edges.
- * This is the base class of `Intrinsic_triangulation`, which flips edges and inserts points.
+ * Provides the elements of an intrinsic triangulation: their connectivity, their geometry, and the holds on edges,
+ * which prevent flips. This is the base class of `Intrinsic_triangulation`, which flips edges and inserts points.
  *
  * The template parameters are those of `Intrinsic_triangulation`.
  */
@@ -209,23 +209,22 @@ public:
   /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if the argument is not a vertex
   /// of the mesh.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
-  /// Returns the halfedge with the same number as a halfedge of the input mesh, or `null_index` if the argument is not
-  /// a halfedge of the mesh. The two halfedges correspond as long as the edge has been neither flipped nor split.
+  /// Returns the halfedge that has the same number as halfedge `h` of the input mesh, or `null_index` if `h` is not a
+  /// halfedge of the mesh. The two halfedges correspond as long as the edge has been neither flipped nor split.
   Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
   /// Returns the vertex of the input mesh that corresponds to `v`. \pre `v` was not inserted
   Mesh_vertex vertex(Vertex_index v) const { return input().vertex(v); }
 
-  /// Returns the halfedge of the input mesh with the same number as `h`. \pre `h` was not created by an insertion
+  /// Returns the halfedge of the input mesh that has the same number as `h`. \pre `h` was not created by an insertion
   Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
 
   /// @}
-  /// \name Connectivity
-  /// The functions take constant time. The face on the left of a halfedge is copied from the input when it is first
-  /// accessed. This first access throws `Invalid_mesh_error` if the face is not a triangle, `Degenerate_face_error` if
-  /// an edge has length zero or the lengths violate the triangle inequality, and `Invalid_coordinate_error` if a
-  /// coordinate is not finite or a length is outside [1e-70, 1e70].
-  /// @{
+  /// \name Connectivity The functions of this group take constant time. The face on the left of a halfedge is copied
+  /// from the input when it is first accessed. This access throws `Invalid_mesh_error` if the face is not a triangle,
+  /// and `Degenerate_face_error` if one of its edges has length zero or if its edge lengths violate the triangle
+  /// inequality. It throws `Invalid_coordinate_error` if a coordinate is not finite, or if a length is outside [1e-70,
+  /// 1e70]. @{
 
   /// Returns the opposite halfedge of `h`.
   static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }
@@ -255,7 +254,7 @@ public:
 
   /// Returns a walker positioned at `h`.
   Walker walker(Halfedge_index h) const { return Walker(m_halfedges, m_halfedges.taken(h)); }
-  /// Returns a walker positioned at `h`, given the `place()` of a walker at `h` or its twin.
+  /// Returns a walker positioned at `h`, given the `place()` of a walker at `h` or at the twin of `h`.
   Walker walker(typename Walker::Place place, Halfedge_index h) const
   {
     return Walker(m_halfedges, internal::side_slot(place, h));
@@ -288,8 +287,9 @@ public:
   }
 
   /*!
-   * Adds the corner on the right of `h` at its tail to `turn`, which leads clockwise around the tail.
-   * \return the next halfedge clockwise, or `null_index` if the border comes first; in that case nothing is added
+   * Extends `turn`, a clockwise rotation around the tail of `h`, by the angle at this vertex in the face on the right
+   * of `h`.
+   * \return the next halfedge clockwise, or `null_index` if the border comes first; in that case `turn` is unchanged
    */
   Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const
   {
@@ -297,14 +297,12 @@ public:
     return next.is_none() ? null_index : next.index();
   }
 
-  /// Adds to `turn` the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
+  /// Extends `turn` by the angle at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
   void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
 
   /// @}
-  /// \name Held edges
-  /// A held edge cannot be flipped. A network places one hold on each edge on which it has segments. The functions take
-  /// constant time.
-  /// @{
+  /// \name Held edges A held edge cannot be flipped. A network places one hold on each edge on which it has segments.
+  /// The functions of this group take constant time. @{
 
   /// Returns the number of holds on edge `e`, initially 0.
   Index holds(Edge_index e) const { return m_halfedges.holds(m_halfedges.slot(internal::first_side(e))); }
@@ -315,8 +313,8 @@ public:
   /// Returns the total number of holds on all edges.
   std::size_t number_of_holds() const { return m_halfedges.number_of_holds(); }
 
-  /// Returns a number that is greater than `Walker::edge_place()` of every walker. The number grows with the number of
-  /// edges that have been accessed.
+  /// Returns a number that is greater than the values of `Walker::edge_place()` for all walkers. It grows with the
+  /// number of edges that have been accessed.
   std::size_t number_of_edge_places() const { return m_halfedges.number_of_edge_places(); }
 
   /// @}
@@ -325,9 +323,10 @@ public:
   bool is_valid() const { return is_valid(internal::default_validity_tolerance); }
 
   /*!
-   * Returns whether all accessed elements are consistent: every face has three halfedges, no side is longer than the
-   * sum of the other two, and the two sides of each edge have the same end points and the same length. Lengths are
-   * compared up to `tolerance` times the longest side of the face. Complexity: linear in the size of the mesh.
+   * Returns whether all accessed elements are consistent. They are consistent if every face has three halfedges, no
+   * side of a face is longer than the sum of the other two, and the two halfedges of each edge have the same end points
+   * and the same length. Lengths are compared with a tolerance of `tolerance` times the longest side of the face.
+   * Complexity: linear in the size of the mesh.
    */
   bool is_valid(double tolerance) const
   {
@@ -362,16 +361,15 @@ private:
   mutable Store m_halfedges;
 };
 
-/// \ingroup PkgFlipGeodesicsMetrics
-/// The default metric: the one that the points of the mesh define.
+/// \ingroup PkgFlipGeodesicsMetrics The default metric, which is defined by the points of the mesh.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
 
 #ifdef DOXYGEN_RUNNING
-/// \ingroup PkgFlipGeodesicsTraits
-/// The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the kernel of the metric, or, for a
-/// user-defined metric without `squared_length()`, `Intrinsic_triangulation_traits` in double.
+/// \ingroup PkgFlipGeodesicsTraits The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the
+/// kernel of the metric. For a user-defined metric without `squared_length()`, the default is
+/// `Intrinsic_triangulation_traits` in double.
 template <class Metric>
 using Default_traits = unspecified_type;
 #else
@@ -385,9 +383,9 @@ using Default_traits = std::conditional_t<internal::has_exact_faces<Metric>,
 /// Specifies how a triangulation treats degenerate edges.
 enum class Zero_length_edges {
   REFUSE, ///< `Degenerate_face_error` is thrown when a face with a degenerate (zero-length) edge is accessed
-  /// the ends of a degenerate edge become one vertex, and faces with such an edge are removed; if two degenerate faces
-  /// share an edge and the vertices opposite to this edge coincide, these vertices become one, and both faces are
-  /// removed
+  /// the two ends of each degenerate edge are merged into one vertex, and faces with a degenerate edge are removed; if
+  /// two degenerate faces share an edge and the vertices opposite to this edge coincide, these two vertices are merged
+  /// as well, and both faces are removed
   CONTRACT
 };
 
@@ -400,31 +398,32 @@ enum class Zero_length_edges {
  * The triangulation is a \f$\Delta\f$-complex: an edge can be a loop, two edges can have the same two end points, a
  * vertex can have degree 1, and a face can be glued to itself. Elements are therefore identified by their indices,
  * never by their vertices. The index of a vertex of the mesh is its position in `vertices(mesh)`. Edge `e` has the
- * halfedges `2e` and `2e+1`. Before the first flip or insertion, edges and halfedges are those of the input with the
- * same indices; flips do not change indices. Points of the surface can be inserted as further vertices, which receive
- * the next indices.
+ * halfedges `2e` and `2e+1`. Until the first flip or insertion, each edge and each halfedge is that of the input with
+ * the same index. A flipped edge keeps its index. Points of the surface can be inserted as further vertices, whose
+ * indices follow those of the existing vertices.
  *
  * Faces of the input are copied when they are first accessed. Construction therefore takes constant time for a
- * `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, whose elements are indexed first.
+ * `Surface_mesh`. For other meshes, construction assigns indices to their elements and takes \cgalBigO{n \log n} time,
+ * where \f$n\f$ is the size of the mesh.
  *
  * \attention The mesh and its points must outlive the triangulation and must not be changed.
  *
  * The triangulation satisfies the following invariant: no side of a face is longer than the sum of the other two, the
- * two sides of an edge have the same length, and the normal coordinates of the edges are consistent with the input
- * edges. `is_valid()` checks the invariant, except for the normal coordinates.
+ * two halfedges of an edge have the same length, and the normal coordinates of the edges (see `crossings()`) are
+ * consistent with the input edges. `is_valid()` checks the invariant, except for the normal coordinates.
  *
- * Several threads may call `const` members concurrently if the mesh and its points can be read concurrently, although
- * these members copy faces of the input and cache derived data. Except for statistics and sizes of storage, the only
- * result that can depend on which faces have been accessed before is the halfedge that `outgoing()` returns. While one
- * thread calls a member that is not `const`, changes a network in the triangulation, or adds or releases a hold through
- * a walker, no other thread may use the triangulation.
+ * Several threads may call `const` member functions concurrently if the mesh and its points can be read concurrently.
+ * These functions copy faces of the input and cache derived data. Statistics, sizes of storage, and the halfedge that
+ * `outgoing()` returns can depend on which faces have been accessed before; all other results cannot. While one thread
+ * calls a member function that is not `const`, changes a network in the triangulation, or adds or releases a hold
+ * through a walker, no other thread may use the triangulation.
  *
  * \cgalModels{IntrinsicTriangulationOfMesh}
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
  *         `Surface_mesh` must not contain removed vertices or edges
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`; by default `Certified_intrinsic_triangulation_traits` of
- *         the kernel of the points. With another metric, use `Default_traits<Metric_>`
+ *         the kernel of the points. If `Metric_` is not the default metric, use `Default_traits<Metric_>`
  * \tparam Metric_ a model of `IntrinsicMetric`; by default the metric defined by the points of the mesh
  */
 template <class TriangleMesh, class Traits_ = Default_traits<Default_metric<TriangleMesh>>,
@@ -458,17 +457,19 @@ public:
   /// \name Construction
   /// @{
 
-  /// Constructs the triangulation of a mesh with the metric that the points of the mesh define. Complexity: constant
-  /// for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
-  /// \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
+  /// Constructs the triangulation of a mesh. The metric is the one that the points of the mesh define. Complexity:
+  /// constant for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, where \f$n\f$ is the size of the mesh.
+  /// \throws Invalid_mesh_error if the mesh has too many elements, contains removed elements, or has a halfedge without
+  ///         a next halfedge
   explicit Intrinsic_triangulation(const TriangleMesh& mesh, const Traits& traits = Traits())
     : Intrinsic_triangulation(mesh, Metric(get(CGAL::vertex_point, mesh)), traits)
   {
   }
 
-  /// Constructs the triangulation of a mesh with a metric. Complexity: constant for a `Surface_mesh`, and
-  /// \cgalBigO{n \log n} for other meshes.
-  /// \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
+  /// Constructs the triangulation of a mesh with a given metric. Complexity: constant for a `Surface_mesh`, and
+  /// \cgalBigO{n \log n} for other meshes, where \f$n\f$ is the size of the mesh.
+  /// \throws Invalid_mesh_error if the mesh has too many elements, contains removed elements, or has a halfedge without
+  ///         a next halfedge
   /// \throws Input_mismatch_error if the metric detects that it was made for another mesh
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
     : Elements(checked_input(mesh, metric), metric, traits)
@@ -476,22 +477,30 @@ public:
   }
 
   /*!
-   * Constructs the triangulation of a mesh with a metric and a specification of how degenerate edges are treated.
+   * Constructs the triangulation of a mesh with a given metric. The argument `zero_length_edges` specifies how
+   * degenerate edges are treated.
    *
-   * If edges are contracted, the input of the triangulation is the contracted surface. One of the vertices that are
-   * merged represents all of them, and the others become isolated; the other two edges of a face with one degenerate
-   * edge become one edge. `index()` returns the corresponding elements, or `null_index` for a halfedge that has
-   * vanished, and `input_halfedge()` returns one of several corresponding halfedges. If umbrellas of the contracted
-   * surface meet only at a point, each of them has its own vertex at this point, and these vertices are not connected
-   * there. If the mesh has no degenerate edges or folded faces, the result is the same as without contraction.
+   * If `zero_length_edges` is `Zero_length_edges::CONTRACT`, the input of the triangulation is the contracted surface.
+   * Of the vertices that are merged at a point, one represents all, and the others become isolated. If a face has
+   * exactly one degenerate edge, the other two edges of the face become one edge. For an element of the mesh, `index()`
+   * returns the corresponding element of the triangulation, or `null_index` for a halfedge that no longer exists.
+   * `input_halfedge()` returns one of the halfedges of the mesh that correspond to its argument. If several umbrellas
+   * of the contracted surface meet only at a point, each of them has its own vertex at this point, so the umbrellas are
+   * not connected.
    *
-   * \throws Invalid_mesh_error if the mesh has too many elements, removed elements, or a halfedge without a next one
-   * \throws Degenerate_face_error if edges are contracted, and a face has one zero-length edge and two edges of
-   *         different lengths, or more umbrellas meet at a point than vertices coincide there
+   * If the mesh has neither degenerate edges nor pairs of degenerate faces as described at
+   * `Zero_length_edges::CONTRACT`, the result is the same as with `Zero_length_edges::REFUSE`.
+   *
+   * \throws Invalid_mesh_error if the mesh has too many elements, contains removed elements, or has a halfedge without
+   *         a next halfedge
+   * \throws Degenerate_face_error if edges are contracted, and either a face has one zero-length edge and two edges of
+   *         different lengths, or the number of umbrellas that meet at a point exceeds the number of vertices at this
+   *         point
    * \throws Input_mismatch_error if the metric detects that it was made for another mesh
    *
-   * Complexity: constant for a `Surface_mesh` and \cgalBigO{n \log n} for other meshes, plus time linear in the size of
-   * the mesh if `zero_length_edges` is `Zero_length_edges::CONTRACT`.
+   * Complexity: constant for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, where \f$n\f$ is the size of
+   * the mesh. If `zero_length_edges` is `Zero_length_edges::CONTRACT`, construction takes additional time linear in the
+   * size of the mesh.
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
                           Zero_length_edges zero_length_edges)
@@ -500,13 +509,13 @@ public:
   }
 
   /*!
-   * Moves a triangulation in constant time. Networks, walkers, trees and shorteners of `other` still refer to `other`
-   * afterwards and can only be destroyed. A network with curves must not even be destroyed, but must be moved to the
-   * new triangulation by the constructor of `Edge_path_network` from a network and a triangulation. After the move,
-   * `other` can only be assigned to or destroyed.
+   * Moves a triangulation in constant time. Afterwards, `other` can only be assigned to or destroyed. A network of
+   * `other` that has curves must not be destroyed, but must be moved to the new triangulation by the constructor of
+   * `Edge_path_network` from a network and a triangulation. All other networks, walkers, trees and shorteners of
+   * `other` still refer to `other` and can only be destroyed.
    */
   Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
-  /// Moves `other` into this triangulation, with the same consequences for `other` as those of the move constructor.
+  /// Moves `other` into this triangulation. The consequences for `other` are those described for the move constructor.
   /// \pre no network has curves in this triangulation
   Intrinsic_triangulation& operator=(Intrinsic_triangulation&& other) noexcept = default;
 
@@ -514,8 +523,8 @@ public:
   /// \name Geometry
   /// @{
 
-  /// Replaces the geometry of the face on the left of `h` by a more accurate one, which starts with `h`. The log
-  /// records the old geometry.
+  /// Replaces the geometry of the face on the left of `h` by a more accurate geometry, whose first halfedge is `h`. The
+  /// old geometry is recorded in the flip log.
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
     m_log.lay_out(store(), h, geometry);
@@ -523,8 +532,8 @@ public:
 
   /*!
    * Returns whether `turn`, the angle clockwise around a vertex from halfedge `from` to halfedge `to`, is at least
-   * \f$\pi\f$. If `from == to`, the angle is the full turn.
-   * \pre the turn has at least one corner, and was below \f$\pi\f$ before its last corner was added
+   * \f$\pi\f$. If `from == to`, `turn` is the total angle at the vertex.
+   * \pre `turn` consists of at least one corner, and was below \f$\pi\f$ before its last corner was added
    */
   bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const
   {
@@ -535,15 +544,15 @@ public:
     return comparison.make_certain() != SMALLER;
   }
 
-  /// Returns how many filter failures have occurred in predicates of the traits since construction, and how they were
-  /// resolved.
+  /// Returns how many filter failures have occurred in predicates of the traits since the triangulation was
+  /// constructed, and how these failures were resolved.
   Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
 
-  /// Returns whether the two faces of the edge of `h` together have an angle of at least \f$\pi\f$ at the head of `h`.
+  /// Returns whether the angles of the two faces of the edge of `h` at the head of `h` sum to at least \f$\pi\f$.
   /// \pre both faces exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
-  /// Returns whether the two faces of the edge of walker `h` together have an angle of at least \f$\pi\f$ at the head
-  /// of the walker's halfedge. \pre both faces exist
+  /// Returns whether the angles of the two faces of the edge of walker `h` at the head of the walker's halfedge sum to
+  /// at least \f$\pi\f$. \pre both faces exist
   bool is_reflex_at_head(const Walker& h) const
   {
     Turn turn;
@@ -556,9 +565,10 @@ public:
    * at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped unless it is held, and is locally Delaunay
    * after the flip.
    *
-   * The result is exact if the predicates of the traits are exact. Otherwise, an edge also counts as Delaunay if the
-   * sum exceeds \f$\pi\f$ by less than the tolerance of the traits. Flipping edges that are not Delaunay, in any order,
-   * therefore terminates as long as the drift stays below the tolerance.
+   * The result is exact if the predicates of the traits are exact. With inexact predicates, an edge also counts as
+   * locally Delaunay if the sum exceeds \f$\pi\f$ by less than the tolerance of the traits. Repeatedly flipping edges
+   * that are not locally Delaunay, in any order, therefore terminates as long as the drift of the geometry stays below
+   * this tolerance.
    */
   bool is_locally_delaunay(Halfedge_index h) const
   {
@@ -584,8 +594,8 @@ public:
   /// \name Flips
   /// @{
 
-  /// Returns whether the edge of `h` can be flipped \cgalCite{SC20,section 3.1.3}: it is an interior edge in a convex
-  /// quadrilateral, both its ends have a degree above 1, and it is not held.
+  /// Returns whether the edge of `h` can be flipped \cgalCite{SC20,section 3.1.3}: it is not held, both its ends have a
+  /// degree greater than 1, and its two faces exist and form a convex quadrilateral.
   bool is_flippable(Halfedge_index h) const
   {
     const Halfedge_index t = twin(h);
@@ -595,11 +605,12 @@ public:
   }
 
   /*!
-   * Flips the edge of `h`. Afterwards, `h` leads from the third vertex of the former face of its twin to the third
-   * vertex of its own former face.
+   * Flips the edge of `h`. Let \f$a\f$ be the third vertex of the face of `twin(h)`, and \f$b\f$ the third vertex of
+   * the face of `h`. After the flip, `h` leads from \f$a\f$ to \f$b\f$.
    *
-   * Four flips of one edge restore the connectivity. A flip takes constant time, unless the traits require that a face
-   * be recomputed from the input. If an exception is thrown, such as `std::bad_alloc`, the triangulation is unchanged.
+   * Flipping an edge four times restores the connectivity. A flip takes constant time, unless the traits require that a
+   * face be recomputed from the input. If an exception is thrown, such as `std::bad_alloc`, the triangulation is
+   * unchanged.
    * \pre `is_flippable(h)`
    */
   void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
@@ -609,13 +620,13 @@ public:
   Log_position log_position() const { return m_log.size(); }
 
   /*!
-   * Returns the number of bytes used by the records of changes.
+   * Returns the number of bytes used by the records of changes: the flip log, the inserted points, and cached data
+   * about crossings and vectors.
    *
-   * The records consist of the flip log, the inserted points, and cached data about crossings and vectors. With
-   * `Certified_intrinsic_triangulation_traits`, each flip takes about 165 bytes, and at most 200, and a few megabytes
-   * are used in addition; with `Intrinsic_triangulation_traits` in double, each flip takes about 100 bytes. Heap memory
-   * owned by numbers, such as the digits of rational numbers, is not included. `rollback()` frees the memory of all
-   * entries that it undoes, except for a few megabytes that are kept for reuse.
+   * With `Certified_intrinsic_triangulation_traits`, each flip takes about 165 bytes and at most 200 bytes, and the
+   * records take a few megabytes in addition. With `Intrinsic_triangulation_traits` in double, each flip takes about
+   * 100 bytes. Memory that number types allocate, such as the digits of rational numbers, is not included. `rollback()`
+   * frees the memory of all entries that it undoes, except for a few megabytes that are kept for reuse.
    *
    * Complexity: constant.
    */
@@ -624,9 +635,10 @@ public:
     return m_log.memory() + m_points.size() * sizeof(internal::Inserted_point<Halfedge_geometry>) + m_history.memory();
   }
 
-  /// Undoes flips and insertions in reverse order until the log has `position` entries. The former state is restored
-  /// bitwise. Complexity: linear in the number of undone entries. \pre no network has a curve on an edge that the
-  /// rollback changes, except for curves that are removed before they are used again
+  /// Undoes flips and insertions in reverse order until the flip log has `position` entries. The state that the
+  /// triangulation had at this position is restored bitwise. Complexity: linear in the number of undone entries. \pre
+  /// no network has a curve on an edge that the rollback changes, except for curves that are removed before they are
+  /// used again
   void rollback(Log_position position = 0)
   {
     if(m_log.size() > position)
@@ -651,9 +663,10 @@ public:
   bool is_inserted(Vertex_index v) const { return v.idx() >= input().number_of_vertices(); }
 
   /*!
-   * Returns the location of vertex `v` on the input in a canonical form. An input vertex is given by a halfedge that
-   * starts at it and the weights (1, 0, 0), a point on an edge by the first halfedge of the edge that is not on the
-   * border, with third weight zero, and a point inside a face by the lowest-numbered halfedge of the face.
+   * Returns the location of vertex `v` on the input in a canonical form. An input vertex is represented by a halfedge
+   * that starts at the vertex, and the weights (1, 0, 0). A point on an edge is represented by the first halfedge of
+   * the edge that is not on the border; the third weight is zero. A point inside a face is represented by the
+   * lowest-numbered halfedge of the face.
    * \pre `v` is not isolated
    */
   Surface_location location(Vertex_index v) const
@@ -664,7 +677,7 @@ public:
   }
 
   /*!
-   * Inserts a point of the surface as a vertex by splitting the face or edge that contains it.
+   * Inserts a point of the surface as a vertex. The face or edge that contains the point is split.
    *
    * The face or edge that contains the point is determined exactly, and the edge sequences of the new edges are
    * correct, even if the geometry is rounded. If inexact predicates have caused incorrect flips, it is possible that no
@@ -677,16 +690,16 @@ public:
    * \return the new vertex, or the existing one at the point
    * \throws Invalid_location_error if `location` is not a point of the surface
    * \throws Insertion_error if rounding errors have caused incorrect flips around the point, if the point is too close
-   *         to a vertex to be distinguished from it, or if the exact number type cannot represent the point; in this
-   *         case the triangulation is unchanged
+   *         to a vertex to be distinguished from it, or if the exact number type cannot represent the point; in each of
+   *         these cases the triangulation is unchanged
    * \throws Occupied_triangulation_error if a curve lies on the edge that contains the point; in this case the
-   *         triangulation is unchanged. `Edge_path_network::insert()` can split such an edge
+   *         triangulation is unchanged. Use `Edge_path_network::insert()` to split such an edge
    * \throws Degenerate_face_error if a visited face has a zero-length edge
    * \throws Invalid_coordinate_error if a visited face has a coordinate or length that is not finite or is out of range
    *
-   * Complexity: linear in the total length of the edge sequences of those edges of the triangulation that cross the
-   * input face of the point, plus the degree of a corner of this input face if the edges there have been flipped. In a
-   * part of the triangulation without flips, the time is constant.
+   * Complexity: linear in the total length of the edge sequences of all edges that cross the input face of the point.
+   * If the edges at the corners of this input face have been flipped, the function takes additional time linear in the
+   * degree of one of these corners. In a part of the triangulation without flips, it takes constant time.
    */
   Vertex_index insert(const Surface_location& location)
   {
@@ -700,10 +713,11 @@ public:
 
   /*!
    * Inserts a point of the surface as a vertex as `insert(location)` does, and calls `on_split` if the insertion splits
-   * an edge. The edge may be held, so `Occupied_triangulation_error` is not thrown.
+   * an edge. This edge can be held; `Occupied_triangulation_error` is not thrown.
    *
-   * The argument of `on_split` is an object with two members, both halfedges: `first` has become shorter, and `second`
-   * leads from the new vertex to the old head of `first`. If `on_split` throws, the insertion is undone.
+   * The argument of `on_split` is an object with two halfedges as members: `first` is the halfedge that was split,
+   * which now ends at the new vertex, and `second` leads from the new vertex to the former head of `first`. If
+   * `on_split` throws, the insertion is undone.
    */
   template <class OnSplit>
   Vertex_index insert(const Surface_location& location, const OnSplit& on_split)
@@ -717,9 +731,11 @@ public:
    * lying exactly on the edge.
    *
    * \param h a side of the edge
-   * \param gap the number of edges in `edge_sequence(h)` that are crossed before the input face that contains the point
-   * \param location a point of that input face; it must not lie on the boundary of this face unless the edge does
-   * \param on_split as for `insert()`
+   * \param gap the number of edges in `edge_sequence(h)` that `h` crosses before it reaches the input face that
+   *        contains the point
+   * \param location a point of this input face. The point can lie on the boundary of the face only if the edge of `h`
+   *        does
+   * \param on_split a function object, as for `insert()`
    * \return the new vertex
    * \throws Insertion_error as `insert()` does
    * \throws Invalid_location_error as `insert()` does
@@ -736,11 +752,12 @@ public:
   }
 
   /*!
-   * Splits the face on the left of `h` at a point inside it.
+   * Splits the face on the left of `h` at a point inside this face.
    *
    * \param h a side of the face
-   * \param gap the number of edges in `edge_sequence(h)` that are crossed before the input face that contains the point
-   * \param location a point of that input face
+   * \param gap the number of edges in `edge_sequence(h)` that `h` crosses before it reaches the input face that
+   *        contains the point
+   * \param location a point of this input face
    * \return the new vertex
    * \throws Insertion_error as `insert()` does
    * \throws Invalid_location_error as `insert()` does
@@ -758,33 +775,36 @@ public:
   /// @{
 
   /// Returns the normal coordinate of edge `e` \cgalCite{GSC21}: the number of input edges that the edge crosses, or -1
-  /// if the edge is an input edge or a part of one.
+  /// if the edge is an input edge or a part of an input edge.
   Index crossings(Edge_index e) const { return store().crossings(store().slot(internal::first_side(e))); }
 
   /*!
    * Returns the sequence of input edges that halfedge `h` crosses, from its tail to its head. The sequence is exact,
    * since it is computed with integers only \cgalCite{GSC21,section 3}.
    *
-   * A sequence is computed when it is first requested, and then stored. When the stored sequences take too much memory,
+   * A sequence is computed when it is first requested, and then stored. If the stored sequences take too much memory,
    * the least recently used ones are discarded.
    *
-   * Complexity: linear in the length of a stored sequence. A sequence that is not stored is computed from the normal
-   * coordinates by following the crossed input edges through the triangles of the triangulation until any two
-   * consecutive ones separate or end at a common vertex; the time is linear in the number of these triangles and in the
-   * degree of the tail. If points have been inserted, or if flips have replaced all input edges at both ends, the
-   * sequence is derived from the flip log instead; the time is then linear in the total length of the sequences of all
-   * earlier edges from which the edge descends, except for stored sequences.
+   * Complexity: linear in the length of the sequence if the sequence is stored. Other sequences are computed from the
+   * normal coordinates: the crossed input edges are followed through the triangles of the triangulation until any two
+   * consecutive ones separate or end at a common vertex. This takes time linear in the number of these triangles plus
+   * the degree of the tail.
+   *
+   * If points have been inserted, or if flips have replaced all input edges at both ends of `h`, a sequence that is not
+   * stored is derived from the flip log instead. This takes time linear in the total length of the sequences of all
+   * earlier edges from which the edge descends; stored sequences do not count.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 
-  /// Returns the version of an edge: 0 for an input edge that has not been changed, and otherwise one more than the
-  /// position of the last log entry that changed the edge.
+  /// Returns the version of edge `e`. If `e` is an input edge that has not been changed, the version is 0. Otherwise,
+  /// it is one more than the position of the last log entry that changed the edge.
   Index version(Edge_index e) const { return store().version(store().slot(internal::first_side(e))); }
 
   /*!
-   * Returns the number of input edges that start at the common tail of `from` and `to`, strictly inside the wedge
-   * clockwise from `from` to `to`. If `from == to`, the wedge is the full turn. Complexity: linear in the number of
-   * edges in the wedge. \pre the wedge does not contain the border
+   * Returns the number of input edges that start at the common tail of `from` and `to` and lie strictly inside the
+   * wedge between these halfedges. The wedge extends clockwise from `from` to `to`; if `from == to`, it extends once
+   * around the vertex. Complexity: linear in the number of edges in the wedge. \pre the wedge does not contain the
+   * border
    */
   Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
   {
@@ -925,8 +945,8 @@ struct Intrinsic_face
  *
  * Writes all faces of an intrinsic triangulation. The curves of its networks consist of edges of these faces.
  *
- * Each face starts with its halfedge of smallest index, and the faces are ordered by these halfedges. All faces that
- * have not been accessed before are copied from the input.
+ * Each face starts with its lowest-numbered halfedge, and the faces are ordered by these halfedges. Faces that have not
+ * been accessed before are copied from the input.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
  * \param out an output iterator that receives objects of type `Intrinsic_face`
