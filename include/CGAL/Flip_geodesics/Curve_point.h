@@ -24,7 +24,7 @@ template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric;
 
 /// \ingroup PkgFlipGeodesicsExtraction
-/// Stores the position on the mesh of a point of a curve by means of descriptors of the mesh.
+/// Stores the position of a curve point on the mesh, in terms of descriptors of the mesh.
 template <class TriangleMesh>
 struct Curve_place
 {
@@ -37,9 +37,9 @@ struct Curve_place
   /// vertex of `halfedge(face, mesh)`.
   std::pair<face_descriptor, std::array<double, 3>> location;
 
-  /// The halfedge that the curve crosses at this point, as a side of the face that the curve leaves. At an end of the
-  /// curve or an inserted vertex that lies on an edge, this member is one of the two halfedges of the edge; at a vertex
-  /// of the mesh or inside a face, it is the null halfedge.
+  /// If the curve crosses an edge at this point, the halfedge of this edge in the face that the curve leaves. If an end
+  /// of the curve or an inserted vertex lies on an edge, this member is one of the two halfedges of the edge. At a
+  /// vertex of the mesh or inside a face, it is the null halfedge.
   halfedge_descriptor halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
 };
 
@@ -52,8 +52,8 @@ struct Curve_point : Curve_place<TriangleMesh>
   using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3; ///< the vector type of the kernel of `Point_3`
 
   Point_3 point; ///< the position in space
-  /// The unit vector, in space, of the direction in which the curve continues or, at the end of the curve, in which the
-  /// curve arrives. The vector is zero if the curve is a single point.
+  /// The direction in space in which the curve continues, as a unit vector. At the end of the curve, it is the
+  /// direction in which the curve arrives. If the curve is a single point, the vector is zero.
   Vector_3 tangent;
 };
 
@@ -103,8 +103,8 @@ auto face_location_of(const Triangulation& triangulation, const TriangleMesh& me
  * \ingroup PkgFlipGeodesicsExtraction
  *
  * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The barycentric coordinates are the weights
- * of the location. If the sum of the weights differs from one by more than 1e-6, the tolerance of `surface_location()`,
- * the weights are divided by this sum.
+ * of the location. If the sum of the weights differs from one by more than 1e-6, which is also the tolerance of
+ * `surface_location()`, the weights are divided by this sum.
  * \throws Invalid_location_error if the location is not a point of the surface
  */
 template <class Triangulation>

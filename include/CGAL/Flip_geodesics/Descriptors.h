@@ -44,7 +44,7 @@ inline constexpr Null_index null_index{};
  * Descriptors are ordered by their numbers, can be hashed, and are printed as a prefix, such as `v`, followed by the
  * number.
  *
- * \tparam Element the kind of element, a class in `Element_kind`
+ * \tparam Element the kind of element, one of the classes in `Element_kind`
  */
 template <class Element>
 class Descriptor
@@ -136,14 +136,14 @@ using Segment_index = Descriptor<Element_kind::Segment>;
 /// Identifies a curve of a network.
 using Curve_index = Descriptor<Element_kind::Curve>;
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Identifies a vertex of a surface that has been cut open: one of the copies of a vertex of a triangulation.
+/// Identifies a vertex of a cut surface, that is, one of the copies of a vertex of a triangulation.
 using Vertex_copy_index = Descriptor<Element_kind::Vertex_copy>;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
-/// Identifies an edge of a triangulation. The descriptor also stores one of the two halfedges of the edge; comparisons
-/// ignore this halfedge. The `source()` of an edge is the tail of the stored halfedge, and the `target()` is its head.
-/// The edges of `out_edges(v, triangulation)` therefore have the source `v`, and those of `in_edges(v, triangulation)`
-/// have the target `v`.
+/// Identifies an edge of a triangulation. The descriptor also stores one of the two halfedges of the edge. Comparisons
+/// of descriptors ignore this halfedge. The `source()` of an edge is the tail of the stored halfedge, and the
+/// `target()` is its head. The edges of `out_edges(v, triangulation)` therefore have the source `v`, and those of
+/// `in_edges(v, triangulation)` have the target `v`.
 class Edge_index
 {
 public:
@@ -282,13 +282,14 @@ namespace CGAL::Flip_geodesics {
  * \ingroup PkgFlipGeodesicsCurves
  *
  * Describes the input edges that an intrinsic edge crosses, from its tail to its head. The edge sequence and the end
- * points determine the intrinsic edge, which is the straight line between its end points in the unfolded faces.
+ * points determine the intrinsic edge: it is the straight line between its end points after the crossed faces are
+ * unfolded into the plane.
  *
  * Three cases are possible. If the intrinsic edge is an input edge or a part of one, `along` is the halfedge of this
  * input edge with the same direction. If the intrinsic edge lies inside an input face, `face` is a halfedge of this
- * face; at least one end of the intrinsic edge is then an inserted vertex. Otherwise, `crossed` contains one halfedge
- * of each crossed input edge: the one in the face that the intrinsic edge leaves there. The other two of these three
- * members are empty or null.
+ * face; at least one end of the intrinsic edge is then an inserted vertex. In all other cases, `crossed` contains one
+ * halfedge of each crossed input edge: the halfedge in the face that the intrinsic edge leaves at this crossing. In
+ * each case, the other two of the members `along`, `face` and `crossed` are null or empty.
  */
 struct Edge_sequence
 {
@@ -348,9 +349,9 @@ struct Segment_end
 
   /// Returns whether this is a null end, which does not identify the end of any segment.
   bool is_none() const { return halfedge == null_index; }
-  /// Returns whether the ends are the same.
+  /// Returns whether the two segment ends are equal.
   bool operator==(const Segment_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
-  /// Returns whether the ends differ.
+  /// Returns whether the two segment ends differ.
   bool operator!=(const Segment_end& other) const { return !(*this == other); }
 };
 

@@ -37,29 +37,30 @@ namespace CGAL::Flip_geodesics {
  * Represents a network of curves along the edges of an intrinsic triangulation. Curves are open paths or closed loops.
  * They can have fixed nodes, several segments on one edge, and segments that run back and forth.
  *
- * A curve is a chain of *segments*, each on a halfedge. The node between two segments is a *joint*, which is fixed or
- * free; the end points of an open path are always fixed. The segments on an edge form its bundle (`bundle()`), which is
- * ordered from left to right as seen along the first halfedge of the edge. Around a vertex, the segment ends have a
- * cyclic order: clockwise by incident edge, and on each edge from left to right as seen from the vertex.
+ * A curve is a chain of *segments*, each on a halfedge. The node between two consecutive segments is a *joint*, which
+ * is fixed or free; the end points of an open path are always fixed. The segments on an edge form its bundle
+ * (`bundle()`), which is ordered from left to right as seen along the first halfedge of the edge. Around a vertex, the
+ * segment ends have a cyclic order: clockwise by incident edge, and on each edge from left to right as seen from the
+ * vertex.
  *
  * The network satisfies the following invariant, which `is_valid()` checks. Curves are chains, and each bundle contains
- * exactly the segments on its edge. Around each vertex, the ends connected by free joints form a non-crossing matching;
- * all other ends, and the border, lie in one region of the matching.
+ * exactly the segments on its edge. Around each vertex, the segment ends that free joints connect form a non-crossing
+ * matching. All other segment ends at the vertex, and the border, lie in one region of this matching.
  *
  * Indices of removed segments are never reused.
  *
  * Several networks can have curves in one triangulation. A network holds the edges under its curves, and held edges are
- * not flipped. Therefore, while one network is shortened, the curves of other networks do not move, and wedges that
- * contain their edges are blocked (`Wedge_state::BLOCKED`). Curves of different networks may overlap along edges, but
- * have no order there, so each of them can leave a common edge on either side. Curves that must not cross must belong
- * to the same network.
+ * not flipped. Therefore, while one network is shortened, the curves of other networks do not move, and a wedge that
+ * contains an edge of such a curve is blocked (`Wedge_state::BLOCKED`). Curves of different networks can overlap along
+ * edges, but have no order on these edges, so each of them can leave a common edge on either side. Curves that must not
+ * cross must belong to the same network.
  *
- * \attention The network refers to its triangulation, which must not be destroyed or moved while the network has
- * curves. To move both, move the triangulation, and then use the constructor from a network and a triangulation. A
- * moved-from network can only be cleared, assigned to or destroyed.
+ * \attention The network refers to its triangulation, which must not be destroyed while the network has curves. If the
+ * triangulation is moved, the network must then be moved to the new triangulation by the constructor from a network and
+ * a triangulation. A moved-from network can only be cleared, assigned to or destroyed.
  *
- * \tparam Triangulation_ a model of `IntrinsicTriangulation`; to insert points and to divide segments, a model of
- *         `IntrinsicTriangulationOfMesh`
+ * \tparam Triangulation_ a model of `IntrinsicTriangulation`. The functions `insert()` and `split_edge()` require a
+ *         model of `IntrinsicTriangulationOfMesh`
  *
  * \cgalModels{EdgePathGraph}
  */
@@ -119,8 +120,8 @@ public:
   /// @{
 
   /*!
-   * Adds a curve along halfedges of the triangulation. Each new segment becomes the rightmost one on its edge, as seen
-   * along the halfedge of the segment.
+   * Adds a curve along halfedges of the triangulation. Each new segment becomes the rightmost segment on its edge, as
+   * seen along the halfedge of the segment.
    *
    * \param halfedges a range of `Halfedge_index` that forms a chain: each halfedge starts where the previous one ends
    *        and, if the curve is closed, the first one starts where the last one ends
@@ -140,8 +141,8 @@ public:
     return curve;
   }
 
-  /// Fixes every node that a curve currently has at vertex `v`: the node keeps its position, and other curves cannot
-  /// move across it. Complexity: linear in the number of all segments created so far.
+  /// Fixes all nodes that curves currently have at vertex `v`: these nodes keep their positions, and other curves
+  /// cannot move across them. Complexity: linear in the number of all segments that the network has created so far.
   void fix_nodes_at(Vertex_index v)
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
@@ -150,7 +151,7 @@ public:
   }
 
   /// Fixes or frees the node at the head of segment `s`. \pre a node that is freed is not the end of an open path, and
-  /// curves do not cross there
+  /// no curves cross at it
   void set_head_fixed(Segment_index s, bool is_fixed) { m_segments.set_head_fixed(s, is_fixed); }
 
   /// Frees all nodes of a curve, except the ends of an open path.
@@ -179,16 +180,16 @@ public:
   /// Sets the initial length of a curve to its current length.
   void reset_initial_length(Curve_index curve) { set_initial_length(curve, length(curve)); }
 
-  /// Sets the initial length of a curve, for instance if the curve had already been shortened when it was added.
+  /// Sets the initial length of a curve. This is useful if, for example, the curve was shortened before it was added.
   void set_initial_length(Curve_index curve, double length) { m_segments.set_initial_length(curve, length); }
 
   /// Reorders the segments on edge `e`. \pre `order` is a permutation of `bundle(e)`
   void set_bundle(Edge_index e, const std::vector<Segment_index>& order) { m_segments.set_bundle(e, order); }
 
   /*!
-   * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()` does. Each
-   * segment on an edge that is split becomes two segments with a free joint between them. The order of the segments is
-   * kept.
+   * Inserts a point of the surface as a vertex, as `Intrinsic_triangulation::insert()` does. If an edge is split, each
+   * segment on this edge becomes two segments with a free joint between them. The order of the segments does not
+   * change.
    * \param location the point
    * \return the new vertex, or the existing one at the point
    * \throws Invalid_location_error as `Intrinsic_triangulation::insert()` does
@@ -199,8 +200,8 @@ public:
    */
   Vertex_index insert(const Surface_location& location) { return m_triangulation->insert(location, divide_bundles()); }
 
-  /// Splits the edge of `h` as `Intrinsic_triangulation::split_edge()` does, and the segments on this edge as
-  /// `insert()` does. The exceptions are those of `insert()`.
+  /// Splits the edge of `h` as `Intrinsic_triangulation::split_edge()` does, and divides the segments on this edge as
+  /// `insert()` does. Throws the exceptions that `insert()` throws.
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
     return m_triangulation->split_edge(h, location, gap, divide_bundles());
@@ -213,7 +214,7 @@ public:
   /// \name Curves
   /// @{
 
-  /// Returns the number of curves, including those that have contracted. Curves are numbered from 0.
+  /// Returns the number of curves, including those that have contracted to a point. Curves are numbered from 0.
   Index number_of_curves() const { return m_segments.number_of_curves(); }
   /// Returns the indices of all curves as a range with random access.
   auto curves() const { return internal::descriptors<Curve_index>(number_of_curves()); }
@@ -234,7 +235,7 @@ public:
   /// another initial length has been set.
   double initial_length(Curve_index curve) const { return m_segments.initial_length(curve); }
 
-  /// Returns the length of a curve, summed over its segments.
+  /// Returns the length of a curve, that is, the sum of the lengths of its segments.
   double length(Curve_index curve) const
   {
     double sum = 0;
@@ -271,7 +272,7 @@ public:
   Segment_index next(Segment_index s) const { return m_segments.next(s); }
   /// Returns the previous segment of the curve, or `null_index` at the start of a path.
   Segment_index previous(Segment_index s) const { return m_segments.previous(s); }
-  /// Returns whether the node at the head of segment `s` is fixed, as the end of a path always is.
+  /// Returns whether the node at the head of segment `s` is fixed. The end of an open path is always fixed.
   bool is_head_fixed(Segment_index s) const { return m_segments.is_head_fixed(s); }
 
   /// Returns whether any segment of this network lies on the edge of `h`.
@@ -296,30 +297,32 @@ public:
     return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
   }
 
-  /// Returns the next segment end clockwise around the vertex of `end`, or a null end if the border, or an edge held
-  /// only by other networks, comes first. Complexity: linear in the number of edges between the two ends.
+  /// Returns the next segment end clockwise around the vertex of `end`. If the border, or an edge that only other
+  /// networks hold, comes first, the result is a null end. Complexity: linear in the number of edges between the two
+  /// ends.
   Segment_end next_clockwise(const Segment_end& end) const
   {
     return next_end(end, Side::RIGHT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// Returns the next segment end counterclockwise around the vertex of `end`, or a null end if the border, or an edge
-  /// held only by other networks, comes first. Complexity: linear in the number of edges between the two ends.
+  /// Returns the next segment end counterclockwise around the vertex of `end`. If the border, or an edge that only
+  /// other networks hold, comes first, the result is a null end. Complexity: linear in the number of edges between the
+  /// two ends.
   Segment_end next_counterclockwise(const Segment_end& end) const
   {
     return next_end(end, Side::LEFT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// Returns the next segment end of this network around the vertex of `end`, clockwise if `side` is `Side::RIGHT` and
-  /// counterclockwise otherwise. Edges that only other networks hold are skipped. If the border comes first, the result
-  /// is a null end. Complexity: linear in the number of edges between the two ends.
+  /// Returns the next segment end of this network around the vertex of `end`, clockwise if `side` is `Side::RIGHT`, and
+  /// counterclockwise if it is `Side::LEFT`. Edges that only other networks hold are skipped. If the border comes
+  /// first, the result is a null end. Complexity: linear in the number of edges between the two ends.
   Segment_end next_beyond_others(const Segment_end& end, Side side) const
   {
     return next_end(end, side, [this](const Walker& h) { return h.is_held() && m_segments.leftmost(h) != no_segment; });
   }
 
-  /// Returns the state and the angle of the wedge of a joint. Complexity: linear in the number of edges in the wedge up
-  /// to an angle of \f$\pi\f$, beyond which the wedge is not inspected.
+  /// Returns the state and the angle of the wedge of a joint. The wedge is not inspected beyond an angle of \f$\pi\f$.
+  /// Complexity: linear in the number of inspected edges.
   Wedge wedge(const Joint& joint) const
   {
     const Wedge result = look_into_wedge(joint);
@@ -328,8 +331,8 @@ public:
     return result;
   }
 
-  /// Returns whether the curve turns back at a joint: the two ends of the joint are adjacent on one halfedge, and the
-  /// wedge has angle zero.
+  /// Returns whether the curve turns back at a joint: the two ends of the joint are adjacent on the same halfedge, and
+  /// the wedge has angle zero.
   bool is_turning_back(const Joint& joint) const
   {
     const auto [a, b] = ends(joint);
@@ -343,15 +346,15 @@ public:
   /*!
    * Moves a joint over its wedge, that is, replaces its two segments by segments along `arc`.
    *
-   * If the first and the second end of the joint (see `ends()`) belong to the segments \f$x\f$ and \f$y\f$, the arc
-   * leads from the other node of \f$x\f$ to the other node of \f$y\f$, with the wedge on its right. The new segments
-   * become the outermost ones on their edges, on the side of the wedge. If the joint turns back, the arc is empty, and
-   * the two segments are removed.
+   * Let \f$x\f$ be the segment of the first end of the joint, and \f$y\f$ the segment of the second end (see `ends()`).
+   * The arc leads from the other node of \f$x\f$ to the other node of \f$y\f$, with the wedge on its right. Each new
+   * segment becomes the outermost segment on its edge, on the side of the wedge. If the joint turns back, the arc is
+   * empty, and the two segments are removed.
    *
    * \param joint the joint
    * \param arc the halfedges of the arc
-   * \param affected a list to which the function appends the joints whose wedges must be inspected again, except for
-   *        sides whose angle is known to be at least \f$\pi\f$
+   * \param affected a list to which the function appends the joints whose wedges must be inspected again. Joints whose
+   *        wedge is known to have an angle of at least \f$\pi\f$ are omitted
    * \return the first new segment in the direction of the curve, or `null_index` if the arc is empty
    * \pre see `EdgePathGraph::replace_joint()`
    */
@@ -361,10 +364,10 @@ public:
   }
 
   /*!
-   * Replaces the only segment of a loop by two segments \cgalCite{SC20,Appendix B}, which lie on the other two edges of
-   * the face on the left of `h`, where `h` is the halfedge of the segment or the twin of this halfedge.
-   * \return the new segment that arrives at the old node
-   * \pre these two edges carry no segments
+   * Replaces segment `s`, the only segment of a loop, by two segments \cgalCite{SC20,Appendix B}. `h` is the halfedge
+   * of `s` or its twin. The new segments lie on the other two edges of the face on the left of `h`.
+   * \return the new segment that arrives at the node of the former segment
+   * \pre no segments lie on the other two edges of the face
    */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }
 
@@ -378,9 +381,9 @@ public:
   /// Returns the position of segment `s` among the segments on its edge, for `restore_loop()`.
   Bundle_place bundle_place(Segment_index s) const { return m_segments.bundle_place(s); }
 
-  /// Replaces the segments of a closed curve by a single new one, at the position that the only segment of the curve
-  /// had when `bundle_place()` returned `place`. \pre all flips since that call have been rolled back, and no other
-  /// curve has changed
+  /// Replaces the segments of a closed curve by a single new segment, at the position that the only segment of the
+  /// curve had when `bundle_place()` returned `place`. \pre all flips since that call have been rolled back, and no
+  /// other curve has changed
   Segment_index restore_loop(Curve_index curve, const Bundle_place& place)
   {
     return m_segments.restore_loop(curve, place);
@@ -393,8 +396,8 @@ public:
   bool is_valid() const { return internal::Network_validity<Edge_path_network>(*this).is_valid(); }
 
   /*!
-   * Returns whether, around the vertex of `end`, the ends that free joints connect form a non-crossing matching, and
-   * all other ends, and the border, lie in one region of the matching.
+   * Returns whether the invariant holds for the segment ends around the vertex of `end`: the ends that free joints
+   * connect form a non-crossing matching, and all other ends and the border lie in one region of this matching.
    */
   bool is_non_crossing_at(const Segment_end& end) const
   {
@@ -491,7 +494,7 @@ struct Internals<Edge_path_network<Triangulation>>
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Returns the chain of halfedges through given vertices. An edge of the triangulation must connect each vertex with the
- * next one; if several edges do, the shortest one is chosen.
+ * next one; if several edges connect them, the function chooses the shortest one.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
  * \param vertices a range of vertices, as `Vertex_index`; for a closed chain, the first vertex is not repeated at the
@@ -499,7 +502,8 @@ struct Internals<Edge_path_network<Triangulation>>
  * \param np the named parameter `is_closed`, a `bool`: whether the chain leads back to the first vertex; `false` by
  *        default
  * \throws Vertex_out_of_range_error if an index does not belong to a vertex
- * \throws Invalid_curve_error if the range has fewer than two vertices, or no edge connects two consecutive vertices
+ * \throws Invalid_curve_error if the range has fewer than two vertices, or contains two consecutive vertices that no
+ *         edge connects
  *
  * Complexity: linear in the sum of the degrees of the vertices.
  */
@@ -552,11 +556,11 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Invalid_curve_error if the range has fewer than two waypoints, or all of them are the same vertex
+ * \throws Invalid_curve_error if the range has fewer than two waypoints, or if all waypoints are the same vertex
  * \throws Vertex_out_of_range_error if an index does not belong to a vertex
- * \throws Disconnected_endpoints_error if no edge path connects two consecutive waypoints
+ * \throws Disconnected_endpoints_error if there are two consecutive waypoints that no edge path connects
  *
- * Complexity: that of the searches of `Shortest_edge_path`.
+ * Complexity: that of one search of `Shortest_edge_path` for each pair of consecutive waypoints.
  */
 template <class Search, class VertexRange, class... NamedParameters>
 std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const VertexRange& way_points,
@@ -661,11 +665,12 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
  *
  * Adds the marked edges of the input mesh to a network as curves.
  *
- * Curves end at the vertices that are incident to exactly one marked edge or to more than two: each chain of marked
- * edges between such vertices becomes an open curve, and a loop without such a vertex becomes a closed curve. Of the
- * two possible directions of an open curve, the function chooses the one whose first halfedge has the smaller index.
- * Open curves are added first, ordered by their first halfedges; closed curves follow, ordered by their lowest-numbered
- * edges. If the function throws an exception, a network that was empty before is empty afterwards.
+ * Curves end at the vertices that are incident to exactly one marked edge or to more than two marked edges. Each chain
+ * of marked edges between such vertices becomes an open curve, and each loop without such a vertex becomes a closed
+ * curve. Of the two possible directions of an open curve, the function chooses the one whose first halfedge has the
+ * smaller index. Open curves are added first, ordered by their first halfedges; closed curves follow, ordered by their
+ * lowest-numbered edges. If the function throws an exception, a network that was empty before the call is empty
+ * afterwards.
  *
  * \param network the network
  * \param mesh the mesh of the triangulation
@@ -732,34 +737,38 @@ Order_conflict order_if_possible(Network& network)
  * Reorders the overlapping segments on the edges of a network such that no two curves cross and no curve crosses
  * itself.
  *
- * \attention Call this function after all curves have been added, because `add_curve()` orders the segments on an edge
- * only by the order in which they are added.
+ * \attention Call this function after all curves have been added, because `add_curve()` merely arranges the segments on
+ * an edge in the order in which they are added.
  *
  * The result depends only on the connectivity and is exact: if an order without crossings exists, such an order is
- * found, unless the search is aborted. No such order exists, for example, if two curves part on opposite sides at the
- * two ends of a common chain of edges, or if a curve goes around an annulus twice before it closes.
+ * found, unless the search is aborted (see `Ambiguous_order_error` below). No such order exists, for example, if two
+ * curves part on opposite sides at the two ends of a common chain of edges, or if a curve goes around an annulus twice
+ * before it closes.
  *
- * Two curves that share a chain of edges are ordered by the sides on which they part, at either end of the chain. If a
- * chain ends at the end of a path or at a fixed node, it does not determine an order there; at each vertex, however,
- * all segment ends that belong to ends of paths or to fixed nodes, and the border, must lie on the same side of every
- * curve that passes through the vertex at a free node. An order that is undetermined at both ends of the chain follows
- * from the orders of other segments on the same edges, if these determine it. Otherwise it is chosen: the segment that
- * was added first lies on the left, as seen in its direction, or against its direction if its curve has turned back an
- * odd number of times before. Copies of a curve that does not turn back therefore lie to the right of the curve if they
- * are added after it. If an exception is thrown, the curves are unchanged, but the order of their segments may have
- * changed.
+ * Two curves that share a chain of edges are ordered by the sides on which they part at the two ends of the chain. An
+ * end of the chain at which a path ends or a node is fixed does not determine an order. However, the following
+ * condition must hold at each vertex: all segment ends at fixed nodes, which include the ends of paths, and the border
+ * lie on the same side of every curve that passes through the vertex at a free node.
+ *
+ * If neither end of the chain determines the order, the orders of other segments on the same edges can determine it. If
+ * they do not, the function chooses the order: the segment that was added first lies on the left, as seen in its
+ * direction. If the curve of this segment has turned back an odd number of times before the segment, however, the
+ * segment lies on the right. Copies of a curve that does not turn back therefore lie to the right of the curve if they
+ * are added after it.
+ *
+ * If an exception is thrown, the curves are unchanged, but the order of their segments can have changed.
  *
  * \param network an `Edge_path_network`
- * \throws Crossing_curves_error if curves cross in every order. `elements()` returns a vertex at which they cross, or
- *         one of several vertices that together make an order impossible
- * \throws Ambiguous_order_error if the search is aborted, which can happen only if long paths turn back on each other
- *         repeatedly and the choices of their orders depend on each other; `elements()` returns the vertices of an edge
+ * \throws Crossing_curves_error if every order of the segments contains a crossing. `elements()` returns a vertex at
+ *         which curves cross, or one of several vertices that together make an order impossible
+ * \throws Ambiguous_order_error if the search is aborted. This can happen only if long paths turn back on each other
+ *         repeatedly and the choices of their orders depend on each other. `elements()` returns the vertices of an edge
  *         that these paths share
  *
- * Complexity: \cgalBigO{n \log n} for \f$n\f$ segments, plus the sum of the degrees of the vertices of these segments.
- * If edges have several segments, the \f$p\f$ pairs of segments that lie on the same edge take \cgalBigO{p \log p} time
- * (about half a second per million pairs) and \cgalBigO{p} memory. If the choices described above are inconsistent and
- * must be revised, the time is proportional to \f$p\f$ times the maximal number of segments on one edge.
+ * Complexity: \cgalBigO{n \log n + d + p \log p} time, where \f$n\f$ is the number of segments, \f$d\f$ is the sum of
+ * the degrees of their vertices, and \f$p\f$ is the number of pairs of segments that lie on the same edge. The pairs
+ * take about half a second per million pairs, and \cgalBigO{p} memory. If the choices described above are inconsistent,
+ * revising them takes additional time proportional to \f$p\f$ times the maximal number of segments on one edge.
  */
 template <class Network>
 void order_overlapping_curves(Network& network)

@@ -220,11 +220,13 @@ public:
   Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
 
   /// @}
-  /// \name Connectivity The functions of this group take constant time. The face on the left of a halfedge is copied
-  /// from the input when it is first accessed. This access throws `Invalid_mesh_error` if the face is not a triangle,
-  /// and `Degenerate_face_error` if one of its edges has length zero or if its edge lengths violate the triangle
+  /// \name Connectivity
+  /// The functions of this group take constant time. The face on the left of a halfedge is copied from the input when
+  /// it is first accessed. This access throws `Invalid_mesh_error` if the face is not a triangle, and
+  /// `Degenerate_face_error` if one of its edges has length zero or if its edge lengths violate the triangle
   /// inequality. It throws `Invalid_coordinate_error` if a coordinate is not finite, or if a length is outside [1e-70,
-  /// 1e70]. @{
+  /// 1e70].
+  /// @{
 
   /// Returns the opposite halfedge of `h`.
   static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }
@@ -301,8 +303,10 @@ public:
   void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
 
   /// @}
-  /// \name Held edges A held edge cannot be flipped. A network places one hold on each edge on which it has segments.
-  /// The functions of this group take constant time. @{
+  /// \name Held edges
+  /// A held edge cannot be flipped. A network places one hold on each edge on which it has segments. The functions of
+  /// this group take constant time.
+  /// @{
 
   /// Returns the number of holds on edge `e`, initially 0.
   Index holds(Edge_index e) const { return m_halfedges.holds(m_halfedges.slot(internal::first_side(e))); }
@@ -361,15 +365,16 @@ private:
   mutable Store m_halfedges;
 };
 
-/// \ingroup PkgFlipGeodesicsMetrics The default metric, which is defined by the points of the mesh.
+/// \ingroup PkgFlipGeodesicsMetrics
+/// The default metric, which is defined by the points of the mesh.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
 
 #ifdef DOXYGEN_RUNNING
-/// \ingroup PkgFlipGeodesicsTraits The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the
-/// kernel of the metric. For a user-defined metric without `squared_length()`, the default is
-/// `Intrinsic_triangulation_traits` in double.
+/// \ingroup PkgFlipGeodesicsTraits
+/// The default traits for a metric: `Certified_intrinsic_triangulation_traits` of the kernel of the metric. For a
+/// user-defined metric without `squared_length()`, the default is `Intrinsic_triangulation_traits` in double.
 template <class Metric>
 using Default_traits = unspecified_type;
 #else
@@ -481,12 +486,12 @@ public:
    * degenerate edges are treated.
    *
    * If `zero_length_edges` is `Zero_length_edges::CONTRACT`, the input of the triangulation is the contracted surface.
-   * Of the vertices that are merged at a point, one represents all, and the others become isolated. If a face has
-   * exactly one degenerate edge, the other two edges of the face become one edge. For an element of the mesh, `index()`
-   * returns the corresponding element of the triangulation, or `null_index` for a halfedge that no longer exists.
-   * `input_halfedge()` returns one of the halfedges of the mesh that correspond to its argument. If several umbrellas
-   * of the contracted surface meet only at a point, each of them has its own vertex at this point, so the umbrellas are
-   * not connected.
+   * Of the vertices that are merged at a point, one represents all of them, and the others become isolated. If a face
+   * has exactly one degenerate edge, the other two edges of the face become one edge. For an element of the mesh,
+   * `index()` returns the corresponding element of the triangulation, or `null_index` for a halfedge that no longer
+   * exists. `input_halfedge()` returns one of the halfedges of the mesh that correspond to its argument. If several
+   * umbrellas of the contracted surface meet only at a point, each of them has its own vertex at this point, so the
+   * umbrellas are not connected at this point.
    *
    * If the mesh has neither degenerate edges nor pairs of degenerate faces as described at
    * `Zero_length_edges::CONTRACT`, the result is the same as with `Zero_length_edges::REFUSE`.
@@ -792,12 +797,12 @@ public:
    *
    * If points have been inserted, or if flips have replaced all input edges at both ends of `h`, a sequence that is not
    * stored is derived from the flip log instead. This takes time linear in the total length of the sequences of all
-   * earlier edges from which the edge descends; stored sequences do not count.
+   * earlier edges from which flips and insertions have derived the edge; stored sequences do not count.
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 
   /// Returns the version of edge `e`. If `e` is an input edge that has not been changed, the version is 0. Otherwise,
-  /// it is one more than the position of the last log entry that changed the edge.
+  /// it is one more than the position of the last entry of the flip log that changed the edge.
   Index version(Edge_index e) const { return store().version(store().slot(internal::first_side(e))); }
 
   /*!

@@ -125,20 +125,20 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
 /*!
  * \ingroup PkgFlipGeodesicsObstacles
  *
- * Represents a mesh that is slit along some of its edges: a view of the mesh in which these edges are borders on both
- * sides. Paths can run along slits but cannot cross them. The view stores lists of its vertices, edges and halfedges,
- * but no copy of the mesh.
+ * Represents a mesh that is slit along some of its edges: a view of the mesh in which the faces on the two sides of
+ * these edges are not connected across them. Paths can run along slits but cannot cross them. The view stores lists of
+ * its vertices, edges and halfedges, but no copy of the mesh.
  *
- * A vertex of the mesh has several copies if a slit passes through it, or if several slits, or a slit and the border,
- * meet at it: one copy for each sector of faces between the slits and the border. If a slit ends inside the surface,
- * its end is a single vertex. Each edge of the mesh along a slit becomes two edges. Faces are those of the mesh.
+ * At each vertex of the mesh, the slits and the border separate the incident faces into sectors, and the vertex has one
+ * copy for each sector. If a slit ends inside the surface, its end is therefore a single vertex. Each edge of the mesh
+ * along a slit becomes two edges. The faces are those of the mesh.
  *
  * A descriptor of a vertex, a halfedge or an edge stores the corresponding descriptor of the mesh and can be converted
  * to it. A vertex descriptor of the mesh can be converted to the descriptor of the first copy of the vertex.
  *
- * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh, and can be passed as a
- * mesh to all functions of this package that only read their mesh. Functions that return a mesh require the type of the
- * result as a template argument, because a slit mesh cannot be built.
+ * The class is a model of `FaceListGraph` and `HalfedgeListGraph`, with the points of the mesh. A slit mesh can be
+ * passed as a mesh to all functions of this package that only read their mesh. Functions that return a mesh then
+ * require the type of the result as a template argument, because elements cannot be added to a slit mesh.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */
@@ -211,8 +211,8 @@ public:
   struct Edge
   {
     Mesh_edge edge;                                  ///< the edge of the mesh
-    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the one in a face
-    bool is_at_slit = false;                         ///< whether this is one of two edges along a slit
+    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< a halfedge of the edge; at a slit, the halfedge with a face
+    bool is_at_slit = false;                         ///< whether this is one of the two edges along a slit
     bool is_outer = false; ///< whether the edge was obtained from its border halfedge at a slit
 
     /// Returns the edge of the mesh.
@@ -233,7 +233,8 @@ public:
    * \param slits a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value type. Only the
    *        constructor accesses the map; marks of border edges have no effect
    *
-   * Complexity: linear in the size of the mesh, plus \cgalBigO{n \log n} for \f$n\f$ edges at slits.
+   * Complexity: linear in the size of the mesh, plus \cgalBigO{n \log n} time, where \f$n\f$ is the number of edges at
+   * slits.
    */
   template <class EdgeIsSlitMap>
   Slit_mesh(const TriangleMesh& mesh, const EdgeIsSlitMap& slits)
@@ -262,17 +263,18 @@ public:
     return found == m_number_of_copies.end() ? 1 : found->second;
   }
 
-  /// Returns the copy of the tail of a halfedge of the mesh that is a corner of the face on the left of the halfedge.
-  /// \pre the halfedge has a face
+  /// Returns the vertex at the tail of halfedge `h` in the face on the left of `h`, that is, the copy of the tail that
+  /// is a corner of this face.
+  /// \pre `h` has a face
   Vertex vertex_in_face(Mesh_halfedge h) const
   {
     const auto found = m_copy.find(h);
     return {source(h, *m_mesh), found == m_copy.end() ? 0 : found->second};
   }
 
-  /// Returns all vertices: the first copy of each vertex of the mesh, followed by the further copies.
+  /// Returns all vertices: the first copy of each vertex of the mesh, followed by all further copies.
   const std::vector<Vertex>& all_vertices() const { return m_vertices; }
-  /// Returns all edges in the order of the edges of the mesh; the two edges along the same edge of a slit are
+  /// Returns all edges in the order of the edges of the mesh; the two edges that replace an edge on a slit are
   /// consecutive.
   const std::vector<Edge>& all_edges() const { return m_edges; }
   /// Returns all halfedges; the two halfedges of an edge are consecutive.

@@ -26,8 +26,8 @@ namespace CGAL::Flip_geodesics {
  *
  * The `weights` belong to the tail of `halfedge`, its head, and the third vertex of the face. Only the ratio of the
  * weights matters: the point is exactly \f$(w_0 p_0 + w_1 p_1 + w_2 p_2) / (w_0 + w_1 + w_2)\f$. If one weight is
- * exactly zero, the point lies on the opposite edge; if two weights are zero, the point is a vertex. `halfedge` can be
- * a border halfedge, which has no face, if the third weight is zero.
+ * exactly zero, the point lies on the opposite edge; if two weights are zero, the point is a vertex. If the third
+ * weight is zero, `halfedge` can be a border halfedge, which has no face.
  */
 struct Surface_location
 {
@@ -45,12 +45,13 @@ struct Surface_location
  *
  * All functions that take or return angles of directions follow one rule: an angle refers to a halfedge that starts at
  * the location or is a side of a face that contains the location. The free functions take and return a direction as a
- * `std::pair` of a halfedge of the mesh and an angle. A function that chooses the reference halfedge itself uses the
- * halfedge of the location or, if this halfedge is on the border, its twin. The halfedge of a `Face_location` is
- * `halfedge(face, mesh)`; that of a vertex starts at the vertex. There are only two exceptions: the angle in a
- * `Trace_report` refers to the side through which the geodesic entered its last face, and the angles of the
- * `logarithmic_map()` of a tree whose source lies on the border or was inserted refer to a direction that the
- * documentation of this function specifies.
+ * `std::pair` of a halfedge of the mesh and an angle. If a function chooses the reference halfedge, it uses the
+ * halfedge of the location, or the twin of this halfedge if the halfedge is on the border. The halfedge of a
+ * `Face_location` is `halfedge(face, mesh)`. The halfedge of a vertex starts at the vertex.
+ *
+ * There are two exceptions. The angle in a `Trace_report` refers to the side through which the geodesic entered its
+ * last face. If the source of a tree lies on the border or was inserted, the angles that `logarithmic_map()` returns
+ * refer to a direction that the documentation of this function specifies.
  */
 struct Surface_direction
 {
@@ -75,7 +76,8 @@ inline Location_kind kind(const Surface_location& location)
 /// Stores the polar coordinates of a vertex with respect to the source of a tree.
 struct Polar_coordinates
 {
-  double radius = std::numeric_limits<double>::infinity(); ///< the length of the path; infinite if no path exists
+  /// The length of the path from the source; infinite if no path exists.
+  double radius = std::numeric_limits<double>::infinity();
   /// The angle of the initial direction of the path, in radians; NaN at the source, and if no path exists.
   double angle = std::numeric_limits<double>::quiet_NaN();
 };
@@ -173,21 +175,22 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
  * At a vertex, `a == b`, and `t` is 0. On an edge, `a` is the nearer end, so `t` lies in (0, 1/2]; `u` is 0, and `c` is
  * null. Inside a face, `a` is the vertex with the largest weight.
  *
- * The members represent exactly whether the point is a vertex, on an edge or inside a face: `t` on an edge, and `t` and
- * `u` inside a face, are at least 1e-100, even if they would be rounded to 0. If degenerate edges were contracted, `a`,
- * `b` and `c` are nevertheless the ends of an edge or the corners of a face of the original mesh; at a merged vertex,
- * `a == b` is one of the vertices that were merged.
+ * The members represent exactly whether the point is a vertex, on an edge or inside a face. On an edge, `t` is at least
+ * 1e-100, even if it would be rounded to 0; inside a face, the same holds for `t` and `u`.
+ *
+ * Even if degenerate edges were contracted, `a`, `b` and `c` are the ends of an edge or the corners of a face of the
+ * original mesh. At a merged vertex, `a` and `b` are equal, and are one of the vertices that were merged.
  */
 struct Surface_point
 {
   Vertex_index a; ///< the input vertex with the weight \f$1-t-u\f$
   Vertex_index b; ///< the input vertex with the weight \f$t\f$; at a vertex, `a`
   double t;       ///< the weight of `b`
-  /// On an edge: one of the two halfedges of the edge; where a curve crosses the edge, the halfedge in the face from
-  /// which the curve comes. Inside a face: one of the halfedges of the face. At a vertex: null.
+  /// On an edge: one of the two halfedges of the edge; if a curve crosses the edge at the point, the halfedge in the
+  /// face that the curve leaves. Inside a face: one of the halfedges of the face. At a vertex: null.
   Input_halfedge_index halfedge;
   Vertex_index c = null_index;      ///< inside a face: the third vertex of the face; otherwise null
-  double u = 0;                     ///< the weight of `c`; 0 unless inside a face
+  double u = 0;                     ///< the weight of `c`; 0 unless the point is inside a face
   Vertex_index vertex = null_index; ///< the vertex of the triangulation at this point, or null
 
   /// Returns whether the point is at a vertex of the input.

@@ -63,15 +63,15 @@ void check_input(const Metric& metric, const Mesh& mesh)
  * \ingroup PkgFlipGeodesicsCurves
  *
  * Represents a mesh whose vertices and halfedges are numbered consecutively. An object of this type is the input of a
- * triangulation and an argument of the member functions of metrics.
+ * triangulation, and is passed to the member functions of metrics.
  *
- * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge with number `e` in
- * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result can therefore be converted back to elements
- * of the mesh: for the `Input_halfedge_index h` of a surface point, for example, `triangulation.input().halfedge(h)` is
+ * Vertices are numbered in the order of `vertices(mesh)`. The two halfedges of the edge at position `e` in
+ * `edges(mesh)` have the numbers `2e` and `2e+1`. The numbers in a result can be converted back to elements of the
+ * mesh. For example, if `h` is the `Input_halfedge_index` of a surface point, `triangulation.input().halfedge(h)` is
  * the halfedge of the mesh, and `face(triangulation.input().halfedge(h), mesh)` is the face of this halfedge.
  *
- * Complexity: constant for all member functions, except that `index()` takes logarithmic time unless the mesh is a
- * `Surface_mesh`.
+ * Complexity: constant for all member functions other than `index()`. If the mesh is a `Surface_mesh`, `index()` also
+ * takes constant time. For other meshes, it takes time logarithmic in the size of the mesh.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */
@@ -81,7 +81,7 @@ class Numbered_mesh
 {
 public:
   /// Numbers a mesh, which must outlive the object. Complexity: constant for a `Surface_mesh`, whose own numbers are
-  /// used, and \cgalBigO{n \log n} for other meshes.
+  /// used, and \cgalBigO{n \log n} for other meshes, where \f$n\f$ is the size of the mesh.
   explicit Numbered_mesh(const TriangleMesh& mesh);
 
   Index number_of_vertices() const;  ///< returns the number of vertices
@@ -148,8 +148,8 @@ public:
   /// Returns the point of vertex `v`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return get(m_points, mesh.vertex(v)); }
 
-  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
-  /// finite or out of range \throws Degenerate_face_error if the length is zero
+  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is out of
+  /// range or not finite \throws Degenerate_face_error if the length is zero
   double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = weight(mesh, h);
@@ -169,8 +169,8 @@ public:
   using Place = std::conditional_t<is_rational, internal::Approximate_place, std::array<double, 3>>;
 #endif
 
-  /// Returns the length of halfedge `h` without checking it, for searches. The result is zero if the points are equal
-  /// or, unless coordinates are rational, if the square of the length underflows.
+  /// Returns the length of halfedge `h` without checking it, for use in searches. The result is zero if the two points
+  /// are equal. Unless the coordinates are rational, the result is also zero if the square of the length underflows.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = std::sqrt(squared_norm(vector(mesh, h)));
@@ -181,7 +181,7 @@ public:
   }
 
   /// Returns the length of halfedge `h`, given the positions of its two ends. For rational coordinates, the error is at
-  /// most a few units in the last place of the coordinates, and at most \f$2^{-40}\f$ of the length.
+  /// most a few units in the last place of the coordinates, and also at most \f$2^{-40}\f$ times the length.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     if constexpr(is_rational) {
@@ -207,8 +207,8 @@ public:
     }
   }
 
-  /// Returns a lower bound on the lengths of all paths on the surface between two points: the distance of these points
-  /// in space.
+  /// Returns a lower bound on the lengths of all paths on the surface between two points: the distance between these
+  /// points in space.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(is_rational)
@@ -217,8 +217,8 @@ public:
       return std::sqrt(squared_norm(difference(p, q)));
   }
 
-  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the points of its
-  /// vertices. Throws the exceptions that `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, with `h` as the first halfedge. The geometry is constructed
+  /// from the points of the vertices of the face. Throws the exceptions that `length()` throws.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
@@ -236,10 +236,10 @@ public:
       return construct(point(mesh, u), point(mesh, v), point(mesh, w));
   }
 
-  /// Returns whether a coordinate of the mesh must be rounded, because its value is not that of a double and its type
-  /// does not provide the value as a fraction. In this case nothing is certified, since predicates refer to the rounded
-  /// coordinates. Complexity: linear in the size of the mesh for the first call if the number type of the kernel allows
-  /// such coordinates; otherwise constant.
+  /// Returns whether a coordinate of the mesh must be rounded. A coordinate must be rounded if its value is not that of
+  /// a double and its number type does not provide the value as a fraction. If the function returns `true`, nothing is
+  /// certified, since predicates refer to the rounded coordinates. Complexity: constant. If the number type of the
+  /// kernel allows such coordinates, however, the first call takes time linear in the size of the mesh.
   bool is_rounded(const Mesh& mesh) const
   {
     if constexpr(is_rational || internal::is_within_double<internal::Coordinate<Point_3>>)
@@ -392,16 +392,16 @@ public:
   {
   }
 
-  /// Is empty, since lengths do not determine the positions of vertices.
+  /// An empty class, since lengths do not determine the positions of vertices.
   struct Place
   {
   };
 
-  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
-  /// finite or out of range \throws Degenerate_face_error if the length is zero
+  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is out of
+  /// range or not finite \throws Degenerate_face_error if the length is zero
   double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
-  /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
+  /// Returns the length of halfedge `h` without checking it, for use in searches.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     return internal::imported_number(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
@@ -430,8 +430,8 @@ public:
   }
 #endif
 
-  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the lengths of its edges.
-  /// Throws the exceptions that `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, with `h` as the first halfedge. The geometry is constructed
+  /// from the lengths of the edges of the face. Throws the exceptions that `length()` throws.
   /// \throws Degenerate_face_error if the lengths violate the triangle inequality
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
@@ -439,10 +439,10 @@ public:
     return internal::face_geometry_by_lengths(*this, mesh, h, traits);
   }
 
-  /// Returns whether a length must be rounded, because its value is not that of a double and its type does not provide
-  /// the value as a fraction. In this case nothing is certified, since predicates refer to the rounded lengths.
-  /// Complexity: linear in the size of the mesh for the first call if the type of the lengths allows such values;
-  /// otherwise constant.
+  /// Returns whether a length must be rounded. A length must be rounded if its value is not that of a double and its
+  /// number type does not provide the value as a fraction. If the function returns `true`, nothing is certified, since
+  /// predicates refer to the rounded lengths. Complexity: constant. If the number type of the lengths allows such
+  /// values, however, the first call takes time linear in the size of the mesh.
   bool is_rounded(const Mesh&) const
   {
     if constexpr(is_rational || internal::is_within_double<Length>)
@@ -567,7 +567,7 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
  * Curves are geodesics of the modified surface. If the metric has points, however, the points of the curves are
  * computed on the original mesh.
  *
- * \tparam Metric `Embedded_metric` or `Edge_length_metric`, or a `Weighted_metric` over one of these
+ * \tparam Metric `Embedded_metric`, `Edge_length_metric`, or a `Weighted_metric` of one of these two
  *
  * \cgalModels{IntrinsicMetric}
  */
@@ -582,20 +582,20 @@ public:
   using Kernel = typename Base::Kernel;   ///< the kernel of the other metric
   using Point_3 = typename Base::Point_3; ///< the point type of the other metric, `void` if it has none
 
-  /// Constructs a metric that adds nothing to the other metric, so lengths and faces are unchanged.
+  /// Constructs a metric that equals the given metric: nothing is added to the lengths.
   explicit Mollified_metric(const Metric& metric)
     : Base(metric)
   {
   }
 
   /*!
-   * Constructs the metric as the next constructor does, with the factor 1e-5.
+   * Constructs the metric as the next constructor does, with a factor of 1e-5.
    *
    * \param mesh the triangle mesh of the metric
-   * \param metric the other metric
+   * \param metric the given metric
    * \throws Invalid_coordinate_error if the length of an edge is negative or not finite
    * \throws Invalid_mesh_error if a face is not a triangle
-   * \throws Input_mismatch_error if the other metric detects that it was made for another mesh
+   * \throws Input_mismatch_error if the given metric detects that it was made for another mesh
    *
    * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
    */
@@ -606,15 +606,15 @@ public:
   }
 
   /*!
-   * Constructs the metric and computes the length to be added.
+   * Constructs the metric, and computes the length that is added to every edge.
    *
    * \param mesh the triangle mesh of the metric
-   * \param metric the other metric
+   * \param metric the given metric
    * \param factor the margin of the triangle inequality, relative to the mean edge length
    * \pre 0 < factor < 1
    * \throws Invalid_coordinate_error if the length of an edge is negative or not finite
    * \throws Invalid_mesh_error if a face is not a triangle
-   * \throws Input_mismatch_error if the other metric detects that it was made for another mesh
+   * \throws Input_mismatch_error if the given metric detects that it was made for another mesh
    *
    * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
    */
@@ -631,18 +631,18 @@ public:
       m_least_stretch = (std::min)(1., internal::least_stretch_of_faces(base(), *this, indexed));
   }
 
-  /// Returns the length added to every edge. If it is zero, because no addition was needed, this metric equals the
-  /// other metric.
+  /// Returns the length that is added to every edge. If no addition is needed, this length is zero, and the metric
+  /// equals the given metric.
   double added_length() const { return m_added; }
 
-  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
-  /// finite or out of range \throws Degenerate_face_error if the length is zero
+  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is out of
+  /// range or not finite \throws Degenerate_face_error if the length is zero
   double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     return m_added == 0 ? Base::length(mesh, h) : internal::length_by_weight(*this, mesh, h);
   }
 
-  /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
+  /// Returns the length of halfedge `h` without checking it, for use in searches.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) + m_added; }
 
   using typename Base::Place;
@@ -655,18 +655,19 @@ public:
 
   using Base::place;
 
-  /// Returns the lower bound of the other metric, reduced if almost degenerate faces require an allowance for rounding
-  /// errors. Adding the same length to all edges does not shorten any path.
+  /// Returns the lower bound that the given metric returns. If almost degenerate faces require an allowance for
+  /// rounding errors, this bound is reduced. The result is a lower bound, because adding the same length to all edges
+  /// does not shorten any path.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     return m_least_stretch * Base::distance_lower_bound(p, q);
   }
 
-  /// Returns the point of vertex `v`. Available only if the other metric has points.
+  /// Returns the point of vertex `v`. Available only if the given metric has points.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the lengths of its edges.
-  /// Throws the exceptions that `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, with `h` as the first halfedge. The geometry is constructed
+  /// from the lengths of the edges of the face. Throws the exceptions that `length()` throws.
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
@@ -676,10 +677,10 @@ public:
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
 
-  /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
+  /// Returns whether the given metric rounds numbers of the mesh. If it does, nothing is certified.
   using Base::is_rounded;
 
-  /// Checks that this metric and the other one were made for meshes with the same number of edges as `mesh`.
+  /// Checks that this metric and the given metric were made for meshes with the same number of edges as `mesh`.
   /// \throws Input_mismatch_error if the numbers differ
   void check_input(const Mesh& mesh) const
   {
@@ -731,17 +732,19 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents a given metric in which each edge length is multiplied by a factor derived from given weights, so that
- * paths avoid regions in which the weights are large.
+ * Represents a metric that is obtained from a given metric by multiplying each edge length by a factor. The factors are
+ * derived from given weights, so that paths avoid regions in which the weights are large.
  *
- * Weights given at vertices are interpolated linearly along edges. The length of an edge is that of the other metric,
- * times the mean of the weights of its two ends. Each face is again a flat triangle, with the new lengths. If the
- * weight changes little within a face, the new metric is, up to terms of second order, the other metric scaled
- * conformally by the weight. A weight given for an edge is the factor by which the length of this edge is multiplied.
+ * Weights given for vertices are interpolated linearly along edges: the length of each edge in the given metric is
+ * multiplied by the mean of the weights of its two ends. Each face remains a flat triangle, whose sides have the new
+ * lengths. If the weight changes little within a face, the new metric is, up to terms of second order, the given metric
+ * scaled conformally by the weight.
  *
- * A weight that is constant on each face, and jumps between faces, does not define edge lengths, since shortest paths
- * are refracted at the jumps like light. Weights given for faces are therefore converted to weights of vertices, each
- * the mean of the weights of the incident faces.
+ * A weight given for an edge is the factor by which the length of this edge is multiplied.
+ *
+ * Weights that are constant on each face do not define edge lengths, since shortest paths are refracted like light at
+ * edges between faces with different weights. Weights given for faces are therefore converted to weights of vertices:
+ * the weight of a vertex is the mean of the weights of its incident faces.
  *
  * If the weights change so much within a face that the new lengths violate the triangle inequality,
  * `Degenerate_face_error` is thrown when the shape of this face is needed. Smaller faces, smoother weights, or a
@@ -772,8 +775,8 @@ public:
    * Constructs the metric and reads all weights.
    *
    * \param mesh the triangle mesh of the metric
-   * \param metric the other metric
-   * \param weights a model of `ReadablePropertyMap` with the vertices of the mesh, its faces or its edges as keys, and
+   * \param metric the given metric
+   * \param weights a model of `ReadablePropertyMap` with the vertices, the faces or the edges of the mesh as keys, and
    *        positive numbers as values
    * \throws Invalid_parameter_error if a weight is not positive and finite
    *
@@ -793,25 +796,25 @@ public:
   /// Returns the factor by which the length of halfedge `h` is multiplied.
   double factor(Input_halfedge_index h) const { return (*m_factors)[static_cast<std::size_t>(h.idx() / 2)]; }
 
-  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is not
-  /// finite or out of range \throws Degenerate_face_error if the length is zero
+  /// Returns the length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error if the length is out of
+  /// range or not finite \throws Degenerate_face_error if the length is zero
   double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::length_by_weight(*this, mesh, h); }
 
-  /// Returns the length of halfedge `h` without any check, for searches that merely visit the halfedge.
+  /// Returns the length of halfedge `h` without checking it, for use in searches.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(h); }
 
-  /// The data of a vertex from which lower bounds are computed: those of the other metric, which do not determine the
-  /// shapes of the faces of this metric.
+  /// The data of a vertex from which lower bounds are computed. These are the data of the given metric; they do not
+  /// determine the shapes of the faces in this metric.
   using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
 
   /// Returns the length of halfedge `h`; the other arguments are ignored.
   double weight(const Mesh& mesh, Input_halfedge_index h, const Place&, const Place&) const { return weight(mesh, h); }
 
-  /// Returns the data of the other metric for vertex `v`.
+  /// Returns the data of the given metric for vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
-  /// Returns the lower bound of the other metric, times the smallest factor by which the length of a segment in a face
-  /// changes. This factor can be smaller than the smallest weight.
+  /// Returns the lower bound that the given metric returns, multiplied by the smallest factor by which the weights
+  /// change the length of any line segment inside a face. This factor can be smaller than the smallest weight.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(std::is_empty<Place>::value)
@@ -820,13 +823,13 @@ public:
       return (1 - internal::distance_bound_rounding) * m_least_stretch * Base::distance_lower_bound(p.place, q.place);
   }
 
-  /// Returns the point of vertex `v`. Available only if the other metric has points.
+  /// Returns the point of vertex `v`. Available only if the given metric has points.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
-  /// Returns whether the other metric rounds numbers of the mesh; in that case nothing is certified.
+  /// Returns whether the given metric rounds numbers of the mesh. If it does, nothing is certified.
   using Base::is_rounded;
 
-  /// Checks that the weights and the other metric were given for meshes with the same number of edges as `mesh`.
+  /// Checks that the weights and the given metric were made for meshes with the same number of edges as `mesh`.
   /// \throws Input_mismatch_error if the numbers differ
   void check_input(const Mesh& mesh) const
   {
@@ -834,8 +837,8 @@ public:
     internal::check_input(static_cast<const Base&>(*this), mesh);
   }
 
-  /// Returns the geometry of the face on the left of `h`, starting with `h`, constructed from the lengths of its edges.
-  /// Throws the exceptions that `length()` throws.
+  /// Returns the geometry of the face on the left of `h`, with `h` as the first halfedge. The geometry is constructed
+  /// from the lengths of the edges of the face. Throws the exceptions that `length()` throws.
   /// \throws Degenerate_face_error if the lengths violate the triangle inequality
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
