@@ -281,15 +281,15 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Describes the input edges that an intrinsic edge crosses, from its tail to its head. The edge sequence and the end
- * points determine the intrinsic edge: it is the straight line between its end points after the crossed faces are
- * unfolded into the plane.
+ * Describes the input edges that an intrinsic edge crosses, in order from the tail to the head of the intrinsic edge.
+ * The edge sequence and the end points determine the intrinsic edge: it is the straight line between its end points
+ * after the crossed faces are unfolded into the plane.
  *
  * Three cases are possible. If the intrinsic edge is an input edge or a part of one, `along` is the halfedge of this
- * input edge with the same direction. If the intrinsic edge lies inside an input face, `face` is a halfedge of this
- * face; at least one end of the intrinsic edge is then an inserted vertex. In all other cases, `crossed` contains one
- * halfedge of each crossed input edge: the halfedge in the face that the intrinsic edge leaves at this crossing. In
- * each case, the other two of the members `along`, `face` and `crossed` are null or empty.
+ * input edge that has the direction of the intrinsic edge. If the intrinsic edge lies inside an input face, `face` is a
+ * halfedge of this face; at least one end of the intrinsic edge is then an inserted vertex. In all other cases,
+ * `crossed` contains one halfedge of each crossed input edge: the halfedge in the face that the intrinsic edge leaves
+ * at this crossing. In each case, the other two of the members `along`, `face` and `crossed` are null or empty.
  */
 struct Edge_sequence
 {

@@ -49,11 +49,11 @@ namespace CGAL::Flip_geodesics {
  *
  * Indices of removed segments are never reused.
  *
- * Several networks can have curves in one triangulation. A network holds the edges under its curves, and held edges are
- * not flipped. Therefore, while one network is shortened, the curves of other networks do not move, and a wedge that
- * contains an edge of such a curve is blocked (`Wedge_state::BLOCKED`). Curves of different networks can overlap along
- * edges, but have no order on these edges, so each of them can leave a common edge on either side. Curves that must not
- * cross must belong to the same network.
+ * Several networks can have curves in one triangulation. A network holds the edges on which its curves lie, and held
+ * edges are not flipped. Therefore, while one network is shortened, the curves of other networks do not move, and a
+ * wedge that contains an edge of such a curve is blocked (`Wedge_state::BLOCKED`). Curves of different networks can
+ * overlap along edges, but have no order on these edges, so each of them can leave a common edge on either side. Curves
+ * that must not cross must belong to the same network.
  *
  * \attention The network refers to its triangulation, which must not be destroyed while the network has curves. If the
  * triangulation is moved, the network must then be moved to the new triangulation by the constructor from a network and
@@ -391,7 +391,7 @@ public:
 
   /// @}
 
-  /// Returns whether the invariant of the network holds. Complexity: linear in the number of segments and in the sum of
+  /// Returns whether the invariant of the network holds. Complexity: linear in the number of segments plus the sum of
   /// the degrees of their vertices.
   bool is_valid() const { return internal::Network_validity<Edge_path_network>(*this).is_valid(); }
 
@@ -741,9 +741,9 @@ Order_conflict order_if_possible(Network& network)
  * an edge in the order in which they are added.
  *
  * The result depends only on the connectivity and is exact: if an order without crossings exists, such an order is
- * found, unless the search is aborted (see `Ambiguous_order_error` below). No such order exists, for example, if two
- * curves part on opposite sides at the two ends of a common chain of edges, or if a curve goes around an annulus twice
- * before it closes.
+ * found, unless the search is aborted (see `Ambiguous_order_error` below). No such order exists, for example, if one
+ * curve joins another from the left, runs along it, and leaves it on the right, or if a curve goes around an annulus
+ * twice before it closes.
  *
  * Two curves that share a chain of edges are ordered by the sides on which they part at the two ends of the chain. An
  * end of the chain at which a path ends or a node is fixed does not determine an order. However, the following

@@ -206,8 +206,8 @@ public:
   /// Returns the number of edges, including those created by insertions. Flips do not change this number.
   Index number_of_edges() const { return m_halfedges.number_of_edges(); }
 
-  /// Returns the vertex that corresponds to a vertex of the input mesh, or `null_index` if the argument is not a vertex
-  /// of the mesh.
+  /// Returns the vertex that corresponds to vertex `v` of the input mesh, or `null_index` if `v` is not a vertex of the
+  /// mesh.
   Vertex_index index(Mesh_vertex v) const { return input().index(v); }
   /// Returns the halfedge that has the same number as halfedge `h` of the input mesh, or `null_index` if `h` is not a
   /// halfedge of the mesh. The two halfedges correspond as long as the edge has been neither flipped nor split.
@@ -233,9 +233,9 @@ public:
   /// Returns the edge of `h`.
   static Edge_index edge(Halfedge_index h) { return internal::edge_of(h); }
 
-  /// Returns the next halfedge around the face. \pre `h` is not on the border
+  /// Returns the next halfedge around the face of `h`. \pre `h` is not on the border
   Halfedge_index next(Halfedge_index h) const { return m_halfedges.halfedge(record(h).next()); }
-  /// Returns the previous halfedge around the face. \pre `h` is not on the border
+  /// Returns the previous halfedge around the face of `h`. \pre `h` is not on the border
   Halfedge_index previous(Halfedge_index h) const { return m_halfedges.halfedge(m_halfedges[record(h).next()].next()); }
   /// Returns the vertex at which `h` starts.
   Vertex_index tail(Halfedge_index h) const { return record(h).tail; }
@@ -244,14 +244,14 @@ public:
   /// Returns whether `h` has no face on its left.
   bool is_border(Halfedge_index h) const { return record(h).is_border(); }
 
-  /// Returns the next halfedge clockwise around the tail, or `null_index` if the border comes first.
+  /// Returns the next halfedge clockwise around the tail of `h`, or `null_index` if the border comes first.
   Halfedge_index clockwise(Halfedge_index h) const
   {
     const Record& at_t = record(twin(h));
     return at_t.is_border() ? null_index : m_halfedges.halfedge(at_t.next());
   }
 
-  /// Returns the next halfedge counterclockwise around the tail, or `null_index` if the border comes first.
+  /// Returns the next halfedge counterclockwise around the tail of `h`, or `null_index` if the border comes first.
   Halfedge_index counterclockwise(Halfedge_index h) const { return is_border(h) ? null_index : twin(previous(h)); }
 
   /// Returns a walker positioned at `h`.
@@ -397,8 +397,8 @@ enum class Zero_length_edges {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * Represents an intrinsic triangulation of a triangle mesh: the vertices of the mesh are connected by edges that are
- * straight in the surface and can be flipped without changing the surface \cgalCite{SC20,section 3.1}.
+ * Represents an intrinsic triangulation of a triangle mesh. Its edges connect the vertices of the mesh, are straight in
+ * the surface, and can be flipped without changing the surface \cgalCite{SC20,section 3.1}.
  *
  * The triangulation is a \f$\Delta\f$-complex: an edge can be a loop, two edges can have the same two end points, a
  * vertex can have degree 1, and a face can be glued to itself. Elements are therefore identified by their indices,
@@ -566,9 +566,9 @@ public:
   }
 
   /*!
-   * Returns whether the edge of `h` is locally Delaunay: it is on the border, or the sum of the two opposite angles is
-   * at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped unless it is held, and is locally Delaunay
-   * after the flip.
+   * Returns whether the edge of `h` is locally Delaunay: it is on the border, or the sum of the two angles opposite to
+   * the edge is at most \f$\pi\f$. An edge that is not locally Delaunay can be flipped unless it is held, and is
+   * locally Delaunay after the flip.
    *
    * The result is exact if the predicates of the traits are exact. With inexact predicates, an edge also counts as
    * locally Delaunay if the sum exceeds \f$\pi\f$ by less than the tolerance of the traits. Repeatedly flipping edges
@@ -620,8 +620,8 @@ public:
    */
   void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
 
-  /// Returns the end of the flip log, that is, the number of flips, insertions and recomputed faces that have not been
-  /// rolled back.
+  /// Returns the number of entries of the flip log, that is, of flips, insertions and recomputed faces that have not
+  /// been rolled back.
   Log_position log_position() const { return m_log.size(); }
 
   /*!
@@ -687,7 +687,7 @@ public:
    * The face or edge that contains the point is determined exactly, and the edge sequences of the new edges are
    * correct, even if the geometry is rounded. If inexact predicates have caused incorrect flips, it is possible that no
    * face contains the point. In this case the point is inserted on the nearest edge, provided that rounding errors can
-   * explain its distance from this edge.
+   * explain the distance of the point from this edge.
    *
    * An insertion can be undone by `rollback()`.
    *
@@ -948,7 +948,8 @@ struct Intrinsic_face
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Writes all faces of an intrinsic triangulation. The curves of its networks consist of edges of these faces.
+ * Writes all faces of an intrinsic triangulation. The curves of all networks in the triangulation consist of edges of
+ * these faces.
  *
  * Each face starts with its lowest-numbered halfedge, and the faces are ordered by these halfedges. Faces that have not
  * been accessed before are copied from the input.

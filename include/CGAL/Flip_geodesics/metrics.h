@@ -560,11 +560,12 @@ double least_stretch_of_faces(const Before& before, const After& after, const In
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Represents a given metric with a small number added to the length of every edge \cgalCite{SC20b,section 4.5}. This
- * number is chosen such that each face satisfies the triangle inequality with a margin. Meshes with degenerate edges
- * and faces can be used with this metric, at the cost of a slightly different surface.
+ * Represents a metric that is obtained from a given metric by adding a small number to the length of every edge
+ * \cgalCite{SC20b,section 4.5}. This number is chosen such that each face satisfies the triangle inequality with a
+ * margin. Meshes with degenerate edges and faces can be used with this metric, at the cost of a slightly different
+ * surface.
  *
- * Curves are geodesics of the modified surface. If the metric has points, however, the points of the curves are
+ * Curves are geodesics of the modified surface. If the given metric has points, however, the points of the curves are
  * computed on the original mesh.
  *
  * \tparam Metric `Embedded_metric`, `Edge_length_metric`, or a `Weighted_metric` of one of these two
@@ -597,7 +598,8 @@ public:
    * \throws Invalid_mesh_error if a face is not a triangle
    * \throws Input_mismatch_error if the given metric detects that it was made for another mesh
    *
-   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
+   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, where
+   * \f$n\f$ is the size of the mesh.
    */
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric)
@@ -616,7 +618,8 @@ public:
    * \throws Invalid_mesh_error if a face is not a triangle
    * \throws Input_mismatch_error if the given metric detects that it was made for another mesh
    *
-   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
+   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, where
+   * \f$n\f$ is the size of the mesh.
    */
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor)
@@ -780,7 +783,8 @@ public:
    *        positive numbers as values
    * \throws Invalid_parameter_error if a weight is not positive and finite
    *
-   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes.
+   * Complexity: linear in the size of the mesh for a `Surface_mesh`, and \cgalBigO{n \log n} for other meshes, where
+   * \f$n\f$ is the size of the mesh.
    */
   template <class TriangleMesh, class WeightMap>
   Weighted_metric(const TriangleMesh& mesh, const Metric& metric, const WeightMap& weights)
