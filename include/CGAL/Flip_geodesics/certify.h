@@ -23,14 +23,16 @@ namespace CGAL::Flip_geodesics {
 /// Contains two measures of the straightness of a curve, computed from the input and the edge sequences of the curve.
 struct Straightness
 {
-  /// The largest angle, in radians, by which the straight line between the ends of a segment leaves the strip of input
-  /// faces that the segment crosses, as seen from an end of the segment; 0 if no line leaves its strip.
+  /// The largest bend of a segment, in radians; 0 if no segment is bent. The bend of a segment is the angle, as seen
+  /// from an end of the segment, by which the straight line between its ends leaves the strip of input faces that the
+  /// segment crosses.
   double largest_bend = 0;
   /// The smallest angle, in radians, at an unblocked side of a joint, or infinity if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// Returns the largest bend, and the largest deviation of an angle from \f$\pi\f$, that still count as straight: 1e-8
-  /// radians, which is far above the error of the measurement.
+  /// Returns the tolerance, 1e-8 radians, which is far above the error of the measurement. A segment counts as straight
+  /// if its bend is at most the tolerance, and a side of a joint if its angle is at least \f$\pi\f$ minus the
+  /// tolerance.
   static constexpr double tolerance() { return internal::reported_bend; }
   /// Returns the smallest angle, in radians, at which a side of a joint counts as straight: \f$\pi\f$ minus
   /// `tolerance()`.
@@ -73,12 +75,13 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Measures the straightness of curves of a network from the input alone.
+ * Measures the straightness of the curves of a network on the input mesh.
  *
- * The input faces that a segment crosses are unfolded, and the angles at the joints are summed over input faces. Of the
- * results of the flips, only edge sequences are used, which consist of integers; rounding errors of the flips therefore
- * have no influence. The unfolding is computed in double, with an error of a few units in the last place per face. The
- * idea of such a check is due to \cgalCite{SC20,section 5.1}; the unfolded strips are specific to this package.
+ * The input faces that a segment crosses are unfolded, and the angles at the joints are summed over input faces. The
+ * only results of flips that are used are the edge sequences of the segments. Since edge sequences consist of integers,
+ * rounding errors of the flips have no influence. The unfolding is computed in double, with an error of a few units in
+ * the last place per face. The idea of such a check is due to \cgalCite{SC20,section 5.1}; the unfolded strips are
+ * specific to this package.
  *
  * An object of this class becomes invalid when the edges of the triangulation change.
  *
@@ -98,8 +101,10 @@ public:
   {
   }
 
-  /// Measures one curve. Linear in the number of crossed input edges plus the sum of the degrees of the vertices
-  /// through which the curve passes.
+  /// Measures one curve.
+  ///
+  /// Complexity: linear in the number of crossed input edges plus the sum of the degrees of the vertices through which
+  /// the curve passes.
   Straightness operator()(Curve_index curve)
   {
     Straightness result;
@@ -109,8 +114,8 @@ public:
     return result;
   }
 
-  /// Measures one curve and certifies it as the free function `certify()` does. If coordinates or lengths of the mesh
-  /// are rounded, however, the certificate refers to the rounded mesh. The results are added to `straightness` and
+  /// Measures one curve and certifies it as the free function `certify()` does, except that the certificate refers to
+  /// the rounded mesh if coordinates or lengths of the mesh are rounded. The results are added to `straightness` and
   /// `statistics`. The measurement ends at the first segment whose edge sequence does not describe a strip of faces.
   Curve_certificate certify(Curve_index curve, Straightness& straightness, Decision_statistics& statistics)
   {
@@ -151,7 +156,7 @@ public:
   }
 
   /*!
-   * Recomputes the faces in the wedge at a side of a joint from the input. This is useful because drift can make the
+   * Recomputes, from the input, the faces in the wedge at a side of a joint. This is useful because drift can make the
    * angles of the triangulation inaccurate, especially in needles.
    * \return whether all faces could be recomputed; if not, rounding errors have caused incorrect flips
    */
@@ -211,8 +216,9 @@ struct Network_certificate
   std::vector<Curve_certificate> curves; ///< one certificate per curve, indexed by `Curve_index`
   Decision_statistics statistics;        ///< the filter failures, and how they were resolved
 
-  /// Returns the verdict on the claim that every curve is locally shortest: the verdict on the first bent curve or, if
-  /// no curve is bent, the worst of `UNDECIDED`, `PROBABLE` and `PROVEN`. Without curves, the verdict is `UNDECIDED`.
+  /// Returns the verdict on the claim that every curve is locally shortest. If a curve is bent, this is the verdict on
+  /// the first bent curve; otherwise it is the worst verdict on a curve, where `UNDECIDED` is worse than `PROBABLE`,
+  /// and `PROBABLE` is worse than `PROVEN`. If there are no curves, the verdict is `UNDECIDED`.
   Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_certificate::verdict); }
 
   /// Returns whether all curves are locally shortest, that is, whether all verdicts are `PROVEN` or `PROBABLE`.
@@ -222,21 +228,21 @@ struct Network_certificate
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Determines from the input, by exact predicates, whether the curves of a network are locally shortest, regardless of
- * the traits with which the curves were computed.
+ * Determines by exact predicates whether the curves of a network are locally shortest on the input mesh. The result
+ * does not depend on the traits with which the curves were computed.
  *
- * The input faces that a segment crosses must unfold to a strip that contains the straight line between the ends of the
- * segment, and each unblocked side of a joint must have an angle of at least \f$\pi\f$. The comparisons are those of
- * exact real numbers, filtered by error bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or
- * lengths of the mesh must be rounded (`Embedded_metric::is_rounded()`), no curve is certified: all verdicts are then
- * `UNDECIDED`.
+ * A curve is locally shortest if two conditions hold. The input faces that a segment crosses must unfold to a strip
+ * that contains the straight line between the ends of the segment, and each unblocked side of a joint must have an
+ * angle of at least \f$\pi\f$. The function compares exact real numbers, after a floating-point filter with error
+ * bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or lengths of the mesh must be rounded
+ * (`Embedded_metric::is_rounded()`), no curve is certified, and all verdicts are `UNDECIDED`.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  * \return one certificate per curve
  *
- * Complexity: linear in the number of crossed input edges plus the sum of the degrees of the vertices through which
- * curves pass, if the floating-point filter suffices. If the number type of the mesh allows numbers that must be
- * rounded, the time is also linear in the size of the mesh.
+ * Complexity: if the floating-point filter suffices, linear in the number of crossed input edges plus the sum of the
+ * degrees of the vertices through which curves pass. If the number type of the mesh can represent numbers that must be
+ * rounded, the function also takes time linear in the size of the mesh.
  *
  * \sa `certify_curve()`
  */

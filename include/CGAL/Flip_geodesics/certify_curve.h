@@ -36,8 +36,9 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// The type of the points of a curve that was not computed by this package: a vertex; a halfedge and a position on it,
-/// from 0 at its source to 1 at its target; or a `CGAL::Polygon_mesh_processing::Face_location`.
+/// The type of a point of a curve that was not computed by this package. Such a point is a vertex, a
+/// `CGAL::Polygon_mesh_processing::Face_location`, or a halfedge with a position on it, which is 0 at the source and 1
+/// at the target.
 template <class TriangleMesh>
 using Given_place =
     std::variant<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
@@ -59,22 +60,26 @@ struct Given_curve_certificate
   /// The vertex type of the mesh.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// The largest angle by which the curve is bent, in radians and rounded; 0 if the curve is not bent. The bend at a
-  /// joint is \f$\pi\f$ minus the angle on one side. The bend of a segment is the angle by which the shortest path with
-  /// the same end points and the same crossed edges turns at the end of one of these edges. If a straight segment
-  /// touches a vertex whose angles sum to less than \f$2\pi\f$, the bend is \f$2\pi\f$ minus this sum. If a segment is
-  /// bent, the joints are not examined.
+  /// The largest bend of the curve, rounded, in radians; 0 if the curve is not bent. If a segment is bent, the joints
+  /// are not examined.
+  ///
+  /// The bend at a joint is \f$\pi\f$ minus the angle on one side. For the bend of a segment, consider the shortest
+  /// path that connects the ends of the segment and crosses the same edges as the segment: the bend is the largest
+  /// angle by which this path turns at an end of one of these edges. If a straight segment touches a vertex whose
+  /// angles sum to less than \f$2\pi\f$, the bend of the segment is \f$2\pi\f$ minus this sum.
   double bend = 0;
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex at the bend
-  /// The number of the given point at the bend: that of the vertex through which the curve passes or, in a segment,
-  /// that of a crossed edge that ends at `vertex`.
+  /// The number of the given point at the bend. At a joint, this is the number of the vertex through which the curve
+  /// passes; in a segment, it is the number of a crossed edge that ends at `vertex`.
   std::size_t number = 0;
   Side side = Side::LEFT; ///< the side of a bent joint; in a segment, the side on which `vertex` lies
-  /// The positions at which straight segments cross edges, indexed by the numbers of the given points. A position is 0
-  /// at the source of the given halfedge and 1 at its target; if the edge is given by a location, the halfedge is that
-  /// of the given face. The rounding error is about one unit in the last place times the length of the segment, divided
-  /// by the length of the edge and by the sine of the angle at which the segment crosses the edge. The entries of ends
-  /// and of vertices through which the curve passes are 0. The vector is empty if the curve is bent.
+  /// The positions at which segments cross edges, indexed by the numbers of the given points. The vector is empty if
+  /// the curve is bent. The entries of ends and of vertices through which the curve passes are 0.
+  ///
+  /// A position is 0 at the source of the given halfedge and 1 at its target. If a crossed edge is given by a location,
+  /// the position refers to the halfedge of the edge in the face of the location. The rounding error of a position is
+  /// about one unit in the last place times the length of the segment, divided by the length of the edge and by the
+  /// sine of the angle at which the segment crosses the edge.
   std::vector<double> places;
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 
@@ -319,42 +324,44 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Determines by exact predicates whether a given curve is locally shortest, however the curve was computed.
+ * Determines by exact predicates whether a given curve is locally shortest, regardless of how the curve was computed.
  *
- * The curve consists of segments. Each segment leads from one end of the curve, or vertex through which the curve
- * passes, to the next, and must be a straight line across its crossed edges. At each vertex through which the curve
- * passes, the angle on each side that does not contain the border must be at least \f$\pi\f$. Since the end points and
- * the edge sequence of a segment determine the segment, the function ignores the given positions on crossed edges and
- * returns the correct positions.
+ * The vertices through which the curve passes divide the curve into segments. The curve is locally shortest if each
+ * segment is a straight line across its crossed edges and if, at each vertex through which the curve passes, the angle
+ * on each side that does not contain the border is at least \f$\pi\f$.
  *
- * An end inside a face or on an edge is exactly the point with the given weights divided by their sum; if an end is
- * given by a position t on a halfedge, these weights are 1 - t, rounded, and t. Ends are not snapped. The angles at the
- * ends of an open curve can be arbitrary.
+ * Since a segment is determined by its end points and its edge sequence, the function ignores the given positions on
+ * crossed edges and returns the correct positions.
+ *
+ * An end inside a face or on an edge is exactly the point whose barycentric coordinates are the given weights divided
+ * by their sum. If an end is given by a position t on a halfedge, the weights are t and the rounded value of 1 - t.
+ * Ends are not snapped. The angles at the ends of an open curve can be arbitrary.
  *
  * \param mesh a triangle mesh
  * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
  *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last point of an open curve are its
- *        ends. Every other point is a vertex through which the curve passes, or represents a crossed edge by a location
- *        with one weight of zero or by a position on either halfedge of the edge. A segment without crossed edges lies
- *        on the edge, or in the face, that contains both of its ends
- * \param np the named parameter `is_closed`, a `bool`: whether the curve continues from the last point to the first,
- *        which must then be a vertex and must not be repeated; `false` by default. Also `vertex_point_map` or `metric`,
- *        and `geom_traits`, as for `geodesic_path()`
+ *        ends. Every other point is a vertex through which the curve passes, or represents an edge that the curve
+ *        crosses: by a location with exactly one weight of zero, or by a position on either halfedge of the edge. A
+ *        segment that crosses no edges lies on the edge, or in the face, that contains both ends of the segment
+ * \param np an optional sequence of named parameters. If `is_closed`, a `bool` that is `false` by default, is `true`,
+ *        the curve continues from the last point to the first; the first point must be a vertex, and must not be
+ *        repeated at the end. The parameters `vertex_point_map` or `metric`, and `geom_traits`, are those of
+ *        `geodesic_path()`
  * \return the certificate of the curve
  * \throws Invalid_curve_error if the points do not form such a curve: there are too few points, two consecutive points
  *         are equal or have no common face, a point other than an end lies inside a face, a crossed edge is on the
  *         border, or a closed curve does not start at a vertex. `elements()` returns the number of the invalid point,
  *         if there is one
- * \throws Invalid_location_error if the face of a location does not belong to the mesh, or weights of an end are
+ * \throws Invalid_location_error if the face of a location does not belong to the mesh, or if a weight of an end is
  *         negative, NaN, too small or too large
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated
  * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: linear in the number of crossed edges plus the sum of the degrees of the vertices through which the curve
- * passes, if the floating-point filter suffices. Meshes other than `Surface_mesh` are indexed first, in
- * \cgalBigO{n \log n} time.
+ * Complexity: if the floating-point filter suffices, linear in the number of crossed edges plus the sum of the degrees
+ * of the vertices through which the curve passes. Meshes other than `Surface_mesh` are indexed first, which takes
+ * \cgalBigO{n \log n} time, where \f$n\f$ is the size of the mesh.
  *
  * \sa `certify()`
  */

@@ -49,8 +49,10 @@ class Shortener
 public:
   using Network = Network_; ///< the type of the network
 
-  /// Constructs a shortener and inspects every joint of the curves of `network`, which must outlive the shortener. The
-  /// time is linear in the number of segments plus the sum of the degrees of their end points.
+  /// Constructs a shortener and inspects every joint of the curves of `network`. The network must outlive the
+  /// shortener.
+  ///
+  /// Complexity: linear in the number of segments plus the sum of the degrees of their end points.
   explicit Shortener(Network& network)
     : m_network(network)
     , m_state(network)
@@ -70,9 +72,10 @@ public:
    * \throws Degenerate_face_error as `shorten()` does
    * \throws Invalid_coordinate_error as `shorten()` does
    *
-   * Complexity: typically linear in the number of flips. With traits whose `Has_drift` is `CGAL::Tag_true`, each
-   * measurement of the curves takes the time of `report()` in addition. The curves are measured when no step remains,
-   * and again each time that faces at a bend had to be recomputed, at most 50 times.
+   * Complexity: typically linear in the number of flips. With traits whose `Has_drift` is `CGAL::Tag_true`, the curves
+   * are also measured when no step remains. If a measurement finds a bend, the faces at the bend are recomputed, and
+   * the curves are shortened further and measured again. This is repeated at most 50 times. Each measurement takes the
+   * same time as a call of `report()`.
    */
   template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
   bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
@@ -94,7 +97,7 @@ public:
     return m_is_finished;
   }
 
-  /// Returns whether a run has ended because no step remained, not even a rejected one.
+  /// Returns whether a run has ended because no step remained, not even a step that was rejected.
   bool is_finished() const { return m_is_finished; }
 
   /// Returns the number of steps taken so far in all runs \cgalCite{SC20,Algorithm 1}.
@@ -109,9 +112,10 @@ public:
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
   /// Returns a report on the curves in their current state. If the triangulation is a model of
-  /// `IntrinsicTriangulationOfMesh`, the straightness of the curves is computed from the input. The curves are also
-  /// certified if the predicates of the traits are exact and the input is not rounded. The time is linear in the number
-  /// of segments plus the number of input edges that the curves cross.
+  /// `IntrinsicTriangulationOfMesh`, the straightness of the curves is computed from the input. If, in addition, the
+  /// predicates of the traits are exact and the input is not rounded, the curves are certified.
+  ///
+  /// Complexity: linear in the number of segments plus the number of input edges that the curves cross.
   Shortening_report report() const
   {
     Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Verdict::UNDECIDED);
@@ -152,7 +156,7 @@ private:
     return !Traits::Has_drift::value && is_point(curve) && !is_rounded() ? Verdict::PROVEN : verdict;
   }
 
-  // Returns whether coordinates or lengths of the input are rounded. In this case, curves are measured, but not
+  // Returns whether coordinates or lengths of the input are rounded. If they are, curves are measured, but not
   // certified.
   bool is_rounded() const { return internal::is_input_rounded(m_network.triangulation()); }
 
@@ -190,8 +194,8 @@ private:
     return result;
   }
 
-  // Measures the curves, recomputes the faces at bends from the input, and continues to shorten. Ends when no face
-  // has been recomputed: when all curves are straight, if faces cannot be recomputed, or after 50 rounds.
+  // Measures the curves, recomputes the faces at bends from the input, and continues to shorten, in at most 50 rounds.
+  // Ends when no face is recomputed, because all curves are straight or because no face can be recomputed.
   template <class Engine>
   void go_on_where_drift_hid_it(Engine& flip_out)
   {
@@ -211,7 +215,7 @@ private:
     }
   }
 
-  // Recomputes the faces in the wedges at the bends of a curve, which drift has hidden, and inspects the curve again.
+  // Recomputes the faces in the wedges at those bends of a curve that drift has hidden, and inspects the curve again.
   // Returns whether any wedge was recomputed.
   bool refresh_bent_joints(Curve_index curve)
   {
@@ -256,13 +260,17 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  *
  * The process always terminates, and it is deterministic: the smallest angle is widened first; ties are broken in favor
  * of the older segment, and then of the left side. The straightness of the resulting curves is computed from the input.
- * With traits whose `Has_drift` is `CGAL::Tag_true`, a curve has the status `LOCALLY_SHORTEST` only if this measurement
- * confirms that it is locally shortest up to `Straightness::tolerance()`; `certify()` then verifies with exact
- * predicates whether it is.
+ * With traits whose `Has_drift` is `CGAL::Tag_true`, a curve receives the status `LOCALLY_SHORTEST` only if this
+ * measurement confirms that the curve is locally shortest up to `Straightness::tolerance()`. To verify such a curve by
+ * exact predicates, call `certify()`.
  *
- * \param network the network of the curves, which are moved while the edges around them are flipped. Curves that share
- *        edges must first be ordered by `order_overlapping_curves()`. If curves cross before the call, they still cross
- *        afterwards; no status indicates this, but `Edge_path_network::is_valid()` then returns `false`
+ * If one of the exceptions listed below is thrown, the network and its triangulation remain valid, and no curve is
+ * longer than before the call.
+ *
+ * \param network the network. Its curves are shortened, and the edges around them are flipped. Curves that share edges
+ *        must first be ordered by `order_overlapping_curves()`. If curves cross before the call, they still cross after
+ *        the call. No status indicates such crossings, but `Edge_path_network::is_valid()` returns `false` for a
+ *        network with crossing curves
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin
@@ -279,12 +287,10 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * \cgalNamedParamsEnd
  *
  * \return a report with one entry per curve
- * \throws Degenerate_face_error if a visited face has a degenerate edge or violates the triangle inequality. The
- *         network and its triangulation remain valid, and no curve is longer than before
- * \throws Invalid_coordinate_error if a visited face has a coordinate or length that is not finite or is out of range;
- *         the same guarantee applies
+ * \throws Degenerate_face_error if a visited face has a degenerate edge or violates the triangle inequality
+ * \throws Invalid_coordinate_error if a visited face has a coordinate or length that is not finite or is out of range
  *
- * Complexity: typically linear in the number of segments and flips.
+ * Complexity: typically linear in the number of segments plus the number of flips.
  *
  * \sa `Shortener`, for many short runs
  */

@@ -72,8 +72,8 @@ inline bool is_below_limit(double length, double ratio, double initial_length)
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Keeps the total length of the network, summed over its segments, at or above `ratio` times the initial length of the
-/// network. To allow for rounding errors, a positive `ratio` also causes a step to be rejected if the resulting length
-/// would exceed the limit by less than 2^-32 of the initial length.
+/// network. To allow for rounding errors, a step is also rejected if the length after the step would exceed this bound
+/// by less than 2^-32 of the initial length. If `ratio` is 0, no step is rejected.
 /// \cgalModels{FlipOutStopPredicate}
 class Length_ratio_stop_predicate
 {
@@ -100,8 +100,9 @@ private:
 
 /// \ingroup PkgFlipGeodesicsStop
 /// Keeps the length of each curve, summed over its segments, at or above `ratio` times the initial length of the curve,
-/// so that even small loops do not contract to points. To allow for rounding errors, a positive `ratio` also causes a
-/// step to be rejected if the resulting length would exceed the limit by less than 2^-32 of the initial length.
+/// so that even small loops do not contract to points. To allow for rounding errors, a step is also rejected if the
+/// length after the step would exceed this bound by less than 2^-32 of the initial length. If `ratio` is 0, no step is
+/// rejected.
 /// \cgalModels{FlipOutStopPredicate}
 class Curve_length_ratio_stop_predicate
 {
@@ -199,10 +200,11 @@ decltype(auto) restarted(const StopPredicate& stop)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when a given time has elapsed since the construction of the object. As a stop predicate, an object limits the
-/// time of a shortening. `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()` restart the timer for
-/// each curve, so the limit applies to each curve separately. As a visitor, an object limits the time of any long
-/// computation that accepts a visitor, such as a search, a tree or a distance field.
+/// Stops when a given time has elapsed since the object was constructed. As a stop predicate, the object limits the
+/// time that is spent on shortening. The functions `geodesic_paths()`, `geodesics_through()` and
+/// `geodesic_path_through()` restart the timer for each curve, so the limit applies to each curve separately. As a
+/// visitor, the object limits the time of any computation that accepts a visitor, for example of a search, a tree or a
+/// distance field.
 /// \cgalModels{FlipOutStopPredicate} \cgalModels{FlipOutVisitor}
 class Time_stop_predicate : public Default_shortening_visitor
 {
@@ -224,7 +226,7 @@ public:
   /// Returns whether time remains.
   bool go_further() const { return std::chrono::steady_clock::now() - m_start < m_limit; }
 
-  /// Returns a predicate with the same limit whose timer starts now.
+  /// Returns a predicate with the limit of this object and with a timer that starts at the call.
   Time_stop_predicate restarted() const { return Time_stop_predicate(m_limit); }
 
 private:
@@ -233,8 +235,8 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the records of flips take more memory than a limit. The records can temporarily exceed the limit by the
-/// flips of one step, until this step is rolled back.
+/// Stops when the records of flips would take more memory than a given limit. Since a step is rolled back only after
+/// its flips have been recorded, the memory can temporarily exceed the limit by the records of one step.
 /// \cgalModels{FlipOutStopPredicate}
 class Memory_stop_predicate
 {
@@ -246,8 +248,7 @@ public:
   {
   }
 
-  /// Returns `MEMORY_LIMIT` if the records, including those of the flips of the step, take more memory than the limit,
-  /// otherwise `CONTINUE`.
+  /// Returns `MEMORY_LIMIT` if the records after the step take more memory than the limit, otherwise `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.memory > m_limit ? Stop_decision::MEMORY_LIMIT : Stop_decision::CONTINUE;
@@ -270,8 +271,8 @@ public:
   {
   }
 
-  /// Returns the decision of the first predicate whose decision is not `CONTINUE`, or `CONTINUE` if there is none. The
-  /// predicates after that one are not evaluated.
+  /// Returns the decision of the first predicate that does not return `CONTINUE`; the predicates after it are not
+  /// evaluated. If all predicates return `CONTINUE`, the result is `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     Stop_decision decision = Stop_decision::CONTINUE;
@@ -283,7 +284,7 @@ public:
     return decision;
   }
 
-  /// Returns a combination of the same predicates, in which those that have a member `restarted()` are restarted.
+  /// Returns a copy of the combination in which every predicate that has a member `restarted()` is restarted.
   Any_stop_predicate restarted() const
   {
     return std::apply(
