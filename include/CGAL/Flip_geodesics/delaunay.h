@@ -22,7 +22,8 @@ struct Delaunay_report
 {
   std::size_t flips = 0;       ///< the number of edge flips
   std::size_t constrained = 0; ///< the number of given edges that are not locally Delaunay but lie under a curve
-  /// The number of other given edges that are not locally Delaunay; 0 unless the process ended early.
+  /// The number of given edges that are not locally Delaunay and do not lie under a curve; 0 unless the process ended
+  /// early.
   std::size_t remaining = 0;
   bool is_stopped = false; ///< whether the visitor ended the process
   /// Returns whether each given edge is locally Delaunay or lies under a curve.
@@ -59,16 +60,20 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Flips given edges of a triangulation until each of them is locally Delaunay or lies under a curve, by Lawson's
- * algorithm \cgalCite{BS07}. Other edges are not flipped. If all edges are given and none lies under a curve, the
- * result is an intrinsic Delaunay triangulation.
+ * Flips given edges of a triangulation by Lawson's algorithm \cgalCite{BS07} until all of them are locally Delaunay,
+ * except for those that lie under curves. Edges that are not given, and edges under curves, are not flipped. If all
+ * edges are given and none of them lies under a curve, the result is an intrinsic Delaunay triangulation.
  *
  * An edge is not flipped if the four vertices of its two faces are cocircular. With exact traits, the process
  * terminates on every input: each flip decreases a function of the triangulation, and only finitely many triangulations
- * have a smaller value. With `Intrinsic_triangulation_traits` in double, vertices count as cocircular within the
- * tolerance of these traits, and faces whose edges are flipped many times are recomputed from the input, so that errors
- * do not accumulate. The number of flips depends on the shapes of faces: about one flip per edge is typical, but for a
- * long thin twisted cylinder the number of flips per edge is proportional to the aspect ratio.
+ * have a smaller value of this function.
+ *
+ * With `Intrinsic_triangulation_traits` in double, vertices count as cocircular if they are cocircular within the
+ * tolerance of these traits. Faces whose edges are flipped many times are recomputed from the input, so that errors do
+ * not accumulate.
+ *
+ * The number of flips depends on the shapes of faces: about one flip per edge is typical, but on a long thin twisted
+ * cylinder, the number of flips per edge is proportional to the aspect ratio of the cylinder.
  *
  * \param triangulation a model of `IntrinsicTriangulation`
  * \param edges a range of edge indices
@@ -113,9 +118,9 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Flips the edges of a triangulation until each edge is locally Delaunay or lies under a curve. The result is the
- * intrinsic Delaunay triangulation or, if networks have curves in the triangulation, the intrinsic constrained Delaunay
- * triangulation (iCDT) of all these curves \cgalCite{SC20,section 6.3}.
+ * Flips the edges of a triangulation until all edges are locally Delaunay, except for those that lie under curves. The
+ * result is the intrinsic Delaunay triangulation or, if networks have curves in the triangulation, the intrinsic
+ * constrained Delaunay triangulation (iCDT) of all these curves \cgalCite{SC20,section 6.3}.
  *
  * The named parameters and exceptions are those of `flip_to_delaunay()` for given edges.
  *
@@ -138,7 +143,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParame
  * around the nodes of the curves; each further ring adds the edges of the faces around the vertices of the previous
  * edges. If these edges are passed to `flip_to_delaunay()`, only the surroundings of the curves change.
  *
- * Complexity: \cgalBigO{k \log k} for \f$k\f$ edges in a few rings, independent of the size of the mesh.
+ * Complexity: \cgalBigO{k \log k} for a small number of rings, where \f$k\f$ is the number of returned edges. The time
+ * does not depend on the size of the mesh.
  */
 template <class Network>
 std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
@@ -172,7 +178,9 @@ std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// Returns whether all edges that do not lie under curves are locally Delaunay. The result is exact if the predicates
-/// of the traits are exact. Linear in the size of the mesh.
+/// of the traits are exact.
+///
+/// Complexity: linear in the size of the mesh.
 template <class Triangulation>
 bool is_delaunay(const Triangulation& triangulation)
 {

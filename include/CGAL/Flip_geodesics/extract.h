@@ -43,8 +43,10 @@ OutputIterator write_surface_points(const Triangulation& triangulation, Halfedge
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * Writes the `Surface_point`s of an edge of a triangulation on the input mesh: the tail of halfedge `h`, the crossings
- * with input edges, and the head of `h`. Linear in the number of crossed edges.
+ * Writes the `Surface_point`s of the edge of halfedge `h` of a triangulation: the tail of `h`, the crossings of the
+ * edge with input edges, and the head of `h`.
+ *
+ * Complexity: linear in the number of crossed edges.
  */
 template <class Triangulation, class OutputIterator>
 OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_index h, OutputIterator out)
@@ -59,9 +61,9 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
  * Extracts the curves of a network as curves on the input mesh, by unfolding the edge sequences of their segments. The
  * crossed edges and their order are exact; the positions of the crossings are rounded to double.
  *
- * If a curve passes beside a vertex at a distance of the order of rounding errors, consecutive points on the edges at
- * this vertex can coincide in space. The crossed edges still determine on which side of the vertex the curve passes,
- * and `Surface_point::t` is not zero.
+ * If a curve passes beside a vertex at a distance of the order of rounding errors, consecutive surface points on the
+ * edges at this vertex can have the same coordinates in space. The crossed edges still determine on which side of the
+ * vertex the curve passes, and `Surface_point::t` of these points is not zero.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
@@ -83,7 +85,9 @@ public:
 
   /*!
    * Writes the `Surface_point`s of a curve, from its start to its end; for a closed curve, the first point is repeated
-   * at the end. Nothing is written for a curve that has contracted. Linear in the number of segments and crossed edges.
+   * at the end. Nothing is written for a curve that has contracted.
+   *
+   * Complexity: linear in the number of segments plus the number of crossed edges.
    */
   template <class OutputIterator>
   OutputIterator surface_points(Curve_index curve, OutputIterator out)
@@ -114,8 +118,8 @@ public:
     return result;
   }
 
-  /// Writes the points of a curve in space, one per surface point. Only available if the metric has points in space, as
-  /// `Embedded_metric` does.
+  /// Writes the points of a curve in space, one per surface point. The function is available only if the metric has
+  /// points in space, like `Embedded_metric`.
   template <class OutputIterator>
   OutputIterator points(Curve_index curve, OutputIterator out)
   {
@@ -124,7 +128,8 @@ public:
     return out;
   }
 
-  /// Writes the input halfedges that a curve crosses, each as a side of the face that the curve leaves.
+  /// Writes the input halfedges that a curve crosses. Of the two halfedges of a crossed edge, the one in the face that
+  /// the curve leaves is written.
   template <class OutputIterator>
   OutputIterator crossed_halfedges(Curve_index curve, OutputIterator out)
   {
@@ -136,9 +141,9 @@ public:
   }
 
   /*!
-   * Writes a curve as face locations, pairs of a face and barycentric coordinates as in
-   * `CGAL::Polygon_mesh_processing::Face_location`. The coordinates belong to the source and the target of
-   * `halfedge(face, mesh)` and to the third vertex of the face.
+   * Writes a curve as face locations. A face location is a pair of a face and barycentric coordinates, as in
+   * `CGAL::Polygon_mesh_processing::Face_location`. The coordinates belong, in this order, to the source of
+   * `halfedge(face, mesh)`, to its target, and to the third vertex of the face.
    */
   template <class OutputIterator>
   OutputIterator face_locations(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)
@@ -149,10 +154,12 @@ public:
   }
 
   /*!
-   * Writes a curve as `Curve_point`s, which contain the points in space, the face locations, the crossed halfedges and
-   * the tangents, or as `Curve_place`s if the metric has no points. The tangent at a point is the direction of the
-   * straight piece that follows, or precedes if the point is the last one; this direction is accurate even if the two
-   * ends of the piece nearly coincide.
+   * Writes a curve as `Curve_point`s, which contain points in space, face locations, crossed halfedges and tangents. If
+   * the metric has no points, `Curve_place`s are written instead.
+   *
+   * The tangent at a point is the direction of the straight piece that starts at the point; at the last point, it is
+   * the direction of the straight piece that ends there. This direction is accurate even if the two ends of the piece
+   * nearly coincide.
    */
   template <class OutputIterator>
   OutputIterator curve_points(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)
@@ -164,7 +171,8 @@ public:
     return std::move(points.begin(), points.end(), out);
   }
 
-  /// Returns the position of a surface point in space. Only available if the metric has points in space.
+  /// Returns the position of a surface point in space. The function is available only if the metric has points in
+  /// space.
   auto point(const Surface_point& p) const { return point_in_space(m_triangulation, p); }
 
   /// Returns the edge sequence of a segment of the network.

@@ -25,15 +25,16 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsStop
  *
- * Implements a visitor that does nothing. Derive a visitor from this class, and redefine the members that it needs.
+ * Implements a visitor that does nothing. To write a visitor, derive a class from this one and redefine the members
+ * that the visitor needs.
  *
  * \cgalModels{FlipOutVisitor}
  * \cgalModels{RefinementVisitor}
  */
 struct Default_shortening_visitor
 {
-  /// Is called after the edge of halfedge `h` has been flipped, but not when the flips of a rejected step are rolled
-  /// back.
+  /// Is called after the edge of halfedge `h` has been flipped. It is not called when the flips of a rejected step are
+  /// rolled back.
   template <class Triangulation>
   void on_flip(const Triangulation&, Halfedge_index /* h */)
   {
@@ -56,18 +57,18 @@ struct Default_shortening_visitor
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Limits the number of windows that a search for shortest paths creates (about 60 bytes each). The search is aborted
-/// when the number of windows exceeds the limit, or when the number of rays that the search has started along edges at
-/// sources and pseudo-sources exceeds the limit.
+/// Limits the number of windows that a search for shortest paths creates; a window takes about 60 bytes. The limit also
+/// applies to the number of rays that the search starts along edges at sources and pseudo-sources. The search is
+/// aborted when one of the two numbers exceeds the limit.
 class Window_limit
 {
 public:
-  /// Sets the default limit, \f$10^6 + 500 n + 2 n^{3/2}\f$ for \f$n\f$ vertices, which is several times the number of
-  /// windows that meshes without needles require. On smooth meshes, computing the distances from one vertex to all
-  /// others requires up to about \f$0.7 n^{3/2}\f$ windows.
+  /// Sets the default limit, which is \f$10^6 + 500 n + 2 n^{3/2}\f$ for a mesh with \f$n\f$ vertices. This is several
+  /// times the number of windows that searches on meshes without needles require. On smooth meshes, computing the
+  /// distances from one vertex to all others requires up to about \f$0.7 n^{3/2}\f$ windows.
   Window_limit() = default;
 
-  /// Sets the limit to a given number of windows, which a search can exceed slightly before it is aborted.
+  /// Sets the limit to a given number of windows. A search can exceed this number slightly before it is aborted.
   explicit Window_limit(std::size_t windows)
     : m_windows(windows)
   {
@@ -233,8 +234,8 @@ namespace parameters {
  * \ingroup PkgFlipGeodesicsParameters
  * Sets a metric, for instance an `Edge_length_metric`, whose lengths replace the distances between the points of the
  * mesh.
- * \param metric a model of `IntrinsicMetric`, which is copied. If the metric detects that it was made for another mesh,
- *        the function to which it is passed throws `Input_mismatch_error`
+ * \param metric a model of `IntrinsicMetric`, which is copied. If the metric detects that it was constructed for
+ *        another mesh, the function that receives the parameter throws `Input_mismatch_error`
  */
 template <class Metric>
 auto metric(const Metric& metric)
@@ -282,10 +283,11 @@ inline auto is_closed(bool is_closed)
 
 /*!
  * \ingroup PkgFlipGeodesicsParameters
- * Sets landmarks that guide searches. Computing landmarks is worthwhile before many searches on one mesh.
+ * Sets landmarks that guide searches. Computing landmarks is worthwhile if many searches on one mesh follow.
  * \param landmarks `Landmark_distances` for `geodesic_paths()` and `Shortest_edge_path`, or `Geodesic_landmarks` for
- *        `shortest_path()` and `add_shortest_path()`, computed for the mesh and its metric. The landmarks are not
- *        copied; they must outlive the call and, if they are passed to a constructor, the constructed object
+ *        `shortest_path()` and `add_shortest_path()`. The landmarks must have been computed for the mesh and its
+ *        metric. They are not copied, and must outlive the call; if they are passed to a constructor, they must also
+ *        outlive the constructed object
  */
 template <class Landmarks>
 auto landmarks(const Landmarks& landmarks)
@@ -311,8 +313,8 @@ auto nearest_source_map(const VertexSourceMap& map)
  * \ingroup PkgFlipGeodesicsParameters
  * Sets the greatest distance from the surface at which a point in space is accepted. A point farther away causes a
  * `Distant_point_error`; by default, points are accepted at any distance.
- * \param distance a number in the unit of the coordinates. If the number is negative or NaN, the function to which it
- *        is passed throws `Invalid_parameter_error`
+ * \param distance a number in the unit of the coordinates. If the number is negative or NaN, the function that receives
+ *        the parameter throws `Invalid_parameter_error`
  */
 inline auto greatest_point_distance(double distance)
 {

@@ -24,8 +24,8 @@ namespace CGAL::Flip_geodesics {
 /// Specifies the bounds and limits of `refine()`.
 struct Refinement_options
 {
-  /// the lower bound for the angles of all faces, in degrees, between 0 (no bound) and 30; with larger bounds, the
-  /// process would rarely terminate
+  /// the lower bound for the angles of all faces, in degrees, from 0 (no bound) to 30; with a bound above 30 degrees,
+  /// the process would rarely terminate
   double smallest_angle = 25;
   /// the upper bound for the lengths of all edges, at least 1e-70, in the unit of the mesh
   double longest_edge = std::numeric_limits<double>::infinity();
@@ -139,10 +139,11 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * Refines a triangulation until no angle is too small and no edge is too long.
  *
  * The function first makes the triangulation Delaunay by flips. It then inserts vertices at the circumcenters of *bad*
- * faces, that is, faces that violate a bound and are not exempt. The worst face comes first, and each insertion is
- * followed by flips \cgalCite{SSC19,section 4.3}. The edges of curves and of the border are constrained: if such an
- * edge lies between a face and its circumcenter, or is too close to the circumcenter, the edge is split at a new vertex
- * instead. Curves therefore remain geodesics of the same length, and the surface does not change.
+ * faces, that is, faces that violate a bound and are not exempt. The worst face is processed first, and each insertion
+ * is followed by flips \cgalCite{SSC19,section 4.3}. The edges of curves and of the border are constrained: if such an
+ * edge lies between a face and its circumcenter, or is too close to the circumcenter, no vertex is inserted at the
+ * circumcenter; the edge is split at a new vertex instead. Curves therefore remain geodesics of the same length, and
+ * the surface does not change.
  *
  * \attention Since the positions of inserted vertices on curves are rounded, `certify()` can find a bend of the size of
  * a rounding error at such a vertex. Call `certify()` before the refinement.
@@ -157,26 +158,29 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * together with all bad faces whose shortest side is at most as long as that of one of these faces. The other faces are
  * improved until the sum stagnates again.
  *
- * Faces with edges that are too long are never given up. Such edges are divided, the longest first, until none is left
- * or the limit on insertions is reached. Because of this order, the vertices are distributed evenly over the surface
- * even if the limit is reached first. An upper bound \f$L\f$ on the lengths of edges requires about \f$A/L^2\f$
- * vertices on a surface of area \f$A\f$.
+ * Faces with edges that are too long are never given up. Such edges are divided, the longest first, until none of them
+ * remains or the limit on insertions is reached. Because the longest edges are divided first, the vertices are
+ * distributed evenly over the surface even if the limit ends the process. An upper bound \f$L\f$ on the lengths of
+ * edges requires about \f$A/L^2\f$ vertices on a surface of area \f$A\f$.
  *
- * Two kinds of faces are *exempt* from the bound on angles. In a face of the first kind, the smallest angle lies
- * between two constrained edges that meet at an angle of less than 60 degrees, or at a vertex whose angles sum to less
- * than 60 degrees; no insertion could enlarge this angle. In a face of the second kind, the shortest side connects two
- * such edges at equal distances from their common vertex; an insertion at this side would cause another insertion
- * closer to the vertex, and so on without end \cgalCite{S02}.
+ * Two kinds of faces are *exempt* from the bound on angles. In a face of the first kind, no insertion could enlarge the
+ * smallest angle, because it lies between two constrained edges that meet at an angle of less than 60 degrees, or at a
+ * vertex whose angles sum to less than 60 degrees. In a face of the second kind, the shortest side connects two
+ * constrained edges that meet at an angle of less than 60 degrees, and the ends of this side are equally far from the
+ * common vertex of the two edges. An insertion at this side would cause another insertion closer to the common vertex,
+ * and so on without end \cgalCite{S02}.
  *
- * \param network an `Edge_path_network` whose triangulation, a model of `IntrinsicTriangulationOfMesh`, is refined
- * \param options the bounds; in practice, the process terminates by itself for bounds on angles of up to about 25
- *        degrees
+ * \param network an `Edge_path_network`. Its triangulation is refined, and must be a model of
+ *        `IntrinsicTriangulationOfMesh`
+ * \param options the bounds and limits. In practice, the process terminates even without a limit on insertions if the
+ *        bound on angles is at most about 25 degrees
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor whose `go_further()` is called before each edge that the initial flips examine
- *       and then before each bad face, `on_flip()` after each flip, and `on_insertion()` after each vertex}
+ *     \cgalParamDescription{a visitor. Its `go_further()` is called before each edge that the initial flips examine,
+ *       and later before each bad face; its `on_flip()` is called after each flip, and its `on_insertion()` after each
+ *       insertion of a vertex}
  *     \cgalParamType{a model of `RefinementVisitor`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If the visitor ends the process or throws an exception, the triangulation and its curves are
@@ -192,9 +196,9 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if such a face has a coordinate or length that is not finite or is out of range
  *
- * Complexity: about linear in the number of flips and insertions plus the number of input edges that cross the refined
- * faces, with a logarithmic factor for the queue. Points already inserted into an input face do not slow down further
- * insertions into this face.
+ * Complexity: up to a logarithmic factor for the priority queue, about linear in the number of flips plus the number of
+ * insertions plus the number of input edges that cross the refined faces. The time of an insertion into an input face
+ * does not depend on the number of earlier insertions into this face.
  */
 template <class Network, class... NamedParameters, std::enable_if_t<internal::has_curves<Network>, int> = 0>
 Refinement_report refine(Network& network, const Refinement_options& options = Refinement_options(),
@@ -210,7 +214,7 @@ Refinement_report refine(Network& network, const Refinement_options& options = R
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// Refines a triangulation without curves until no angle is too small and no edge is too long. The options, named
 /// parameters and exceptions are those of `refine()` for a network. \throws Occupied_triangulation_error if a network
-/// in the triangulation has curves
+/// has curves in the triangulation
 template <class Triangulation, class... NamedParameters,
           std::enable_if_t<!internal::has_curves<Triangulation>, int> = 0>
 Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),

@@ -44,24 +44,25 @@ struct Subdivision_vertex
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Represents a triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation, with maps from
+ * Represents a triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation. Maps lead from
  * the elements of the subdivision back to the input mesh and to the triangulation. Such a mesh is constructed by
  * `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
  *
- * Each face lies in one face of the input. The vertices are those of the triangulation, in the order of their indices,
- * followed by the crossings of intrinsic edges with input edges, by the midpoints of edges that were split (see
- * `insert_curves()` and `cut_along_curves()`), and, after a cut, by copies of vertices. `insert_curves()` and
- * `cut_along_curves()` omit crossings and inserted vertices that do not lie on curves, where this is possible. The
- * connectivity is exact, regardless of rounding errors in positions. The mesh is oriented, is manifold if the input is,
- * and has the components, borders and genus of the input unless it is cut open. Since positions are rounded, very thin
- * faces can be geometrically degenerate.
+ * Each face lies in one face of the input. The vertices of the triangulation come first, in the order of their indices.
+ * They are followed by the crossings of intrinsic edges with input edges, then by the midpoints of split edges (see
+ * `insert_curves()` and `cut_along_curves()`) and, after a cut, by copies of vertices. If possible, `insert_curves()`
+ * and `cut_along_curves()` omit crossings and inserted vertices that do not lie on curves.
  *
- * No two edges have the same two end points, with one exception: if two faces of the input mesh share all three
- * vertices, or two edges of the input mesh share both end points, the common subdivision can have such edges. A mesh
- * with such edges cannot be stored in a file that lists points and faces.
+ * The connectivity is exact, regardless of rounding errors in positions. The mesh is oriented. It is manifold if the
+ * input is manifold and, unless it is cut open, has the components, borders and genus of the input. Since positions are
+ * rounded, very thin faces can be geometrically degenerate.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and its edges must
- *         not be flipped while the subdivision is used
+ * Two edges can have the same two end points only in a common subdivision, and only if two faces of the input mesh
+ * share all three vertices or two edges of the input mesh share both end points. A mesh with such edges cannot be
+ * stored in a file that lists points and faces.
+ *
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`. The triangulation must outlive the subdivision, and
+ *         its edges must not be flipped while the subdivision is used
  * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
  *         `CGAL::Surface_mesh<Point_3>`
  */
@@ -87,8 +88,8 @@ public:
 
   /// Returns the mesh.
   const OutputMesh& mesh() const { return m_mesh; }
-  /// Returns the mesh, to be moved out or refined further. The maps back to the input and to the triangulation remain
-  /// valid for each element of the mesh as long as this element exists.
+  /// Returns the mesh, so that it can be moved out or refined further. The maps back to the input and to the
+  /// triangulation remain valid for each element of the mesh as long as this element exists.
   OutputMesh& mesh() { return m_mesh; }
 
   /// Returns the origin of a vertex.
@@ -111,17 +112,17 @@ public:
   /// belong to the tails of `input_face(f)` and of the next two halfedges of the input face.
   const std::array<std::array<double, 3>, 3>& corners(face_descriptor f) const { return get(m_faces, f).corners; }
 
-  /// Returns the input halfedge along which halfedge `h` lies in the same direction, or `null_index` if `h` does not
-  /// lie on an input edge.
+  /// Returns the input halfedge that contains halfedge `h` and has the same direction as `h`, or `null_index` if `h`
+  /// does not lie on an input edge.
   Input_halfedge_index input_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).input; }
 
-  /// Returns the intrinsic halfedge along which halfedge `h` lies in the same direction, or `null_index` if `h` does
-  /// not lie on an intrinsic edge.
+  /// Returns the intrinsic halfedge that contains halfedge `h` and has the same direction as `h`, or `null_index` if
+  /// `h` does not lie on an intrinsic edge.
   Halfedge_index intrinsic_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).intrinsic; }
 
   /// Returns the halfedges of the mesh along intrinsic halfedge `h`, in the direction of `h`. The result is empty if
-  /// the mesh does not contain the edge. If the mesh is cut open along the edge, the result consists of the halfedges
-  /// on the side of the cut that lies on the left of `h`.
+  /// the mesh does not contain the edge of `h`. If the mesh is cut open along this edge, the result consists of the
+  /// halfedges on the side of the cut that lies on the left of `h`.
   std::vector<halfedge_descriptor> halfedges_along(Halfedge_index h) const
   {
     const std::size_t i = static_cast<std::size_t>(h.idx());
@@ -136,10 +137,14 @@ public:
   /// The maps `in` must be models of `ReadablePropertyMap`, and the maps `out` models of `WritablePropertyMap`. The
   /// keys of a `VertexMap` are vertices of the subdivision, of type `vertex_descriptor`, and those of a `FaceMap` are
   /// faces of the subdivision, of type `face_descriptor`. The keys of an `InputMap` are vertices or faces of the input
-  /// mesh. The keys of an `IntrinsicMap` are vertices of type `Vertex_index`, or faces represented by their
-  /// lowest-numbered halfedges, of type `Halfedge_index`. The value type of `out` must be constructible from that of
-  /// `in`; values that are interpolated or averaged must support sums and products with `double`. The functions take
-  /// linear time, with a logarithmic factor if values are averaged.
+  /// mesh. The keys of an `IntrinsicMap` are vertices of the triangulation, of type `Vertex_index`, or faces of the
+  /// triangulation. Such a face is represented by its lowest-numbered halfedge, of type `Halfedge_index`.
+  ///
+  /// The value type of `out` must be constructible from that of `in`. Values that are interpolated or averaged must
+  /// support sums and products with `double`.
+  ///
+  /// The functions take time linear in the size of the mesh. Functions that average values, however, take
+  /// \cgalBigO{n \log n} time, where \f$n\f$ is the number of faces of the mesh.
   /// @{
 
   /// Interpolates values of input vertices linearly in the faces of the input. The keys of `in` have the
@@ -187,7 +192,8 @@ public:
         put(out, vertex_origin(v).intrinsic_vertex, get(in, v));
   }
 
-  /// Assigns the value of each input face to the faces that it contains. The keys of `in` have the type `Input_face`.
+  /// Assigns the value of each input face to the faces of the subdivision that it contains. The keys of `in` have the
+  /// type `Input_face`.
   template <class InputMap, class FaceMap>
   void spread_from_input(InputMap in, FaceMap out) const
   {
@@ -195,8 +201,8 @@ public:
       put(out, f, get(in, input_face_descriptor(f)));
   }
 
-  /// Assigns the value of each intrinsic face to the faces that it contains. \pre the subdivision was constructed by
-  /// `common_subdivision()`
+  /// Assigns the value of each intrinsic face to the faces of the subdivision that it contains. \pre the subdivision
+  /// was constructed by `common_subdivision()`
   template <class IntrinsicMap, class FaceMap>
   void spread_from_intrinsic(IntrinsicMap in, FaceMap out) const
   {
@@ -204,7 +210,8 @@ public:
       put(out, f, get(in, intrinsic_face(f)));
   }
 
-  /// Assigns to each face of the input mesh the area-weighted average of the values of the faces that it contains.
+  /// Assigns to each face of the input mesh the area-weighted average of the values of the faces of the subdivision
+  /// that it contains.
   template <class FaceMap, class InputMap>
   void average_to_input(FaceMap in, InputMap out) const
   {
@@ -215,7 +222,8 @@ public:
         });
   }
 
-  /// Assigns to each intrinsic face the area-weighted average of the values of the faces that it contains.
+  /// Assigns to each intrinsic face the area-weighted average of the values of the faces of the subdivision that it
+  /// contains.
   /// \pre the subdivision was constructed by `common_subdivision()`
   template <class FaceMap, class IntrinsicMap>
   void average_to_intrinsic(FaceMap in, IntrinsicMap out) const
@@ -225,7 +233,7 @@ public:
         [&](Halfedge_index h, const auto& value) { put(out, h, value); });
   }
 
-  /// Returns the face of the input mesh that contains a given face.
+  /// Returns the face of the input mesh that contains face `f`.
   Input_face input_face_descriptor(face_descriptor f) const
   {
     return internal::graph_face(m_triangulation->input().halfedge(input_face(f)), *m_input_mesh);
@@ -402,8 +410,8 @@ namespace internal {
 
 /*
  * Removes the pieces of intrinsic edges that do not belong to a curve, and the crossings and inserted vertices that
- * they leave on input edges. The parts of an input face are then convex, unless a curve ends or bends at an inserted
- * vertex inside the face; in such faces all pieces are kept.
+ * then remain on input edges without a purpose. The parts of an input face must be convex; all pieces are therefore
+ * kept in a face in which a curve ends or bends at an inserted vertex.
  */
 template <class Network>
 class Curve_filter
@@ -578,8 +586,9 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Computes the common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which the edges
- * of both are chains of edges, with maps back to both \cgalCite{SSC19,section 3.4.1}, \cgalCite{GSC21}.
+ * Computes the common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which each input
+ * edge and each intrinsic edge is a chain of edges \cgalCite{SSC19,section 3.4.1}, \cgalCite{GSC21}. The result has
+ * maps back to the input mesh and to the triangulation.
  *
  * A function that is linear in each face of the input mesh, or in each face of the intrinsic triangulation, is linear
  * in each face of the subdivision, and can therefore be transferred to the subdivision exactly.
@@ -588,7 +597,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * \param mesh the input mesh
  * \return a `Surface_subdivision<Triangulation, OutputMesh>`, where `OutputMesh` is the type of `mesh` unless it is
  *         specified as the first template argument
- * \throws Invalid_mesh_error if the result has too many elements for 32-bit indices, or a face that has not been
+ * \throws Invalid_mesh_error if the result has too many elements for 32-bit indices, or if a face that has not been
  *         accessed before is not a triangle
  * \throws Degenerate_face_error if such a face has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if such a face has a coordinate or length that is not finite or is out of range
@@ -609,12 +618,12 @@ auto common_subdivision(const Triangulation& triangulation, const typename Trian
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Inserts the curves of a network into the input mesh as chains of edges. Faces that curves cross are split, and all
- * others are kept.
+ * Inserts the curves of a network into the input mesh as chains of edges. Faces that curves cross are split; all other
+ * faces are kept.
  *
  * `Surface_subdivision::edge_is_constrained_map()` marks the edges of the curves. Overlapping parts of curves share
- * edges. Edges with the same two end points, which occur only if two faces of the mesh share all three vertices or two
- * edges share both end points, are split at their midpoints.
+ * edges. Edges that would have the same two end points are split at their midpoints. Such edges occur only if two faces
+ * of the mesh share all three vertices, or if two edges of the mesh share both end points.
  *
  * \param network a model of `CurveNetwork`; its curves need not be geodesics
  * \param mesh the input mesh of the triangulation of the network
@@ -632,9 +641,9 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
 /*!
  * \ingroup PkgFlipGeodesicsSubdivision
  *
- * Cuts the input mesh open along the curves of a network. The curves are first inserted as by `insert_curves()`. Each
- * edge of a curve that is not on the border is then doubled, and a vertex is duplicated if the cuts separate the faces
- * around the vertex.
+ * Cuts the input mesh open along the curves of a network. The curves are first inserted as by `insert_curves()`. Then
+ * each edge of a curve is doubled unless the edge is on the border, and a vertex is duplicated if the cuts separate the
+ * faces around the vertex.
  *
  * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
  * single vertices; a closed curve becomes two borders, and a curve from border to border becomes two chains of border
@@ -770,10 +779,13 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the rounded input location of the point that divides the intrinsic edge `edge(h)` at the fraction `t` of its
- * length from the tail of `h`. The returned location is on an input edge if and only if the whole intrinsic edge lies
- * along an input edge; otherwise the location is inside a face, if necessary by moving the point into the face. Linear
- * in the number of crossed input edges.
+ * Returns the rounded input location of a point on the intrinsic edge of `h`. The distance of this point from the tail
+ * of `h` is `t` times the length of the edge.
+ *
+ * If the whole intrinsic edge lies along an input edge, the returned location is on this input edge. Otherwise the
+ * location is inside a face; the point is moved into the face if necessary.
+ *
+ * Complexity: linear in the number of crossed input edges.
  * \pre 0 < `t` < 1
  */
 template <class Triangulation>
@@ -788,11 +800,14 @@ Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_i
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the rounded input location of the point of an intrinsic face with given barycentric coordinates, which belong
- * to the tail of `h`, the head of `h`, and the third vertex of the face on the left of `h`.
+ * Returns the rounded input location of a point in the intrinsic face on the left of `h`. The point is given by
+ * barycentric coordinates, which belong, in this order, to the tail of `h`, to the head of `h`, and to the third vertex
+ * of the face.
  *
- * Every input face that meets the intrinsic face also meets one of its sides; the face that contains the point is
- * therefore found among the input faces along the sides. Linear in the number of input edges that the sides cross.
+ * Every input face that meets the intrinsic face also meets a side of the intrinsic face. The input face that contains
+ * the point is therefore found among the input faces along the three sides.
+ *
+ * Complexity: linear in the number of input edges that the sides cross.
  * \pre `h` is not on the border, and the coordinates are not negative and sum to one
  */
 template <class Triangulation>
