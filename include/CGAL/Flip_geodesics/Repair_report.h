@@ -14,7 +14,7 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsRepair
-/// Lists the kinds of repairs that `polygon_soup_to_triangle_mesh()` makes and a `Repair_report` counts.
+/// Lists the kinds of repairs that `polygon_soup_to_triangle_mesh()` makes and that a `Repair_report` counts.
 enum class Repair {
   POINTS_NOT_FINITE,        ///< points with a NaN or infinite coordinate, whose polygons are removed
   POINTS_WELDED,            ///< points moved to another point within the tolerance
@@ -27,8 +27,8 @@ enum class Repair {
   POLYGONS_REVERSED,        ///< polygons reversed to match the orientation of their neighbors
   EDGES_CUT,                ///< edges with more than two faces, along which faces were cut apart
   VERTICES_SPLIT,           ///< vertices added as copies, each of which takes over some faces of its original
-  POINTS_MERGED,            ///< points merged with a coincident point when borders were stitched or corners removed
-  DEGENERATE_FACES_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
+  POINTS_MERGED,            ///< points merged with a coincident point by stitching borders or removing corners
+  DEGENERATE_FACES_FLIPPED, ///< triangles whose corners are collinear, removed by a flip of their longest edge
   DEGENERATE_FACES_DROPPED, ///< triangles deleted because their corners are collinear or two corners coincide
   POINTS_LEFT               ///< points left without faces because other repairs removed all their polygons
 };
@@ -123,19 +123,19 @@ public:
   /// Returns how often a repair of a given kind was made.
   std::size_t number_of(Repair repair) const { return m_record.counts[static_cast<std::size_t>(repair)]; }
 
-  /// Returns whether no repair was made. The mesh then has the same elements as the soup, in the same order.
+  /// Returns whether no repair was made. If so, the mesh has the same elements as the soup, in the same order.
   bool is_empty() const
   {
     return std::all_of(m_record.counts.begin(), m_record.counts.end(), [](std::size_t count) { return count == 0; });
   }
 
-  /// Returns the number of border edges that remain open although they nearly coincide with other border edges, that
-  /// is, the coordinates of their ends differ by at most 1e-6 of the longest side of the bounding box of the borders.
-  /// Border edges shorter than a few times this bound are not counted.
+  /// Returns the number of border edges that remain open although they nearly coincide with other border edges. Two
+  /// border edges nearly coincide if the coordinates of their ends differ by at most 1e-6 times the longest side of the
+  /// bounding box of the borders. Border edges shorter than a few times this bound are not counted.
   std::size_t number_of_near_border_edges() const { return m_record.near_border_edges; }
 
   /// Returns the largest distance between nearly coincident border edges, relative to the longest side of the bounding
-  /// box of the borders, or 0 if there are no such edges. A weld tolerance larger than this distance makes such edges
+  /// box of the borders, or 0 if there are no such edges. A weld tolerance larger than this distance makes these edges
   /// coincide.
   double distance_of_near_border_edges() const { return m_record.near_border_distance; }
 
@@ -169,7 +169,7 @@ public:
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
   /// Returns the triangles that come from a polygon. The result is empty if the polygon was removed, or if flips have
-  /// made it a part of its neighbors.
+  /// merged it into its neighbors.
   Elements faces_of_polygon(std::size_t polygon) const { return elements(m_record.faces_of_polygons, polygon); }
 
 private:

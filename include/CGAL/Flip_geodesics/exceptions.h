@@ -101,13 +101,19 @@ template <class Exception, class... Parts>
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if the input cannot be used as an oriented triangulated surface: a face is not a triangle, an edge does
-/// not belong to any face, a halfedge has no next one, a `Surface_mesh` contains removed vertices or edges, there are
-/// more elements than 32-bit indices can number, or no triangle remains after the repair of a polygon soup. It is also
-/// thrown if several umbrellas meet at a vertex and a function requires that there is only one, or if handle and tunnel
-/// loops are requested of a surface that does not bound a solid. `elements()` returns at most eight vertices of the
-/// face, the vertices of the edge or halfedge, or the vertex at which umbrellas meet, if the problem lies at one of
-/// these.
+/// Is thrown if the input cannot be used as an oriented triangulated surface.
+///
+/// The reason is one of the following:
+/// - A face is not a triangle, an edge does not belong to any face, or a halfedge has no next halfedge.
+/// - A `Surface_mesh` contains removed vertices or edges.
+/// - There are more elements than 32-bit indices can number.
+/// - No triangle remains after the repair of a polygon soup.
+///
+/// The exception is also thrown if several umbrellas meet at a vertex although a function requires a single one, and if
+/// handle and tunnel loops are requested of a surface that does not bound a solid.
+///
+/// `elements()` returns at most eight vertices of the face if the problem lies at a face, the vertices of the edge or
+/// halfedge if it lies at one of these, and the vertex if several umbrellas meet at a vertex.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -124,10 +130,12 @@ enum class Degeneracy_remedy {
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a face has a degenerate edge or lengths that violate the triangle inequality, if a direction is given
-/// in a degenerate face, if degenerate edges cannot be contracted, or if, after their contraction, no surface remains
-/// at a vertex or connects the ends of a curve. `elements()` returns vertices, or a halfedge, of the edge or face. The
-/// exception is also thrown if rounding errors make it impossible to follow a path through almost degenerate faces; in
-/// this case `elements()` is empty.
+/// in a degenerate face, or if degenerate edges cannot be contracted. It is also thrown if, after degenerate edges have
+/// been contracted, no surface remains at a vertex, or the remaining surface does not connect the ends of a curve. In
+/// these cases, `elements()` returns vertices, or a halfedge, of the edge or face.
+///
+/// The exception is also thrown if rounding errors make it impossible to follow a path through almost degenerate faces.
+/// In this case, `elements()` is empty.
 class Degenerate_face_error : public Error
 {
 public:
@@ -171,10 +179,10 @@ private:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a coordinate is not finite, or if an edge length is neither zero nor a number between 1e-70 and 1e70.
-/// It is also thrown if the offset of a source is negative, not finite, or so large compared with the sides of a face
-/// at the source that adding it would cause large rounding errors, or if a given value or density of a Dirichlet
-/// problem is not finite. `elements()` returns the vertex, the vertices of the edge or face, or the number of the
-/// source.
+/// It is also thrown if the offset of a source is negative or not finite, or if the offset is so large compared with
+/// the sides of a face at the source that adding it would cause large rounding errors. In a Dirichlet problem, it is
+/// thrown if a given value or density is not finite. `elements()` returns the vertex, the vertices of the edge or face,
+/// or the number of the source.
 class Invalid_coordinate_error : public Error
 {
 public:
@@ -183,11 +191,12 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if the value of a parameter is invalid: for example a level that is not finite, a tolerance that is not
-/// positive or is smaller than rounding errors, a negative radius, bounds of a refinement that cannot be reached,
-/// isolated base points of loops, or two base points in one component. It is also thrown if a distance field returns
-/// NaN, or is queried at a location for which it stores no data, or if a result is requested before it has been
-/// computed. If one of these values is at fault, `elements()` returns the position of the level or of the point of a
-/// mean, the index of the element of the mesh, or the index of the base point.
+/// positive or is smaller than rounding errors, a negative radius, refinement bounds that cannot be reached, an
+/// isolated base point of loops, or two base points in one component. It is also thrown if a distance field returns NaN
+/// or is queried at a location for which it stores no data, and if a result is requested before it has been computed.
+///
+/// `elements()` returns the position of a level or of a point of a mean, the index of an element of the mesh, or the
+/// index of a base point, if one of these is the cause.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -195,9 +204,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a vertex does not belong to the mesh, or does not belong to any face of the mesh, although this is
-/// required. `elements()` returns the index of the vertex or its position among the given vertices, if one of these is
-/// known.
+/// Is thrown if a vertex does not belong to the mesh, or if a vertex is isolated although a vertex of a face is
+/// required. `elements()` returns the index of the vertex or its position among the given vertices, if one of the two
+/// is known.
 class Vertex_out_of_range_error : public Error
 {
 public:
@@ -206,8 +215,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if no path connects two vertices or points. `elements()` returns the vertices or, for points, a vertex
-/// near each of them. The exception is also thrown if no path connects one of the points whose mean is computed with
-/// the start of the search; in this case `elements()` returns the position of that point.
+/// near each of them. When a mean is computed, the exception is thrown if no path connects the start of the search with
+/// one of the given points. In this case, `elements()` returns the position of this point.
 class Disconnected_endpoints_error : public Error
 {
 public:
@@ -245,10 +254,10 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a curve is empty, is not a chain of edges of the mesh, has two consecutive points that do not lie in a
-/// common face, is or would be a single point, is open although a closed one is required, or does not start at a
-/// required point. `elements()` returns positions in the curve, the number of the curve, or vertices of the curve, if
-/// applicable.
+/// Is thrown if a curve is invalid, for example because it has too few points, is or would be a single point, is not a
+/// chain of edges of the mesh, has two consecutive points without a common face, is open although a closed curve is
+/// required, or does not start at a required point. `elements()` returns positions in the curve, the number of the
+/// curve, or vertices of the curve, if one of these identifies the problem.
 class Invalid_curve_error : public Error
 {
 public:
@@ -256,9 +265,11 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if input curves cross in every order of their overlapping segments, or would cross if their nodes were
-/// freed; `elements()` then returns a vertex at which they cross. It is also thrown if a segment of a polyline crosses
-/// an edge of a curve; `elements()` then returns the two end points of this edge.
+/// Is thrown if input curves cross in every order of their overlapping segments, or if curves would cross after their
+/// nodes were freed. In both cases, `elements()` returns a vertex at which the curves cross.
+///
+/// The exception is also thrown if a segment of a polyline crosses an edge of a curve. In this case, `elements()`
+/// returns the two end points of the edge.
 class Crossing_curves_error : public Error
 {
 public:
@@ -266,10 +277,11 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if an edge would have to be flipped or split although a curve lies on it; if the edge is split through a
-/// network, only curves of other networks count. The edge is unchanged. `elements()` returns the halfedge of the point
-/// to be inserted, if there is one. The exception is also thrown by functions that require a triangulation without
-/// curves.
+/// Is thrown if an edge would have to be flipped or split although a curve lies on it. If a network splits the edge,
+/// only curves of other networks cause the exception. The edge remains unchanged. If the edge would be split by
+/// inserting a point, `elements()` returns the halfedge of this point.
+///
+/// Functions that require a triangulation without curves also throw the exception.
 class Occupied_triangulation_error : public Error
 {
 public:
@@ -286,8 +298,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a number type without square roots encounters a face whose area is not a rational multiple of the unit
-/// of area of the traits; `elements()` returns the vertices of the face, if they are known.
+/// Is thrown if the number type has no square roots and the area of a face is not a rational multiple of the unit of
+/// area of the traits. `elements()` returns the vertices of the face, if they are known.
 class Inexact_root_error : public Error
 {
 public:
@@ -295,9 +307,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a linear system cannot be solved: its solution is not unique because no value is given in a component
-/// of the surface, of which `elements()` returns a vertex, or its matrix cannot be factorized in double precision
-/// because faces are too thin.
+/// Is thrown if a linear system cannot be solved. If its solution is not unique because no value is given in a
+/// component of the surface, `elements()` returns a vertex of this component. The other possible cause is that the
+/// matrix cannot be factorized in double precision because faces are too thin.
 class Singular_problem_error : public Error
 {
 public:
@@ -305,10 +317,10 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a surface to be flattened is not a topological disk, or if no conformal factors are found that satisfy
-/// the triangle inequality in each face, lie in the required range and make the surface flat within the tolerance;
-/// `elements()` returns the vertex to which the surface should be cut, or a vertex of a face whose scaled lengths
-/// violate the triangle inequality, if one is known.
+/// Is thrown if a surface to be flattened is not a topological disk. It is also thrown if no conformal factors are
+/// found that satisfy the triangle inequality in each face, lie in the required range, and make the surface flat within
+/// the tolerance. `elements()` returns the vertex to which the surface should be cut, or a vertex of a face whose
+/// scaled lengths violate the triangle inequality, if such a vertex is known.
 class Flattening_error : public Error
 {
 public:

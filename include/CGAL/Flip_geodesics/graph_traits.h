@@ -185,9 +185,9 @@ struct Intrinsic_graph_traits
  * \ingroup PkgFlipGeodesicsGraph
  *
  * Makes `Intrinsic_triangulation` a model of `HalfedgeListGraph` and `FaceListGraph`, so that algorithms of BGL and of
- * \cgal can be applied to triangulations. The header provides `boost::graph_traits`, the functions of the concepts, and
- * the property maps `vertex_index_t`, `halfedge_index_t`, `edge_index_t`, `face_index_t`, `edge_weight_t` (the
- * intrinsic lengths), `vertex_point_t` if the metric has points, and dynamic property maps.
+ * \cgal can be applied to triangulations. The header provides `boost::graph_traits`, the functions of the two concepts,
+ * and dynamic property maps. It also provides the property maps `vertex_index_t`, `halfedge_index_t`, `edge_index_t`,
+ * `face_index_t`, `edge_weight_t` (the intrinsic lengths) and, if the metric has points, `vertex_point_t`.
  *
  * `boost::graph_traits` is specialized for the class `Intrinsic_triangulation` itself, not for other models of
  * `IntrinsicTriangulation` or for derived classes.
@@ -195,7 +195,8 @@ struct Intrinsic_graph_traits
  * Complexity: constant for all functions, with the following exceptions. `next()` and `prev()` of a border halfedge,
  * the functions that return the degree of a vertex, and those that find an edge or halfedge between two vertices take
  * time linear in the degree of a vertex. `num_faces()` and an iteration over `faces()` visit all halfedges. The map of
- * face indices is constructed in linear time when it is requested, and remains valid until the next flip or insertion.
+ * face indices is constructed when it is requested, in time linear in the number of halfedges, and remains valid until
+ * the next flip or insertion.
  *
  * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
  * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be

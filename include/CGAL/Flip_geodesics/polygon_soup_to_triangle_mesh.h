@@ -51,8 +51,8 @@ using Repair_kernel =
                        CGAL::Exact_predicates_inexact_constructions_kernel, typename Kernel_traits<Point_3>::Kernel>;
 
 /*
- * Numbers the vertices of a repaired soup, whose triangles are in the order of their polygons, as in the mesh, and
- * completes the record.
+ * Numbers the vertices of a repaired soup as in the mesh, and completes the record. The triangles of the soup are in
+ * the order of their polygons.
  */
 template <class Kernel>
 class Repaired_elements
@@ -210,23 +210,21 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * degenerate faces.
  *
  * The following repairs are made if they are necessary, and are counted in the report; see `Repair`:
- * - Points with coordinates that are not finite are removed, together with the polygons that contain them. Polygons
- *   that contain an invalid index are removed as well. Corners that coincide with the previous corner are removed, and
- *   polygons that pass through a point twice are split.
+ * - Polygons are removed if they contain a point with a coordinate that is not finite, or an invalid index. Corners
+ *   that coincide with the previous corner are removed, and polygons that pass through a point twice are split.
  * - Polygons with more than three corners are triangulated.
- * - Triangles with the same corners as another triangle are removed, except that two triangles with opposite
- *   orientations are kept if each of them is the only neighbor of the other, because they form a closed surface.
+ * - Triangles with the same corners as another triangle are removed. Two such triangles with opposite orientations are
+ *   kept, however, if each of them is the only neighbor of the other, because they form a closed surface.
  * - Triangles are oriented consistently by means of `CGAL::Polygon_mesh_processing::orient_polygon_soup()`. Of the two
  *   orientations of a component, the one that more of its triangles have in the soup is chosen. Faces are cut apart at
  *   edges with more than two faces, at vertices at which several umbrellas meet, and at edges across which the
  *   orientations cannot be made consistent.
- * - Points are welded if a tolerance is given: a point is moved to the nearest preceding point that has not been moved
- *   itself, provided that no coordinate differs between the two points by more than the tolerance. Short edges can
- *   collapse in this way.
+ * - Points are welded if a tolerance is given: a point is moved to the nearest preceding point that has not been moved,
+ *   unless a coordinate of the two points differs by more than the tolerance. Short edges can collapse in this way.
  * - Border edges whose end points have equal coordinates are stitched with
- *   `CGAL::Polygon_mesh_processing::stitch_borders()`. If more than two border edges coincide, two edges of the same
- *   component are stitched if exactly two belong to this component; two of the remaining edges are stitched if exactly
- *   two remain. Borders remain open if stitching would create two edges with the same two vertices.
+ *   `CGAL::Polygon_mesh_processing::stitch_borders()`. If more than two border edges coincide, they are stitched in
+ *   pairs: first the two edges of each component that has exactly two of them, then the remaining edges if exactly two
+ *   remain. Borders remain open if stitching would create two edges with the same two vertices.
  * - Triangles whose corners are collinear according to exact predicates are removed by a flip of their longest edge,
  *   which does not change the surface. If the flip is impossible, the triangle is deleted; unless its longest edge is
  *   on the border, this leaves a slit in the surface.
@@ -265,7 +263,7 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *     \cgalParamDefault{0, for which only points with equal coordinates coincide}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor whose `on_progress()`, if it has such a member, is called between the steps with
+ *     \cgalParamDescription{a visitor. If it has a member `on_progress()`, this member is called between the steps with
  *       an estimate of the completed fraction of the work, a `double` from 0 to 1}
  *     \cgalParamType{any class}
  *     \cgalParamDefault{no visitor}
@@ -277,9 +275,9 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * \throws Invalid_mesh_error if the soup has no polygons, or if no triangle remains; the message states the reason, and
  *         `mesh` stays empty
  *
- * Complexity: about that of sorting the corners of the polygons a few times, plus that of a constrained Delaunay
- * triangulation for each polygon with more than four corners. The orientation by \cgal can take time quadratic in the
- * degree of a vertex.
+ * Complexity: about the time of sorting the corners of all polygons a few times, plus the time of a constrained
+ * Delaunay triangulation of each polygon with more than four corners. In addition,
+ * `CGAL::Polygon_mesh_processing::orient_polygon_soup()` can take time quadratic in the degree of a vertex.
  */
 template <class PointRange, class PolygonRange, class TriangleMesh, class... NamedParameters>
 Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const PolygonRange& polygons, TriangleMesh& mesh,

@@ -17,9 +17,9 @@ namespace CGAL::Flip_geodesics {
  * \ingroup PkgFlipGeodesicsProving
  *
  * States how certain the claim of a function is. A function for geodesics claims that a curve is locally shortest. A
- * function for shortest paths claims that no path between the same ends is shorter, and a function for homotopy classes
- * that no path of the class is shorter. A function for distances claims that no path is shorter than the distance. The
- * section \ref Flip_geodesicsAssumptions lists the assumptions of these claims.
+ * function for shortest paths claims that no other path between the two ends is shorter. A function for homotopy
+ * classes claims that no other path of the class is shorter. A function for distances claims that no path is shorter
+ * than the distance. The section \ref Flip_geodesicsAssumptions lists the assumptions of these claims.
  */
 enum class Verdict {
   PROVEN, ///< the claim holds exactly
@@ -30,11 +30,12 @@ enum class Verdict {
   /// describe a strip, or touches a vertex with a total angle below \f$2\pi\f$
   BENT_SEGMENT,
   BENT_JOINT, ///< the claim is false: an unblocked side of a joint has an angle below \f$\pi\f$
-  UNDECIDED,  ///< it is not known whether the claim holds: the predicates of the traits are inexact and `certify()`
-              ///< was not called, a search was not completed, a lower bound is too far below the length,
-              ///< or coordinates or lengths of the mesh were rounded; see `Embedded_metric::is_rounded()`
-  /// no path is shorter by more than the fraction `Shortest_path_report::rounding_tolerance()` of the length, and the
-  /// path is a `PROVEN` geodesic
+  /// it is not known whether the claim holds, for one of these reasons: the predicates of the traits are inexact and
+  /// `certify()` was not called; a search was not completed; a lower bound is too far below the length; coordinates or
+  /// lengths of the mesh were rounded (see `Embedded_metric::is_rounded()`)
+  UNDECIDED,
+  /// the path is a `PROVEN` geodesic, and no path is shorter by more than the fraction
+  /// `Shortest_path_report::rounding_tolerance()` of the length
   WITHIN_ROUNDING,
   WITHIN_TOLERANCE, ///< no path is shorter by more than the fraction `Shortest_path_report::tolerance()`
                     ///< of the length
@@ -151,15 +152,16 @@ struct Curve_report
   /// The smallest angle, in radians, at an unblocked side of a joint; infinite if no such side exists.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< the number of edge flips for this curve, including those of steps that were rolled back
-  /// The verdict on the claim that the curve is locally shortest. It is `UNDECIDED` with traits whose `Has_drift` is
-  /// `CGAL::Tag_true`, for which `certify()` provides a verdict, and if coordinates or lengths of the mesh had to be
-  /// rounded.
+  /// The verdict on the claim that the curve is locally shortest. It is `UNDECIDED` if `Has_drift` of the traits is
+  /// `CGAL::Tag_true`; call `certify()` to obtain a verdict. It is also `UNDECIDED` if coordinates or lengths of the
+  /// mesh had to be rounded.
   Verdict verdict = Verdict::UNDECIDED;
-  /// Whether degenerate edges were contracted because the computation encountered such an edge, or two degenerate faces
-  /// whose vertices opposite to their common edge coincide. Set only by the free functions.
+  /// Whether degenerate edges were contracted. The reason for a contraction is that the computation encountered a
+  /// degenerate edge, or two degenerate faces whose vertices opposite to their common edge coincide. Only the free
+  /// functions set this member.
   bool are_zero_edges_contracted = false;
-  /// The distances in space of the given points from the surface, in the order of the points; 0 for points given as
-  /// vertices or locations. Set only by functions that accept points; empty if all points are given as vertices.
+  /// The distance of each given point from the surface, measured in space; 0 for points given as vertices or locations.
+  /// Only functions that accept points set this member. It is empty if all points are given as vertices.
   std::vector<double> point_distances;
 };
 
@@ -171,9 +173,9 @@ struct Shortening_report
   /// The number of edge flips, including those of steps that were rolled back and those by which a straightened path
   /// was inserted.
   std::size_t flips = 0;
-  /// The number of steps \cgalCite{SC20,Algorithm 1}; a compound step for a loop of one segment counts as one. The
-  /// number is 0 if the path was already a geodesic after initial straightening, which the free functions perform
-  /// unless a stop predicate or a visitor is given.
+  /// The number of steps \cgalCite{SC20,Algorithm 1}; a compound step for a loop of one segment counts as one. The free
+  /// functions straighten a path before the first step, unless a stop predicate or a visitor is given. The number is 0
+  /// if the straightened path is a geodesic.
   std::size_t flip_outs = 0;
 
   /// Returns whether every curve of the network is locally shortest or has contracted to a point.
