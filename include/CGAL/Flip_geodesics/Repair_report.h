@@ -134,13 +134,13 @@ public:
   /// bounding box of the borders. Border edges shorter than a few times this bound are not counted.
   std::size_t number_of_near_border_edges() const { return m_record.near_border_edges; }
 
-  /// Returns the largest distance between nearly coincident border edges, relative to the longest side of the bounding
-  /// box of the borders, or 0 if there are no such edges. A weld tolerance larger than this distance makes these edges
-  /// coincide.
+  /// Returns the largest distance between border edges that nearly coincide, or 0 if there are no such edges. The
+  /// distance is relative to the longest side of the bounding box of the borders. A weld tolerance larger than this
+  /// distance makes these edges coincide.
   double distance_of_near_border_edges() const { return m_record.near_border_distance; }
 
-  /// Returns the report as lines of text without line ends: one line for each kind of repair that was made and, if
-  /// border edges nearly coincide, one line about these.
+  /// Returns the report as lines of text without line ends. There is one line for each kind of repair that was made. If
+  /// border edges nearly coincide, one more line reports them.
   std::vector<std::string> lines() const
   {
     std::vector<std::string> result;
@@ -164,8 +164,9 @@ public:
   /// Returns the number of the polygon from which a face of the mesh comes.
   std::size_t polygon_of_face(std::size_t face) const { return m_record.polygon_of_face[face]; }
 
-  /// Returns the vertices that come from a point and have faces: several vertices if the vertex of the point was split,
-  /// the vertex of another point if the two points were merged, and none if the point has no faces.
+  /// Returns the vertices that come from a point and have faces. These are several vertices if the vertex of the point
+  /// was split, and the vertex of another point if the two points were merged. If the point has no faces, the result is
+  /// empty.
   Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
 
   /// Returns the triangles that come from a polygon. The result is empty if the polygon was removed, or if flips have

@@ -216,9 +216,9 @@ struct Network_certificate
   std::vector<Curve_certificate> curves; ///< one certificate per curve, indexed by `Curve_index`
   Decision_statistics statistics;        ///< the filter failures, and how they were resolved
 
-  /// Returns the verdict on the claim that every curve is locally shortest. If a curve is bent, this is the verdict on
-  /// the first bent curve; otherwise it is the worst verdict on a curve, where `UNDECIDED` is worse than `PROBABLE`,
-  /// and `PROBABLE` is worse than `PROVEN`. If there are no curves, the verdict is `UNDECIDED`.
+  /// Returns the verdict on the claim that every curve is locally shortest. If a curve is bent, the result is the
+  /// verdict on the first bent curve. Otherwise, it is the worst verdict on a curve, where `UNDECIDED` is worse than
+  /// `PROBABLE`, and `PROBABLE` is worse than `PROVEN`. If there are no curves, the verdict is `UNDECIDED`.
   Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_certificate::verdict); }
 
   /// Returns whether all curves are locally shortest, that is, whether all verdicts are `PROVEN` or `PROBABLE`.
@@ -231,10 +231,10 @@ struct Network_certificate
  * Determines by exact predicates whether the curves of a network are locally shortest on the input mesh. The result
  * does not depend on the traits with which the curves were computed.
  *
- * A curve is locally shortest if two conditions hold. The input faces that a segment crosses must unfold to a strip
- * that contains the straight line between the ends of the segment, and each unblocked side of a joint must have an
- * angle of at least \f$\pi\f$. The function compares exact real numbers, after a floating-point filter with error
- * bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or lengths of the mesh must be rounded
+ * A curve is locally shortest if it satisfies two conditions. First, the input faces that each segment crosses unfold
+ * to a strip that contains the straight line between the ends of the segment. Second, each unblocked side of a joint
+ * has an angle of at least \f$\pi\f$. The function compares exact real numbers, after a floating-point filter with
+ * error bounds. The verdict on a contracted curve is `PROVEN`. If coordinates or lengths of the mesh must be rounded
  * (`Embedded_metric::is_rounded()`), no curve is certified, and all verdicts are `UNDECIDED`.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`

@@ -348,10 +348,9 @@ private:
  *        repeated at the end. The parameters `vertex_point_map` or `metric`, and `geom_traits`, are those of
  *        `geodesic_path()`
  * \return the certificate of the curve
- * \throws Invalid_curve_error if the points do not form such a curve: there are too few points, two consecutive points
- *         are equal or have no common face, a point other than an end lies inside a face, a crossed edge is on the
- *         border, or a closed curve does not start at a vertex. `elements()` returns the number of the invalid point,
- *         if there is one
+ * \throws Invalid_curve_error if there are too few points, two consecutive points are equal or have no common face, a
+ *         point other than an end lies inside a face, a crossed edge is on the border, or a closed curve does not start
+ *         at a vertex. `elements()` returns the number of the invalid point, if there is one
  * \throws Invalid_location_error if the face of a location does not belong to the mesh, or if a weight of an end is
  *         negative, NaN, too small or too large
  * \throws Vertex_out_of_range_error if a vertex does not belong to the mesh or is isolated

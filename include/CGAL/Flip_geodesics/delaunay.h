@@ -140,7 +140,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const NamedParame
  * \ingroup PkgFlipGeodesicsDelaunay
  *
  * Returns the edges near the curves of a network, sorted by index. For one ring, these are the edges of the faces
- * around the nodes of the curves; each further ring adds the edges of the faces around the vertices of the previous
+ * around the nodes of the curves. Each further ring adds the edges of the faces around the end points of the previous
  * edges. If these edges are passed to `flip_to_delaunay()`, only the surroundings of the curves change.
  *
  * Complexity: \cgalBigO{k \log k} for a small number of rings, where \f$k\f$ is the number of returned edges. The time

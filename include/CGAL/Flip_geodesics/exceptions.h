@@ -224,8 +224,10 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a location is not a point of the surface: its face or halfedge does not belong to the mesh, a weight is
-/// neither 0 nor in [1e-100, 1e100], all weights are zero, or the weights do not sum to one although this is required.
+/// Is thrown if a location is not a point of the surface. This is the case if its face or halfedge does not belong to
+/// the mesh, if a weight is neither 0 nor in [1e-100, 1e100], if all weights are zero, or if the weights must sum to
+/// one but do not.
+///
 /// If several locations are given, `elements()` returns the position of the invalid one; otherwise it returns the
 /// halfedge of the location, if this halfedge exists.
 class Invalid_location_error : public Error
@@ -244,9 +246,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a point cannot be inserted because rounding errors have caused incorrect flips around the point,
-/// because the point is too close to a vertex to be distinguished from it, or because the number type of the traits
-/// cannot represent the point. `elements()` returns the input halfedge of the location of the point.
+/// Is thrown if a point cannot be inserted. The reason can be that rounding errors have caused incorrect flips around
+/// the point, that the point is too close to a vertex to be distinguished from it, or that the number type of the
+/// traits cannot represent the point. `elements()` returns the input halfedge of the location of the point.
 class Insertion_error : public Error
 {
 public:

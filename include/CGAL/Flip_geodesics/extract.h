@@ -185,7 +185,7 @@ private:
   using Strip = internal::Strip<Triangulation>;
   using Direction = std::array<double, 3>;
 
-  // Reserves memory for `more` points, and exactly for these if there are none yet.
+  // Reserves memory for `more` additional points, and for exactly this number if the vector is empty.
   static void make_room(std::vector<Surface_point>& points, std::size_t more)
   {
     const std::size_t size = points.size() + more;

@@ -192,11 +192,11 @@ struct Intrinsic_graph_traits
  * `boost::graph_traits` is specialized for the class `Intrinsic_triangulation` itself, not for other models of
  * `IntrinsicTriangulation` or for derived classes.
  *
- * Complexity: constant for all functions, with the following exceptions. `next()` and `prev()` of a border halfedge,
- * the functions that return the degree of a vertex, and those that find an edge or halfedge between two vertices take
- * time linear in the degree of a vertex. `num_faces()` and an iteration over `faces()` visit all halfedges. The map of
- * face indices is constructed when it is requested, in time linear in the number of halfedges, and remains valid until
- * the next flip or insertion.
+ * Complexity: constant for all functions, with the following exceptions. Time linear in the degree of a vertex is
+ * required by `next()` and `prev()` of a border halfedge, by the functions that return the degree of a vertex, and by
+ * the functions that find an edge or halfedge between two vertices. `num_faces()` and an iteration over `faces()` visit
+ * all halfedges. The map of face indices is constructed when it is requested, in time linear in the number of
+ * halfedges, and remains valid until the next flip or insertion.
  *
  * A triangulation can contain loops, several edges between two vertices, and faces that are glued to themselves.
  * Algorithms that identify edges by their ends, or that require the neighbors of a vertex to be distinct, cannot be

@@ -225,9 +225,9 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   `CGAL::Polygon_mesh_processing::stitch_borders()`. If more than two border edges coincide, they are stitched in
  *   pairs: first the two edges of each component that has exactly two of them, then the remaining edges if exactly two
  *   remain. Borders remain open if stitching would create two edges with the same two vertices.
- * - Triangles whose corners are collinear according to exact predicates are removed by a flip of their longest edge,
- *   which does not change the surface. If the flip is impossible, the triangle is deleted; unless its longest edge is
- *   on the border, this leaves a slit in the surface.
+ * - Triangles whose corners are collinear according to exact predicates are removed. The longest edge of such a
+ *   triangle is flipped, which does not change the surface. If the flip is impossible, the triangle is deleted; unless
+ *   its longest edge is on the border, this leaves a slit in the surface.
  *
  * The steps are repeated until none of them changes the triangles, so repairing the result again has no effect. The
  * report also contains the number of border edges that nearly coincide with others, and the tolerance above which they

@@ -142,7 +142,7 @@ Refinement_report refine(Triangulation& triangulation, const OnSplit& on_split, 
  * faces, that is, faces that violate a bound and are not exempt. The worst face is processed first, and each insertion
  * is followed by flips \cgalCite{SSC19,section 4.3}. The edges of curves and of the border are constrained: if such an
  * edge lies between a face and its circumcenter, or is too close to the circumcenter, no vertex is inserted at the
- * circumcenter; the edge is split at a new vertex instead. Curves therefore remain geodesics of the same length, and
+ * circumcenter; the edge is split at a new vertex instead. Curves therefore remain geodesics of unchanged length, and
  * the surface does not change.
  *
  * \attention Since the positions of inserted vertices on curves are rounded, `certify()` can find a bend of the size of

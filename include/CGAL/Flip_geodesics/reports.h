@@ -210,7 +210,7 @@ struct Shortening_report
   }
 
   /// Returns the verdict on the claim that all curves are locally shortest. If the claim is false for some curve, the
-  /// result is the verdict on the first such curve; otherwise it is the worst verdict on a curve, where `UNDECIDED` is
+  /// result is the verdict on the first such curve. Otherwise, it is the worst verdict on a curve, where `UNDECIDED` is
   /// worse than `PROBABLE`, and `PROBABLE` is worse than `PROVEN`. The verdict of a report without curves is
   /// `UNDECIDED`.
   Verdict verdict() const { return internal::verdict_of_curves(curves, &Curve_report::verdict); }

@@ -160,7 +160,7 @@ private:
   // certified.
   bool is_rounded() const { return internal::is_input_rounded(m_network.triangulation()); }
 
-  // Returns whether a curve is closed and has length zero. Degenerate faces can have such loops as edges.
+  // Returns whether a curve is closed and has length zero. Degenerate faces can have loops of length zero as edges.
   bool is_point(Curve_index curve) const { return m_network.is_closed(curve) && m_network.length(curve) == 0; }
 
   bool has_free_wedge(Curve_index curve) const
@@ -258,11 +258,12 @@ Shortening_report shorten(Network& network, const StopPredicate& stop, Visitor&&
  * Shortens each curve of a network to a geodesic within the isotopy class of the curve, by flipping edges
  * \cgalCite{SC20,Algorithm 2}.
  *
- * The process always terminates, and it is deterministic: the smallest angle is widened first; ties are broken in favor
- * of the older segment, and then of the left side. The straightness of the resulting curves is computed from the input.
- * With traits whose `Has_drift` is `CGAL::Tag_true`, a curve receives the status `LOCALLY_SHORTEST` only if this
- * measurement confirms that the curve is locally shortest up to `Straightness::tolerance()`. To verify such a curve by
- * exact predicates, call `certify()`.
+ * The process always terminates, and it is deterministic. The smallest angle is widened first. Ties are broken in favor
+ * of the older segment and, at one segment, in favor of the left side.
+ *
+ * The straightness of the resulting curves is computed from the input. With traits whose `Has_drift` is
+ * `CGAL::Tag_true`, a curve receives the status `LOCALLY_SHORTEST` only if this measurement confirms that the curve is
+ * locally shortest up to `Straightness::tolerance()`. To verify such a curve by exact predicates, call `certify()`.
  *
  * If one of the exceptions listed below is thrown, the network and its triangulation remain valid, and no curve is
  * longer than before the call.

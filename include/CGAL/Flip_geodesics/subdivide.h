@@ -107,9 +107,9 @@ public:
   /// errors of the corners reverse the orientation of the face.
   double area(face_descriptor f) const { return get(m_faces, f).area; }
 
-  /// Returns the barycentric coordinates of the corners of face `f` in the input face that contains it. The corners are
-  /// the source and the target of `halfedge(f, mesh())` and the third vertex of `f`; the coordinates of each corner
-  /// belong to the tails of `input_face(f)` and of the next two halfedges of the input face.
+  /// Returns the barycentric coordinates of the corners of face `f` in the input face that contains it. The corners
+  /// are, in this order, the source of `halfedge(f, mesh())`, its target, and the third vertex of `f`. The coordinates
+  /// of each corner belong to the tails of `input_face(f)` and of the next two halfedges of the input face.
   const std::array<std::array<double, 3>, 3>& corners(face_descriptor f) const { return get(m_faces, f).corners; }
 
   /// Returns the input halfedge that contains halfedge `h` and has the same direction as `h`, or `null_index` if `h`
@@ -409,9 +409,9 @@ struct Internals<Surface_subdivision<Triangulation, OutputMesh>>
 namespace internal {
 
 /*
- * Removes the pieces of intrinsic edges that do not belong to a curve, and the crossings and inserted vertices that
- * then remain on input edges without a purpose. The parts of an input face must be convex; all pieces are therefore
- * kept in a face in which a curve ends or bends at an inserted vertex.
+ * Removes the pieces of intrinsic edges that do not belong to a curve, and the crossings and inserted vertices on input
+ * edges at which no piece remains. The parts of an input face must be convex; all pieces are therefore kept in a face
+ * in which a curve ends or bends at an inserted vertex.
  */
 template <class Network>
 class Curve_filter
@@ -590,8 +590,8 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * edge and each intrinsic edge is a chain of edges \cgalCite{SSC19,section 3.4.1}, \cgalCite{GSC21}. The result has
  * maps back to the input mesh and to the triangulation.
  *
- * A function that is linear in each face of the input mesh, or in each face of the intrinsic triangulation, is linear
- * in each face of the subdivision, and can therefore be transferred to the subdivision exactly.
+ * A function that is linear in each face of the input mesh, or in each face of the intrinsic triangulation, is also
+ * linear in each face of the subdivision. Such a function can therefore be transferred to the subdivision exactly.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, constructed from `mesh`
  * \param mesh the input mesh
@@ -646,7 +646,7 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  * faces around the vertex.
  *
  * Both copies of an edge are marked as constrained. An open curve inside the surface becomes a slit, whose ends are
- * single vertices; a closed curve becomes two borders, and a curve from border to border becomes two chains of border
+ * single vertices. A closed curve becomes two borders, and a curve from border to border becomes two chains of border
  * edges. If a slit consists of one edge, the two sides of the slit would have both end points in common; each side
  * therefore receives a vertex at its midpoint.
  *
