@@ -129,13 +129,16 @@ enum class Degeneracy_remedy {
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a face has a degenerate edge or lengths that violate the triangle inequality, if a direction is given
-/// in a degenerate face, or if degenerate edges cannot be contracted. It is also thrown if, after degenerate edges have
-/// been contracted, no surface remains at a vertex, or the remaining surface does not connect the ends of a curve. In
-/// these cases, `elements()` returns vertices, or a halfedge, of the edge or face.
+/// Is thrown if degenerate faces prevent a computation, for example if a face has a degenerate edge or lengths that
+/// violate the triangle inequality, if a direction is given in a degenerate face, or if degenerate edges cannot be
+/// contracted. It is also thrown if, after degenerate edges have been contracted, no surface remains at a vertex, or
+/// the remaining surface does not connect the ends of a curve.
 ///
-/// The exception is also thrown if rounding errors make it impossible to follow a path through almost degenerate faces.
-/// In this case, `elements()` is empty.
+/// The exception is also thrown if a curve is possibly bent at vertices that coincide because of degenerate faces, or
+/// if rounding errors make it impossible to follow a path through almost degenerate faces.
+///
+/// `elements()` returns vertices, or a halfedge, at which the problem lies. It is empty if rounding errors or
+/// coincident vertices cause the exception.
 class Degenerate_face_error : public Error
 {
 public:
