@@ -104,11 +104,11 @@ struct Distance_field_report
   Distance_field_status status = Distance_field_status::COMPLETE; ///< why the computation ended
   std::size_t windows = 0;                                        ///< the total number of windows created
   /// Whether the field has reached a face whose height is at most 1e-10 of its base. Rays can be lost in such a face,
-  /// so distances can be too long.
+  /// so distances can be too large.
   bool has_flat_face = false;
   /// Whether rounding errors may have changed the distance of a vertex by more than 1e-10 of this distance. Errors grow
   /// with the number of faces that paths cross, and with the number of crossed edges that are long compared with the
-  /// distance. The bound on the errors is conservative: most errors are far smaller.
+  /// distance. The estimate of the errors is conservative; most errors are far smaller than estimated.
   bool has_inaccurate_distance = false;
   /// `WITHIN_TOLERANCE` if every distance up to `Geodesic_distance_field::reach()` exceeds the length of a shortest
   /// path by at most 1e-10 of the distance. `UNDECIDED` if `has_flat_face` or `has_inaccurate_distance` is `true`, or
@@ -202,10 +202,11 @@ public:
    * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than about 1e10 times the length of
    *         the sides of a face that contains the point. With a larger offset, rounding errors of distances would
    *         exceed about 1e-6 of this length
-   * \throws Degenerate_face_error if the face of the point is degenerate, unless the point is a vertex without offset
-   * \throws Invalid_mesh_error if the face of the point is invalid, unless the point is a vertex without offset
+   * \throws Degenerate_face_error if a face that the function visits is degenerate. For a vertex without offset, no
+   *         faces are visited
+   * \throws Invalid_mesh_error if a face that the function visits is invalid
    *
-   * Complexity: constant. If `point` is a point in space, the time of `surface_location()` is added.
+   * Complexity: constant time, plus the time of `surface_location()` if `point` is a point in space.
    */
   template <class Point = Surface_location>
   std::size_t add_source(const Point& point, double offset = 0)
@@ -224,8 +225,8 @@ public:
   }
 
   /*!
-   * Adds a curve as a source and returns the number of the source. The curve is straight between consecutive locations,
-   * so a curve along edges is given by its vertices. A range with one location represents a point.
+   * Adds a curve as a source and returns the number of the source. The curve is straight between consecutive locations;
+   * a curve along edges can therefore be given by its vertices. A range with one location represents a point.
    * `Curve_extractor::surface_locations()` returns the locations of a curve of a network.
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts. Consecutive
@@ -238,7 +239,7 @@ public:
    * \throws Degenerate_face_error as `add_source()` does
    * \throws Invalid_mesh_error as `add_source()` does
    *
-   * Complexity: linear in the number of locations and in the sum of the degrees of the vertices among them.
+   * Complexity: linear in the number of locations plus the sum of the degrees of the vertices among them.
    */
   template <class LocationRange>
   std::size_t add_curve(const LocationRange& locations, double offset = 0)
@@ -293,17 +294,17 @@ public:
    *
    * \return a report on the distances that are known
    *
-   * \throws Invalid_coordinate_error if a face within reach has an invalid coordinate
-   * \throws Degenerate_face_error if a face within reach is degenerate
-   * \throws Invalid_mesh_error if a face within reach is invalid
+   * \throws Invalid_coordinate_error if a visited face has an invalid coordinate
+   * \throws Degenerate_face_error if a visited face is degenerate
+   * \throws Invalid_mesh_error if a visited face is invalid
    * \throws Invalid_location_error if a target is not a point of the surface
    * \throws Invalid_parameter_error if the radius is negative or not a number, or if the extent is `VERTICES_ONLY` and
    *         a target is not a vertex
    *
-   * Complexity: linear in the number of windows and in the number of edges that the wavefront crosses, summed over all
-   * rounds of the propagation. On smooth meshes of up to about ten thousand faces, the field has 10 to 25 windows per
-   * face; this number grows like \f$\sqrt{n}\f$ with the number \f$n\f$ of faces. The worst case is \cgalBigO{n^2}
-   * windows in total.
+   * Complexity: linear in the number of windows plus, for each round of the propagation, the number of edges that the
+   * wavefront crosses. On smooth meshes of up to about ten thousand faces, the field has 10 to 25 windows per face;
+   * this number grows like \f$\sqrt{n}\f$, where \f$n\f$ is the number of faces. In the worst case, the field has
+   * \cgalBigO{n^2} windows in total.
    */
   template <class ConcurrencyTag = Sequential_tag, class... NamedParameters>
   Distance_field_report compute(const NamedParameters&... np)
@@ -344,7 +345,7 @@ public:
   }
 
   /// Returns the distance up to which the field has been computed: 0 before `compute()`, and infinity if the field is
-  /// complete. Greater distances are returned as infinity.
+  /// complete. Distances greater than this value are returned as infinity.
   double reach() const { return m_reach; }
 
   /// Returns the distance of a point from its nearest source. The parameter and the exceptions are those of `answer()`.
@@ -368,8 +369,8 @@ public:
    * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
    *         has not been called
    *
-   * Complexity: linear in the number of windows on the sides of the face that contains the point and in the number of
-   * vertices at which the shortest path bends. For a vertex, the windows are not visited.
+   * Complexity: linear in the number of vertices at which the shortest path bends, plus, unless the point is a vertex,
+   * linear in the number of windows on the sides of the face that contains the point.
    */
   template <class Point = Surface_location>
   Answer answer(const Point& point) const
@@ -414,7 +415,7 @@ public:
    * \throws Invalid_location_error if `point` is not a point of the surface
    * \throws Invalid_parameter_error if the extent is `VERTICES_ONLY`, or if `compute()` has not been called
    *
-   * Complexity: linear in the number of edges that the path crosses and in the number of windows on the sides of the
+   * Complexity: linear in the number of edges that the path crosses plus the number of windows on the sides of the
    * faces through which the path leads.
    */
   template <class Point = Surface_location>
@@ -482,9 +483,9 @@ public:
     return {{result.real(), result.imag()}};
   }
 
-  /// Returns the gradient of the distance at a location as a vector in space, of the kernel of the points of the mesh.
-  /// The function is only available if the metric has points. The precondition and the exceptions are those of
-  /// `gradient()`.
+  /// Returns the gradient of the distance at a location as a vector in space. The type of the vector is that of the
+  /// kernel of the points of the mesh. The function is only available if the metric has points. The precondition and
+  /// the exceptions are those of `gradient()`.
   auto gradient_in_space(const Surface_location& location) const
   {
     using Vector_3 = typename Triangulation::Metric::Kernel::Vector_3;

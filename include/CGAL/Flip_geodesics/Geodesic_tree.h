@@ -64,39 +64,41 @@ namespace Flip_geodesics {
 /// Reports on the growth of a tree.
 struct Geodesic_tree_report
 {
-  /// `LOCALLY_SHORTEST` if all paths are; `STOPPED_BY_VISITOR` if `go_further()` of the visitor returned `false`;
-  /// `PRECISION_LIMIT` if paths remain bent because predicates are inexact or coordinates were rounded to doubles;
-  /// `DEGENERATE_FACES` if paths remain bent despite exact predicates, because several vertices coincide once
+  /// `LOCALLY_SHORTEST` if all paths are locally shortest; `STOPPED_BY_VISITOR` if `go_further()` of the visitor
+  /// returned `false`. If paths remain bent, the status is `PRECISION_LIMIT` if predicates are inexact or coordinates
+  /// were rounded to doubles, and `DEGENERATE_FACES` if predicates are exact, but several vertices coincide once
+  /// degenerate faces are contracted.
   /// degenerate faces are contracted.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
   std::size_t reopened = 0;  ///< the number of times that the acceptance of a vertex was revoked
-  /// The smallest angle, in radians, on either side of a path at a vertex through which the path leads, measured on the
-  /// input. It is infinite if no path leads through a vertex, and also for traits without drift, for which the
-  /// measurement is unnecessary.
+  /// The smallest angle that a path forms on either side at a vertex through which it leads, in radians, measured on
+  /// the input. The value is infinite if no path leads through a vertex. It is also infinite for traits without drift,
+  /// for which no measurement is necessary.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Represents the tree of geodesics from a source to all vertices, or to those within a given distance. All paths
+ * Represents the tree of geodesics from a source to all vertices, or to all vertices within a given distance. All paths
  * consist of edges of the same intrinsic triangulation \cgalCite{SC20,section 6.5}.
  *
  * The tree is grown by Dijkstra's algorithm on the current triangulation. A vertex is accepted only if the path to it
- * forms an angle of at least \f$\pi\f$ on both sides at the preceding vertex, its parent in the tree. Otherwise the
- * edges inside the wedge with the smaller angle are flipped, which yields a shorter path, and the search continues.
- * Such a wedge never contains an edge of the tree, since accepted paths have angles of at least \f$\pi\f$ at the apex
- * of the wedge. In contrast to \cgalCite{SC20}, the acceptance of a vertex is revoked if a new edge gives a shorter
- * path to it. The finished tree is therefore a shortest path tree of the edge graph of the final triangulation.
+ * forms an angle of at least \f$\pi\f$ on both sides at the preceding vertex, its parent in the tree. If an angle is
+ * smaller than \f$\pi\f$, the edges inside the wedge with the smaller of the two angles are flipped. The flips yield a
+ * shorter path, and the search continues. Such a wedge never contains an edge of the tree, since accepted paths have
+ * angles of at least \f$\pi\f$ at the apex of the wedge. In contrast to \cgalCite{SC20}, the acceptance of a vertex is
+ * revoked if a new edge gives a shorter path to it. The finished tree is therefore a shortest path tree of the edge
+ * graph of the final triangulation.
  *
  * The paths are locally shortest and do not cross. Most of them are globally shortest; `make_shortest()` replaces the
  * others.
  *
- * Once the tree has been grown, it satisfies an invariant that `is_valid()` checks: the distance of a reached vertex is
- * that of its parent plus the length of the edge between them, and no edge between reached vertices gives a shorter
- * path.
+ * A tree that has been grown satisfies an invariant, which `is_valid()` checks. The distance of a reached vertex is the
+ * distance of its parent plus the length of the edge between the two vertices, and no edge between reached vertices
+ * gives a shorter path.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulation`; networks in it must not have curves while the tree is
  *         grown
@@ -119,14 +121,14 @@ public:
   }
 
   /*!
-   * Grows the tree from a source and discards the previous tree. The triangulation may have been flipped before.
+   * Grows the tree from a source and discards the previous tree. The triangulation may contain flipped edges.
    *
    * The result is deterministic: the nearest vertex is processed first, and ties are broken in favor of the smaller
    * index.
    *
    * \param source a vertex of the triangulation, as a `Vertex_index`, or a point of any type that `surface_location()`
-   *        accepts; the function inserts this point by `Intrinsic_triangulation::insert()`. Other points to which paths
-   *        are required must be inserted before the call
+   *        accepts; the function inserts such a point by `Intrinsic_triangulation::insert()`. If paths to other points
+   *        are required, these points must be inserted before the call
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
@@ -154,8 +156,8 @@ public:
    * \throws Invalid_mesh_error if the connectivity of a visited face is invalid
    * \throws Occupied_triangulation_error if a network in the triangulation has curves
    *
-   * Complexity: in practice \cgalBigO{n \log n} for the \f$n\f$ vertices within `max_distance`, plus constant time per
-   * flip.
+   * Complexity: in practice \cgalBigO{n \log n} time, where \f$n\f$ is the number of vertices within `max_distance`,
+   * plus constant time per flip.
    */
   template <class Source = Surface_location, class... NamedParameters>
   Geodesic_tree_report grow(const Source& source, const NamedParameters&... np)
@@ -192,8 +194,8 @@ public:
     return is_reached(v) ? m_labels.distance(v) : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns the last halfedge of the path to `v`, whose head is `v`. The result is `null_index` if `v` is the source
-  /// or is not reached.
+  /// Returns the last halfedge of the path to `v`; this halfedge points to `v`. The result is `null_index` if `v` is
+  /// the source or is not reached.
   Halfedge_index incoming(Vertex_index v) const { return is_reached(v) ? m_labels.incoming(v) : null_index; }
 
   /// Returns the halfedges of the path from the source to `v`. The result is empty if `v` is the source or is not
@@ -241,14 +243,15 @@ public:
   };
 
   /*!
-   * Replaces paths by other paths, for `make_shortest()`.
+   * Replaces paths of the tree by other paths. `make_shortest()` uses this function.
    *
-   * After the replacement, the tree grows to the vertices that were detached and not attached again, and to vertices to
+   * After the replacement, the tree grows to the detached vertices that `function` did not reattach, and to vertices to
    * which new edges give shorter paths.
    *
    * \param function a function object, which is called with a `Grafts&`. During the call, it may flip edges that are
    *        not in the tree
-   * \return the report on the growth of the tree so far, including `grow()`; flips made by `function` are not counted
+   * \return the report on the growth of the tree so far, including the growth in `grow()`. Flips made by `function` are
+   *         not counted
    * \pre `grow()` was not stopped
    * \throws Invalid_parameter_error if `grow()` has not been called
    *
@@ -263,12 +266,12 @@ public:
     return regrow(grafts.m_taken_off);
   }
 
-  /// Returns whether the invariant holds, with a relative tolerance of 1e-10 for lengths.
+  /// Returns whether the tree satisfies its invariant, with a relative tolerance of 1e-10 for lengths.
   ///
   /// Complexity: linear in the size of the mesh.
   bool is_valid() const { return is_valid(internal::default_tree_tolerance); }
 
-  /// Returns whether the invariant holds, with a relative `tolerance` for lengths.
+  /// Returns whether the tree satisfies its invariant, with a relative `tolerance` for lengths.
   ///
   /// Complexity: linear in the size of the mesh.
   bool is_valid(double tolerance) const
@@ -593,7 +596,7 @@ private:
 class Vertex_logarithmic_map
 {
 public:
-  /// Constructs a map without coordinates from the number of vertices, the sum of the face angles around the source,
+  /// Constructs a map without coordinates, given the number of vertices, the sum of the face angles around the source,
   /// and whether the source lies on the border.
   Vertex_logarithmic_map(Index number_of_vertices, double total_angle, bool is_on_border)
     : m_coordinates(static_cast<std::size_t>(number_of_vertices))
@@ -716,8 +719,10 @@ Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation
  * The directions are angles on the surface in radians, counterclockwise from an input halfedge, in
  * \f$[0, \mathtt{total\_angle})\f$. They are measured on the input, so errors do not accumulate with the flips. All
  * vertices whose paths lead through the same vertex, for example a saddle vertex at which the paths bend, have the same
- * angle. The map is discontinuous across the cut locus, that is, the set of points that several shortest paths reach
- * from different sides. It can also be discontinuous at paths of the tree that are not shortest; `make_shortest()`
+ * angle.
+ *
+ * The map is discontinuous across the cut locus, that is, the set of points that several shortest paths reach from
+ * different sides. The map can also be discontinuous at paths of the tree that are not shortest; `make_shortest()`
  * replaces these paths.
  *
  * \param tree a tree that has been grown
@@ -729,8 +734,7 @@ Vertex_logarithmic_map logarithmic_map_of_tree(const Geodesic_tree<Triangulation
  * \throws Invalid_parameter_error if `grow()` has not been called
  * \throws Invalid_mesh_error if several umbrellas meet at the source, so that directions cannot be compared
  *
- * Complexity: linear in the number of vertices and in the number of input edges that cross the edges of the tree at the
- * source.
+ * Complexity: linear in the number of vertices plus the number of input edges that the tree edges at the source cross.
  */
 template <class Triangulation>
 Vertex_logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)

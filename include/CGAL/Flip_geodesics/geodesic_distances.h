@@ -46,34 +46,38 @@
 namespace CGAL::Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
-/// Reports on distances and, if these are the lengths of the paths of a tree, on how many of the paths are globally
-/// shortest. The paths are compared with those that a search has found. Unless the distances are confirmed, the search
-/// may have missed vertices or shorter paths, so that the paths of the tree need not be shortest even if none is longer
-/// than the path that the search has found.
+/// Reports on distances and, if a tree of geodesics has been grown, on how many paths of the tree are globally
+/// shortest. The paths of the tree are compared with those that a search has found. If the distances are not confirmed,
+/// the search may have missed vertices or shorter paths. In this case, even a path of the tree that is not longer than
+/// the path found by the search need not be shortest.
 struct Distances_report
 {
-  /// the number of vertices other than sources that the search reached, of which only those within the limit of the
-  /// tree count if there is a tree; for `geodesic_distance_matrix()`, the number of pairs of points with a finite
-  /// distance
+  /// the number of vertices that the search reached, without the sources; if a tree has been grown, only vertices
+  /// within its `Geodesic_tree::max_distance()` are counted. In the report of `geodesic_distance_matrix()`, the number
+  /// of pairs of points with a finite distance
   std::size_t vertices = 0;
   /// the number of these vertices whose path in the tree was initially missing or longer than the path that the search
   /// found
   std::size_t longer_before = 0;
-  /// the number of these vertices for which this is still the case after paths have been replaced
+  /// the number of these vertices whose path is still missing or longer after paths have been replaced
   std::size_t longer = 0;
   double largest_excess_before = 0; ///< the largest initial excess length of a path, relative to the shortest length
   double largest_excess = 0;        ///< the largest remaining excess length of a path, relative to the shortest length
   std::size_t windows = 0;          ///< the number of windows of all searches
   std::size_t flips = 0;            ///< the number of flips by which shortest paths were inserted
   /// `WITHIN_TOLERANCE` if no path found by the search exceeds the length of a shortest path by more than 1e-10 of this
-  /// length. `UNDECIDED` if the search was aborted or stopped, or encountered a degenerate edge, if coordinates or
-  /// lengths of the mesh had to be rounded, or if the search encountered a face whose height is at most 1e-10 of its
-  /// base, or rounding errors may exceed 1e-10 of a distance. In the last two cases, functions other than
-  /// `geodesic_distance_matrix()` run a second search with outward-rounded bounds, which can still confirm the results,
-  /// provided that all sources are vertices.
+  /// length. `UNDECIDED` in the following cases:
+  /// - the search was aborted or stopped, or encountered a degenerate edge;
+  /// - coordinates or lengths of the mesh had to be rounded;
+  /// - the search encountered a face whose height is at most 1e-10 of its base, or rounding errors may exceed 1e-10 of
+  ///   a distance.
+  ///
+  /// In the last case, all functions except `geodesic_distance_matrix()` run a second search, with outward-rounded
+  /// bounds, if all sources are vertices. This search can still confirm the results.
   Verdict verdict = Verdict::UNDECIDED;
-  /// The status of the tree, as in `Geodesic_tree_report::status`, which also covers the paths that were not replaced;
-  /// `LOCALLY_SHORTEST` if no tree was grown, and `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned `false`.
+  /// The status of all paths of the tree, including those that were not replaced, as in `Geodesic_tree_report::status`.
+  /// It is `LOCALLY_SHORTEST` if no tree was grown, and `STOPPED_BY_VISITOR` if `go_further()` of a visitor returned
+  /// `false`.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
 
   /// Returns whether the distances are confirmed.
@@ -283,17 +287,18 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  * Replaces the paths of a tree that are not globally shortest.
  *
  * The distances are computed exactly up to rounding errors by a `Geodesic_distance_field` or, if the field cannot
- * confirm them, by a search with outward-rounded bounds. Paths of the tree that are longer are then removed, and
- * shortest paths to the same vertices are inserted by flips, beginning with the nearest vertex. The inserted paths do
- * not cross other paths of the tree, since shortest paths from one vertex never cross. Vertices that were missing from
- * the tree although they lie within its limit are added.
+ * confirm them, by a search with outward-rounded bounds. Paths of the tree that are longer than these distances are
+ * removed, and shortest paths to the same vertices are inserted by flips, beginning with the nearest vertex. The
+ * inserted paths do not cross other paths of the tree, since shortest paths from one vertex never cross. Vertices that
+ * lie within `Geodesic_tree::max_distance()` but are missing from the tree are added.
  *
- * \param tree a tree whose growth was not stopped
+ * \param tree a tree whose growth was not stopped by a visitor
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
- *     \cgalParamDescription{the number of windows after which the search is aborted and the tree remains unchanged}
+ *     \cgalParamDescription{the number of windows after which the search is aborted; in this case, the tree remains
+ *       unchanged}
  *     \cgalParamType{`Window_limit`}
  *     \cgalParamDefault{`Window_limit()`}
  *   \cgalParamNEnd
@@ -307,16 +312,16 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report on the paths of the tree. Vertices that were inserted into the triangulation receive geodesics but
- *         are not counted in the report
+ * \return a report on the paths of the tree. The report does not count paths to vertices that were inserted into the
+ *         triangulation, although these vertices receive geodesics
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source of the tree is an inserted vertex
  * \throws Invalid_parameter_error if the tree has not been grown
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, plus, for each replaced path, time linear in the degree of
- * its end and in the number of edges that its last geodesic segment crosses. If any path is replaced, time linear in
- * the size of the mesh is added.
+ * Complexity: that of `Geodesic_distance_field::compute()`. If paths are replaced, the replacement takes time linear in
+ * the size of the mesh, plus, for each replaced path, time linear in the degree of its end and in the number of edges
+ * that its last geodesic segment crosses.
  */
 template <class Triangulation, class... NamedParameters>
 Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedParameters&... np)
@@ -417,7 +422,7 @@ void put_distances(const Geodesic_distance_field<Triangulation>& field, const Tr
 
 /// \ingroup PkgFlipGeodesicsDistances
 /// Writes the number of the nearest source of each vertex into a property map, or 0 if the nearest source is not known.
-/// The parameters are those of `put_distances()`, with integers as values of the property map.
+/// The parameters are those of `put_distances()`, except that the values of the property map are integers.
 /// \throws Invalid_parameter_error if `Geodesic_distance_field::compute()` has not been called
 template <class Triangulation, class VertexSourceMap>
 void put_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
@@ -789,34 +794,34 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *
  * Sources are vertices, points anywhere on the surface, and curves; different kinds can be mixed. The distances are
  * computed with a `Geodesic_distance_field`. Two fallbacks handle difficult input:
- * - If the field encounters a face so close to degenerate that rays can be lost in it, or if rounding errors may have
- *   changed a distance by more than 1e-10 of its value, a search with outward-rounded bounds is run, provided that all
- *   sources are vertices.
- * - If the search does not confirm the distances, or the field exceeds its limit, a tree of geodesics is grown
- *   (`Geodesic_tree::grow()`), provided that the only source is a vertex that was passed by itself and not in a range.
- *   Unless the field exceeded its limit, the paths of the tree are then replaced wherever shorter ones have been found
+ * - A search with outward-rounded bounds, provided that all sources are vertices. It is run if the field encounters a
+ *   face so close to degenerate that rays can be lost in it, or if rounding errors may have changed a distance by more
+ *   than 1e-10 of its value.
+ * - A tree of geodesics (`Geodesic_tree::grow()`), provided that the only source is a vertex that was passed by itself
+ *   and not in a range. It is grown if the search does not confirm the distances, or if the field exceeds its limit.
+ *   Unless the field exceeded its limit, paths of the tree are then replaced by shorter paths that have been found
  *   (`make_shortest()`).
  *
  * \param mesh a triangle mesh
- * \param sources one source that is not a curve, or a range of sources, which are numbered by their positions; if the
- *        range is empty, all distances are infinite. A source is one of the following, or a `std::variant` of several
- *        of these:
+ * \param sources a single source that is not a curve, or a range of sources. The number of a source is its position in
+ *        the range. If the range is empty, all distances are infinite. A source is one of the following, or a
+ *        `std::variant` of several of these types:
  *        - a vertex of the mesh;
  *        - a point: a `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, or a point in space, for
  *          which `surface_location()` finds the nearest point of the mesh;
  *        - a curve: a range of vertices or of points; consecutive ones must lie in one face or on its boundary
  * \param distances a model of `WritablePropertyMap` with the vertices of the mesh as keys and `double`s as values.
- *        Unreachable vertices receive infinity. If degenerate edges had to be contracted, this includes vertices that
- *        were connected to a source only by degenerate faces; these distances are not confirmed. If a computation is
- *        aborted at its limit, unknown distances are infinite, unless the second fallback has grown a tree; in that
- *        case, the distances are the lengths of the paths of the tree
+ *        Vertices that are not connected to a source receive infinity. If degenerate edges had to be contracted,
+ *        vertices that only degenerate faces connected to a source also receive infinity, and these distances are not
+ *        confirmed. If a computation is aborted at its limit and the second fallback has grown a tree, the distances
+ *        are the lengths of the paths of the tree. If it is aborted without a tree, unknown distances are infinite
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
- *     \cgalParamDescription{the number of windows after which the field is aborted; it also limits the searches of the
- *       fallbacks}
+ *     \cgalParamDescription{the number of windows after which the field is aborted; this number also limits the
+ *       searches of the fallbacks}
  *     \cgalParamType{`Window_limit`}
  *     \cgalParamDefault{`Window_limit()`}
  *   \cgalParamNEnd
@@ -846,12 +851,13 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`; if a tree is grown, plus that of `Geodesic_tree::grow()`
- * and `make_shortest()`. If sources are points in space, building a search tree of the \f$n\f$ faces takes
- * \cgalBigO{n \log n} time, and locating each point takes logarithmic time if the point is close to the surface. If the
- * search of the first fallback is needed, it takes \cgalBigO{w \log w} time for \f$w\f$ windows; the `Window_limit`
- * bounds \f$w\f$, as it does for the field. If doubles are not accurate enough, the search is repeated in double-double
- * arithmetic, with at most twice as many windows.
+ * Complexity: that of `Geodesic_distance_field::compute()`, plus that of `Geodesic_tree::grow()` and `make_shortest()`
+ * if a tree is grown. If sources are points in space, a search tree of the \f$n\f$ faces is built in
+ * \cgalBigO{n \log n} time, and locating each point that is close to the surface takes \cgalBigO{\log n} time.
+ *
+ * The search of the first fallback takes \cgalBigO{w \log w} time, where \f$w\f$ is the number of its windows; the
+ * `Window_limit` bounds \f$w\f$ as it does for the field. If doubles are not accurate enough, the search is repeated in
+ * double-double arithmetic, with at most twice as many windows.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
@@ -882,13 +888,13 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  * vertex.
  *
  * The map is computed with a `Geodesic_distance_field`. If the result of the field is not confirmed, a tree of
- * geodesics is grown and its paths are made shortest, as in `geodesic_distances()`.
+ * geodesics is grown, and its paths are made shortest, as in `geodesic_distances()`.
  *
  * \param mesh a triangle mesh
  * \param source a vertex of the mesh
  * \param coordinates a model of `WritablePropertyMap` with the vertices of the mesh as keys and `Polar_coordinates` as
  *        values
- * \param np named parameters, as for `geodesic_distances()`, except `nearest_source_map`
+ * \param np the named parameters of `geodesic_distances()`, except `nearest_source_map`
  * \return a report that contains the number of vertices to which a path exists, and states whether the paths are
  *         confirmed to be shortest
  * \throws Vertex_out_of_range_error if `source` is not a vertex of the mesh
@@ -896,8 +902,8 @@ Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sou
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`; if a tree is grown, plus that of `Geodesic_tree::grow()`
- * and `make_shortest()`.
+ * Complexity: that of `Geodesic_distance_field::compute()`, plus that of `Geodesic_tree::grow()` and `make_shortest()`
+ * if a tree is grown.
  */
 template <class TriangleMesh, class Source, class VertexPolarMap, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
@@ -1060,7 +1066,7 @@ private:
  *
  * For \f$i < j\f$, the entries \f$(i, j)\f$ and \f$(j, i)\f$ are both the distance of point \f$j\f$ in the
  * `Geodesic_distance_field` of point \f$i\f$. This distance is exact up to rounding errors. The field of point \f$i\f$
- * is computed until all later points are reached, and is destroyed when row \f$i\f$ is complete. The function therefore
+ * is computed until it reaches all later points, and is destroyed when row \f$i\f$ is complete. The function therefore
  * requires the memory of one field per thread, plus that of the matrix. The result does not depend on the number of
  * threads.
  *
@@ -1071,9 +1077,9 @@ private:
  * \param points a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, of
  *        `Surface_location`s, of points in space, or of `std::variant`s of several of these. `surface_location()`
  *        describes how points are snapped, and which point of the mesh represents a point in space
- * \param rows an output iterator that receives a `std::vector<double>` for each point, in the order of the points.
- *        Entries are infinite for pairs of points in different components, and for points that an aborted field has not
- *        reached
+ * \param rows an output iterator that receives a `std::vector<double>` for each point, in the order of the points. The
+ *        entry of a pair of points is infinite if the points lie in different components, or if the field was aborted
+ *        at its limit before it reached the other point
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
@@ -1087,9 +1093,9 @@ private:
  *     \cgalParamDescription{a visitor whose `go_further()` is called at regular intervals from the calling thread}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
- *     \cgalParamExtra{If `go_further()` returns `false`, no row is written, and the report is unconfirmed and has the
- *       status `Shortening_status::STOPPED_BY_VISITOR`. Before each of these calls, the member `on_progress()`, if the
- *       visitor has one, is called with the fraction of complete rows, a `double` from 0 to 1.}
+ *     \cgalParamExtra{If the visitor has a member `on_progress()`, it is called before each call of `go_further()` with
+ *       the fraction of complete rows, a `double` from 0 to 1. If `go_further()` returns `false`, no row is written,
+ *       and the report is unconfirmed and has the status `Shortening_status::STOPPED_BY_VISITOR`.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -1102,8 +1108,9 @@ private:
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
  * Complexity: for \f$k\f$ points, that of \f$k - 1\f$ calls of `Geodesic_distance_field::compute()`, each of which ends
- * at the farthest of the later points, and \cgalBigO{k^2} memory for the matrix. Locating \f$k\f$ points in space in a
- * mesh with \f$n\f$ faces takes \cgalBigO{n \log n + k \log n} time if they lie close to the surface.
+ * at the farthest of the later points. The matrix takes \cgalBigO{k^2} memory. Locating \f$k\f$ points in space takes
+ * \cgalBigO{n \log n + k \log n} time, where \f$n\f$ is the number of faces of the mesh, if the points lie close to the
+ * surface.
  *
  * \sa `geodesic_distances()`
  */
