@@ -41,8 +41,7 @@ namespace Flip_geodesics {
 /// Specifies where a distance field can be evaluated.
 enum class Distance_field_extent {
   EVERYWHERE,   ///< at any location
-  VERTICES_ONLY ///< at vertices only, and without paths, which requires less memory because windows are freed once
-                ///< they have been used
+  VERTICES_ONLY ///< at vertices only, and without paths; requires less memory, because windows are freed after use
 };
 
 /// \ingroup PkgFlipGeodesicsDistances

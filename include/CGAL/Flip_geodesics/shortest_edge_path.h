@@ -30,14 +30,14 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Stores distances from landmarks to all vertices, which guide searches for edge paths. Landmarks are vertices far from
- * one another, up to 16 in each component of the mesh.
+ * Stores the distances of all vertices from landmarks, to guide searches for edge paths. Landmarks are vertices far
+ * from one another, up to 16 in each component of the mesh.
  *
  * Landmarks are computed once for many searches on one mesh, and lead these searches around bumps and holes. By the
  * triangle inequality, the difference of the distances of two vertices from a landmark is a lower bound on the distance
- * between them \cgalCite{GH05}. On most meshes, this bound is larger than the distance of the vertices in space, and it
- * also exists for metrics without points. `Geodesic_landmarks` provide bounds on distances on the surface instead of
- * along edges.
+ * between the two vertices \cgalCite{GH05}. On most meshes, this bound is larger than the distance of the vertices in
+ * space, and it also exists for metrics without points. The class `Geodesic_landmarks` provides bounds on distances on
+ * the surface instead of distances along edges.
  *
  * The distances take 32 bytes per vertex, and can be read by several threads concurrently.
  */
@@ -45,8 +45,8 @@ class Landmark_distances
 {
 public:
   /*!
-   * Chooses the landmarks, each the vertex of its component that is farthest from the previous ones, and computes the
-   * distances.
+   * Chooses the landmarks and computes the distances. Each landmark is the vertex of its component that is farthest
+   * from the previous landmarks.
    *
    * \param search a `Shortest_edge_path`, which computes the distances. With `Search_method::DIJKSTRA` or
    *        `Search_method::A_STAR`, these are the lengths of shortest edge paths. With `Search_method::LOOK_BACK`, they
@@ -77,10 +77,12 @@ public:
   /*!
    * Returns a lower bound on the distance between two vertices.
    *
-   * If the distances from landmarks are lengths of edge paths, every edge path between the vertices is at least as long
-   * as the bound: values and differences are rounded down, and rounding errors are subtracted. If the distances were
-   * computed by `Search_method::LOOK_BACK`, the bound is an estimate, since these distances need not satisfy the
-   * triangle inequality. The result is meaningless for vertices of different components.
+   * If the distances from landmarks are lengths of edge paths, no edge path between the vertices is shorter than the
+   * bound. To ensure this, values and differences are rounded down, and rounding errors are subtracted. If the
+   * distances were computed by `Search_method::LOOK_BACK`, the bound is an estimate, since these distances need not
+   * satisfy the triangle inequality.
+   *
+   * The result is meaningless for vertices of different components.
    */
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
@@ -105,24 +107,27 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// Specifies the search for an edge path.
+/// Specifies the method of a search for an edge path.
 enum class Search_method {
-  /// an any-angle search \cgalCite{NKT10} for a path that will be shortened: the path is close to a shortest path on
-  /// the surface rather than shortest along edges.
+  /// an any-angle search \cgalCite{NKT10} for a path that will be shortened. The path is close to a shortest path on
+  /// the surface, but need not be shortest along edges.
   ///
-  /// The distance of a vertex is the smallest of three sums: the distance of the preceding vertex of the path plus the
-  /// length of the edge from there, and the distance of each of the two vertices before that one plus the length of a
-  /// straight line from there. The length of a line is taken to be at least the length of the path between its ends
-  /// divided by 1.5. Paths that zigzag along a straight line thus count as nearly straight, whereas shortest edge paths
-  /// are diverted along the directions of edges. On smooth meshes, `shorten()` then flips several times fewer edges
-  /// than after a search for a shortest edge path. The lower bound on the remaining distance is multiplied by 1.1
-  /// (weighted A*), so that paths of nearly equal length need not be compared. A vertex that is reached again by a path
-  /// that is only marginally shorter keeps its position in the queue. The search usually visits at most a third as many
-  /// vertices as `A_STAR`. If the metric has no lower bound and no landmarks are given, the method is equivalent to
-  /// `DIJKSTRA`.
+  /// The distance of a vertex is the smallest of three sums. The first is the distance of the preceding vertex of the
+  /// path plus the length of the edge between the two vertices. The other sums are the distances of the two vertices
+  /// before the preceding one, each plus the length of a straight line to the vertex. The length of such a line is
+  /// taken to be at least two thirds of the length of the path between its ends.
+  ///
+  /// Paths that zigzag along a straight line thus count as nearly straight, whereas shortest edge paths are diverted
+  /// along the directions of edges. On smooth meshes, `shorten()` flips several times as many edges after a search for
+  /// a shortest edge path as after this search.
+  ///
+  /// The lower bound on the remaining distance is multiplied by 1.1 (weighted A*), so that paths of nearly equal length
+  /// need not be compared. If a vertex is reached again by a path that is only marginally shorter, it keeps its
+  /// position in the queue. The search usually visits at most a third as many vertices as `A_STAR`. If the metric has
+  /// no lower bound and no landmarks are given, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
-  /// a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to `DIJKSTRA` if this
-  /// bound is zero
+  /// a search for a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to
+  /// `DIJKSTRA` if this bound is zero
   A_STAR,
   DIJKSTRA ///< a shortest edge path, found by a search in all directions
 };
@@ -151,12 +156,12 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Searches for paths along the edges of the input mesh, which are the usual initial curves of `shorten()`. The paths
+ * Searches for paths along the edges of the input mesh. Such paths are the usual initial curves of `shorten()`. They
  * are shortest edge paths or, with `Search_method::LOOK_BACK`, close to geodesics, so that shortening requires few
  * flips. A search reads only the input, and does not change the triangulation.
  *
- * A search takes \cgalBigO{k \log k} time for the \f$k\f$ vertices that it visits. Of several paths of equal length,
- * it always finds the same one.
+ * A search takes \cgalBigO{k \log k} time, where \f$k\f$ is the number of vertices that it visits. If several paths
+ * have equal length, the search always finds the same one.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -165,9 +170,9 @@ class Shortest_edge_path
 {
 public:
   /*!
-   * Constructs a search on the input of a triangulation, which must outlive the search.
+   * Constructs a search on the input of a triangulation.
    *
-   * \param triangulation the triangulation
+   * \param triangulation the triangulation, which must outlive the search
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
@@ -231,14 +236,14 @@ public:
 
   /*!
    * Calls `visit(v, distance)` for each vertex that is reachable from `source`, with its distance as measured by this
-   * search, in the order in which the search settles the vertices. Except with `Search_method::LOOK_BACK`, this is the
-   * order of increasing distance.
+   * search. The vertices are visited in the order in which the search settles them. Except with
+   * `Search_method::LOOK_BACK`, this is the order of increasing distance.
    *
    * \param source a vertex of the input
    * \param visit a function object
    * \param np an optional named parameter `visitor`, a model of `FlipOutVisitor`, of which only `go_further()` is
    *        called, about once per thousand vertices. If it returns `false`, the remaining vertices are not visited
-   * \return whether all vertices have been visited
+   * \return whether all these vertices have been visited
    * \throws Vertex_out_of_range_error if `source` is not a vertex of the input
    * \throws Invalid_coordinate_error if the length of an edge that the search visits is negative or not finite
    */

@@ -51,11 +51,11 @@ struct Shortest_path_report
 
   double first_length = 0; ///< the length of the geodesic obtained from the initial edge path
   double length = 0;       ///< the length of the result
-  /// A lower bound on the lengths of all paths between the ends, which takes rounding errors into account.
+  /// A lower bound on the lengths of all paths between the ends, with allowance for rounding errors.
   double lower_bound = 0;
   std::size_t windows = 0;              ///< the number of windows of the search
   Verdict verdict = Verdict::UNDECIDED; ///< the verdict on the claim that no path is shorter
-  /// Whether other paths are equally short, up to a relative difference of 2^-42, which is about 2e-13. If the path is
+  /// Whether another path is equally short, up to a relative difference of 2^-42, which is about 2e-13. If the path is
   /// confirmed, no such path has been missed.
   bool has_tie = false;
 
@@ -68,10 +68,12 @@ struct Shortest_path_report
   /// Returns an upper bound on the difference between the length of the path and that of a shortest path.
   double gap() const { return (std::max)(length - lower_bound, 0.0); }
 
-  /// Returns 1e-10, the relative difference that `WITHIN_TOLERANCE` allows from the length of a shortest path.
+  /// Returns 1e-10. A path with the verdict `WITHIN_TOLERANCE` exceeds the length of a shortest path by at most this
+  /// fraction of its length.
   static constexpr double tolerance() { return internal::confirmed_gap; }
 
-  /// Returns 1e-12, the relative difference that `WITHIN_ROUNDING` allows from the length of a shortest path.
+  /// Returns 1e-12. A path with the verdict `WITHIN_ROUNDING` exceeds the length of a shortest path by at most this
+  /// fraction of its length.
   static constexpr double rounding_tolerance() { return internal::proven_gap; }
 };
 
@@ -91,13 +93,13 @@ struct Shortest_path_result
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes lower bounds on the distances on a surface between all pairs of vertices of a component by means of
- * landmarks: vertices that are far from one another, or that the caller has chosen.
+ * Computes lower bounds on the distances on a surface between any two vertices of a component. The bounds are derived
+ * from landmarks: vertices that are far from one another, or that the caller has chosen.
  *
  * A lower-bound propagation from each landmark assigns to each vertex a value close to its distance from the landmark.
  * The difference of the values of two vertices is a lower bound on the distance between them \cgalCite{GH05}. Landmarks
  * are computed once for many shortest paths on one mesh, and confine the searches to the regions that shortest paths
- * can enter. `Landmark_distances` do the same for paths along edges.
+ * can enter. The class `Landmark_distances` serves the same purpose for paths along edges.
  *
  * Like `Shortest_path_report::lower_bound`, the bounds hold for the mesh with its coordinates taken as given, and take
  * rounding errors into account. Each component has its own landmarks, at most `number_of_landmarks()`. The bounds take
@@ -111,13 +113,13 @@ public:
   static constexpr std::size_t default_number = 8;
 
   /*!
-   * Chooses the landmarks, each the vertex of its component that is farthest along edges from the previous ones, and
-   * computes the bounds.
+   * Chooses the landmarks and computes the bounds. Each landmark is the vertex of its component that is farthest, along
+   * edges, from the previous landmarks.
    *
-   * \tparam ConcurrencyTag `CGAL::Sequential_tag` or, if TBB is linked, `CGAL::Parallel_tag`, with which several
-   *         propagations run concurrently; the results are the same
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked. With `Parallel_tag`,
+   *         several propagations run concurrently; the results are the same
    *
-   * \param triangulation a triangulation of the mesh, which is not stored; flips made in it do not affect the result
+   * \param triangulation a triangulation of the mesh; it is not stored, and flips made in it do not affect the result
    * \param number the number of landmarks in each component. A component with fewer vertices has fewer landmarks
    * \param tag an object whose type selects sequential or parallel execution
    * \param np an optional sequence of named parameters among those listed below
@@ -147,12 +149,13 @@ public:
   }
 
   /*!
-   * Computes the bounds with given landmarks, for instance around the part of a mesh that contains all paths.
+   * Computes the bounds with given landmarks. These can lie, for instance, around the part of the mesh that contains
+   * all required paths.
    *
-   * \tparam ConcurrencyTag `CGAL::Sequential_tag` or, if TBB is linked, `CGAL::Parallel_tag`, with which several
-   *         propagations run concurrently; the results are the same
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` if TBB is linked. With `Parallel_tag`,
+   *         several propagations run concurrently; the results are the same
    *
-   * \param triangulation a triangulation of the mesh, which is not stored; flips made in it do not affect the result
+   * \param triangulation a triangulation of the mesh; it is not stored, and flips made in it do not affect the result
    * \param landmarks a range of `Vertex_index`es in any order; repeated vertices count once. In components without
    *        landmarks, all bounds are zero
    * \param tag an object whose type selects sequential or parallel execution
@@ -194,10 +197,10 @@ public:
   /*!
    * Checks whether the landmarks can have been computed for the input of a triangulation.
    *
-   * The function compares the numbers of vertices, edges and faces and, for one edge of each border and for
-   * `number_of_landmarks()` edges at landmarks, the length and whether the edge lies on the border. It thus detects an
-   * additional or missing face and, in most cases, a different mesh or metric, but not every vertex that has moved. The
-   * bounds hold only for the mesh and the metric for which they were computed.
+   * The function compares the numbers of vertices, edges and faces. It also compares one edge of each border and
+   * `number_of_landmarks()` edges at landmarks: their lengths, and whether they lie on the border. It thus detects
+   * additional and missing faces and, in most cases, a different mesh or metric, but it does not detect every vertex
+   * that has moved. The bounds hold only for the mesh and the metric for which they were computed.
    *
    * \throws Input_mismatch_error if the input differs
    *
@@ -688,14 +691,16 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * Adds a shortest path between two vertices to an empty network, and computes a lower bound on the lengths of all paths
  * between them.
  *
- * The bound `Shortest_path_report::lower_bound` is computed with outward rounding and is usually within a relative
- * 1e-12 of the length. A `Verdict::PROVEN` geodesic whose length exceeds the bound by at most the fraction
- * `Shortest_path_report::rounding_tolerance()` of the length is reported as `Verdict::WITHIN_ROUNDING`. The path cannot
- * be confirmed if the search encounters a degenerate edge or is aborted. If coordinates or lengths of the mesh had to
- * be rounded, the path is not confirmed either, since the bound holds for the rounded mesh.
+ * The bound `Shortest_path_report::lower_bound` is computed with outward rounding. It is usually less than the length
+ * of the path by at most 1e-12 of this length. The path is reported as `Verdict::WITHIN_ROUNDING` if it is a
+ * `Verdict::PROVEN` geodesic and its length exceeds the bound by at most the fraction
+ * `Shortest_path_report::rounding_tolerance()` of the length.
  *
- * \param network an empty network in a triangulation that has not been flipped
- * \param search a `Shortest_edge_path` over that triangulation; `Search_method::LOOK_BACK` is fastest
+ * The path cannot be confirmed if the search encounters a degenerate edge or is aborted. If coordinates or lengths of
+ * the mesh had to be rounded, the path is not confirmed either, since the bound then holds for the rounded mesh.
+ *
+ * \param network an empty network in a triangulation without flipped edges
+ * \param search a `Shortest_edge_path` over the same triangulation; `Search_method::LOOK_BACK` is fastest
  * \param source, target different vertices of the mesh in the same connected component. Inserted vertices are not
  *        accepted, since windows are propagated over the faces of the mesh; `shortest_path()` accepts any points of the
  *        surface
@@ -703,29 +708,30 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
- *     \cgalParamDescription{the number of windows after which the search is aborted; the remaining gap is reported}
+ *     \cgalParamDescription{the number of windows after which the search is aborted; `Shortest_path_report::gap()`
+ *       returns the gap that remains}
  *     \cgalParamType{`Window_limit`}
  *     \cgalParamDefault{`Window_limit()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{landmarks}
- *     \cgalParamDescription{landmarks of the mesh and its metric, which narrow the search and pay off for many paths on
- *       one mesh}
+ *     \cgalParamDescription{landmarks that were computed for the mesh and its metric. They narrow the search, and are
+ *       worthwhile if many paths are computed on one mesh}
  *     \cgalParamType{`Geodesic_landmarks`}
  *     \cgalParamDefault{no landmarks}
- *     \cgalParamExtra{The bound remains valid but can differ, in its last digits, from the bound without landmarks. Of
- *       several shortest paths, a different one can be added.}
+ *     \cgalParamExtra{The bound remains valid but can differ, in its last digits, from the bound without landmarks. If
+ *       several paths are shortest, a different one can be added.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor whose `go_further()` is also called by the searches, at regular intervals}
  *     \cgalParamType{a model of `FlipOutVisitor`}
  *     \cgalParamDefault{no visitor}
  *     \cgalParamExtra{If `go_further()` returns `false`, the path has the status
- *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If the visitor stops the function before an edge
- *       path is found, the network remains empty, and the length is zero.}
+ *       `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If this happens before an edge path is found, the
+ *       network remains empty, and the length is zero.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return a report on the path, which is the only curve of the network if a path was found
+ * \return a report on the path. If a path was found, it is the only curve of the network
  *
  * \throws Invalid_curve_error if the vertices are equal
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
@@ -734,21 +740,23 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()` does
- * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing changes in this
- *         case. After any other exception, including those of the visitor, the network is empty and the triangulation
- *         has no flipped edges
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing changes in this case
  *
- * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n} for the \f$n\f$ vertices whose distances in space
- * from both ends add up to less than the length of the path, plus \cgalBigO{w \log w} for \f$w\f$ windows. The windows
- * lie in a region around the path that narrows as the bounds become tighter; their number is \cgalBigO{n^2} in the
- * worst case.
+ * After any exception other than `Occupied_triangulation_error`, including exceptions of the visitor, the network is
+ * empty, and the triangulation has no flipped edges.
  *
- * The algorithm starts with a geodesic that is obtained by shortening an edge path, after initial straightening
- * (`add_straightened_path()`) unless a visitor must observe the whole process. A lower-bound propagation from the
+ * Complexity: that of `geodesic_path()`, plus \cgalBigO{n \log n + w \log w} time. Here, \f$n\f$ is the number of
+ * vertices whose distances in space from both ends add up to less than the length of the path, and \f$w\f$ is the
+ * number of windows. The windows lie in a region around the path that narrows as the bounds become tighter; their
+ * number is \cgalBigO{n^2} in the worst case.
+ *
+ * The algorithm starts with a geodesic that is obtained by shortening an edge path. The edge path is first straightened
+ * (`add_straightened_path()`), unless a visitor must observe the whole process. A lower-bound propagation from the
  * target provides, for each edge, a lower bound on the remaining length of paths that cross the edge. Windows are then
  * propagated over the mesh as far as a shorter path could reach \cgalCite{MMP87}, \cgalCite{CH90}, \cgalCite{XW09}. If
- * they reveal a shorter path, this path replaces the geodesic and is inserted by flipping the edges that it crosses. On
- * a mesh with degenerate faces that prevent a confirmation, the paths of two trees of geodesics are tried as well.
+ * the windows reveal a shorter path, this path replaces the geodesic and is inserted by flipping the edges that it
+ * crosses. If degenerate faces of the mesh prevent a confirmation, the paths of two trees of geodesics are tried as
+ * well.
  *
  * \sa `shortest_path()`
  */
@@ -870,9 +878,9 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  * Computes a shortest path on the surface between two points, and returns whether it is confirmed to be shortest.
  *
  * The guarantees and the algorithm are those of `add_shortest_path()`. A point that is not a vertex becomes one: the
- * faces that contain it are split in exact arithmetic, in constant time. Bounds and verdict therefore refer to the
- * surface of the mesh, with exact coordinates if its kernel provides them, and to the point whose weights are exactly
- * the given doubles.
+ * faces that contain it are split in exact arithmetic, in constant time. The bound and the verdict therefore refer to
+ * the surface of the mesh, with exact coordinates if its kernel provides them, and to end points whose weights are
+ * exactly the given doubles.
  *
  * \param mesh a triangle mesh
  * \param source, target points in the same connected component, of equal or different types: vertices of the mesh,
@@ -886,16 +894,18 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
- *     \cgalParamDescription{the number of windows after which the search is aborted; the remaining gap is reported}
+ *     \cgalParamDescription{the number of windows after which the search is aborted; `Shortest_path_report::gap()`
+ *       returns the gap that remains}
  *     \cgalParamType{`Window_limit`}
  *     \cgalParamDefault{`Window_limit()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{landmarks}
- *     \cgalParamDescription{landmarks computed for this mesh and its metric, which pay off for many pairs}
+ *     \cgalParamDescription{landmarks that were computed for this mesh and its metric. They are worthwhile if paths
+ *       between many pairs of points are computed}
  *     \cgalParamType{`Geodesic_landmarks`}
  *     \cgalParamDefault{no landmarks}
- *     \cgalParamExtra{The bound remains valid but can differ, in its last digits, from the bound without landmarks. Of
- *       several shortest paths, a different one can be returned.}
+ *     \cgalParamExtra{The bound remains valid but can differ, in its last digits, from the bound without landmarks. If
+ *       several paths are shortest, a different one can be returned.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{greatest_point_distance}
  *     \cgalParamDescription{the greatest distance from the surface at which a point in space is accepted}
@@ -905,7 +915,7 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path_between(
  * \cgalNamedParamsEnd
  *
  * \return the past-the-end output iterator, and a report. The `Curve_report::point_distances` in the report are the
- *         distances of the given points from the surface; they are empty if both ends are given as vertices
+ *         distances of the given points from the surface. They are empty if both ends are given as vertices
  *
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
  * \throws Disconnected_endpoints_error as `geodesic_path()` does
@@ -950,13 +960,13 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
  * Computes landmarks, which provide lower bounds on distances and thus speed up repeated calls of `shortest_path()` on
  * one mesh.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or, if TBB is linked, `Parallel_tag`, with which several propagations run
- *         concurrently; the results are the same
+ * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` if TBB is linked. With `Parallel_tag`, several
+ *         propagations run concurrently; the results are the same
  *
  * \param mesh a triangle mesh
  * \param number the number of landmarks in each component
  * \param np the named parameters `vertex_point_map`, `metric` and `geom_traits` as for `geodesic_path()`, and
- *        `visitor`. If the `go_further()` of the visitor returns `false`, the result is incomplete; see
+ *        `visitor`. If `go_further()` of the visitor returns `false`, the result is incomplete; see
  *        `Geodesic_landmarks::is_complete()`
  * \throws Degenerate_face_error as `Geodesic_landmarks` does
  * \throws Invalid_coordinate_error as `Geodesic_landmarks` does
@@ -989,7 +999,7 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParam
  * \param mesh a triangle mesh
  * \param landmarks a range of vertices of the mesh in any order; repeated vertices count once
  * \param np the named parameters `vertex_point_map`, `metric` and `geom_traits` as for `geodesic_path()`, and
- *        `visitor`. If the `go_further()` of the visitor returns `false`, the result is incomplete; see
+ *        `visitor`. If `go_further()` of the visitor returns `false`, the result is incomplete; see
  *        `Geodesic_landmarks::is_complete()`
  * \throws Vertex_out_of_range_error if a landmark is not a vertex of the mesh
  * \throws Degenerate_face_error as `Geodesic_landmarks` does

@@ -34,7 +34,7 @@ namespace CGAL::Flip_geodesics {
 enum class Class_search_status {
   FOUND,             ///< a path has been found for each requested class
   NO_MORE_CLASSES,   ///< fewer classes exist than requested, and a path has been found for each
-  COVERING_LIMIT,    ///< the `Covering_limit` was exceeded; paths may be missing, or not be the shortest ones
+  COVERING_LIMIT,    ///< the `Covering_limit` was exceeded; paths may be missing or not be shortest
   STOPPED_BY_VISITOR ///< `go_further()` of the visitor returned `false`, and no paths are returned
 };
 
@@ -52,14 +52,14 @@ struct Path_class
   /// The halfedge type of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  /// A shortest edge path of the class within the part of the universal cover that was constructed. For the `number`
-  /// classes with the shortest edge paths, it is shortest in the entire cover; for other classes, a shorter edge path
-  /// can exist outside the part. If an end is not a vertex, the part of the path inside the face or edge of this end is
-  /// not included.
+  /// A shortest edge path of the class within the constructed part of the universal cover. For the `number` classes
+  /// with the shortest edge paths, this path is shortest in the entire cover. For other classes, a shorter edge path
+  /// can exist outside the constructed part. If an end is not a vertex, the part of the path inside the face or edge of
+  /// this end is not included.
   std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0; ///< the length of `edge_path`
-  /// The length of the shortest path found in the class; infinite if no path was computed, usually because the lower
-  /// bound excludes the class.
+  /// The length of the shortest path found in the class. It is infinite if no path was computed, usually because the
+  /// lower bound excludes the class.
   double length = std::numeric_limits<double>::infinity();
   double lower_bound = 0; ///< a lower bound on the lengths of paths of the class, with allowance for rounding errors
 };
@@ -73,7 +73,8 @@ struct Paths_by_class_report
                                                   ///< its path is confirmed to be shortest in its class
   std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
   std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
-  double lower_bound = 0; ///< a lower bound on the lengths of paths of classes not found; infinite if all were
+  /// A lower bound on the lengths of paths in classes that were not found; infinite if all classes were found.
+  double lower_bound = 0;
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
   std::size_t visited = 0;                                 ///< the number of vertices of the universal cover that
                                                            ///< were visited
@@ -89,11 +90,13 @@ struct Paths_by_class_report
     return least;
   }
 
-  /// Returns the verdict on the claim that `paths` are the shortest paths of all classes: each is confirmed to be
-  /// shortest in its class, and no other class has a shorter path, up to `Shortest_path_report::tolerance()`. The
-  /// verdict refers to the returned paths, even if fewer were found than requested; if no path was returned, the claim
-  /// is never confirmed. With a larger limit, a further path may be found but not confirmed. A larger limit can
-  /// therefore lead to a weaker verdict, although confirmed paths remain the shortest ones.
+  /// Returns the verdict on the claim that `paths` are the shortest paths of all classes. The claim is confirmed if
+  /// each path is confirmed to be shortest in its class, and no other class has a shorter path, up to
+  /// `Shortest_path_report::tolerance()`. The verdict refers to the returned paths, even if fewer were found than
+  /// requested. If no path was returned, the claim is not confirmed.
+  ///
+  /// With a larger `Covering_limit`, a further path may be found but not confirmed. A larger limit can therefore lead
+  /// to a weaker verdict, although the paths confirmed with the smaller limit remain the shortest ones.
   Verdict verdict() const
   {
     const double least = lower_bound_of_others();
@@ -128,8 +131,8 @@ struct Paths_by_class_result
 
 /// \ingroup PkgFlipGeodesicsFunctions
 /// Limits the number of vertices of the universal cover that `shortest_paths_by_class()` visits; each vertex takes
-/// about 1200 bytes. The search is aborted when the limit is exceeded, or when its searches for shortest paths have
-/// created more than \f$10^6 + 200 v\f$ windows, where \f$v\f$ is the limit.
+/// about 1200 bytes. The search is aborted when it exceeds this limit \f$v\f$, or when it has created more than
+/// \f$10^6 + 200 v\f$ windows to compute shortest paths.
 class Covering_limit
 {
 public:
@@ -358,15 +361,15 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \param mesh a triangle mesh in which no two umbrellas meet at a vertex
  * \param source, target points in the same connected component, of any types that `shortest_path()` accepts
  * \param number the number of classes
- * \param out an output iterator that receives, in order of increasing length of the paths, one `std::vector` per path
- *        with the points that `geodesic_path()` would write
+ * \param out an output iterator that receives one `std::vector` per path, in order of increasing length of the paths.
+ *        Each vector contains the points that `geodesic_path()` would write
  * \param np an optional sequence of named parameters among those listed below, `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`, and `greatest_point_distance` as for `shortest_path()`
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{search_limit}
- *     \cgalParamDescription{the limit after which the search is aborted; the report contains the results obtained so
- *       far}
+ *     \cgalParamDescription{the limit at which the search is aborted; the report then contains the results obtained up
+ *       to this point}
  *     \cgalParamType{`Covering_limit`}
  *     \cgalParamDefault{`Covering_limit()`}
  *   \cgalParamNEnd
@@ -392,17 +395,17 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  * \throws Distant_point_error as `shortest_path()` does
  * \throws Insertion_error as `shortest_path()` does
  *
- * Complexity: \cgalBigO{m \log m} for the \f$m\f$ vertices of the cover that are visited, plus the time of
- * `shortest_path()` for each path. The search visits the vertices through which an edge path can lead that is not
- * longer than the edge paths of the first `number` classes, and those through which a path of another class can lead
- * that is not longer than the last result. The cover is constructed in stages, each of which enlarges the constructed
- * part by at least half, so the time is roughly proportional to the limit if the limit is reached.
+ * Complexity: \cgalBigO{m \log m} time, where \f$m\f$ is the number of vertices of the cover that are visited, plus the
+ * time of `shortest_path()` for each path. A vertex is visited if an edge path that leads through it can be at most as
+ * long as the edge paths of the first `number` classes, or if a path of another class that leads through it can be at
+ * most as long as the last result. The cover is constructed in stages. Each stage enlarges the constructed part by at
+ * least half. If the limit is reached, the time is therefore roughly proportional to the limit.
  *
- * Shortest edge paths are searched in the universal cover of the surface, in which each class of paths has its own end
- * point. A part of the cover is constructed, and a shortest path to each of these end points is computed there as by
- * `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is enlarged until
- * these bounds exceed the lengths of the computed paths. If the limit is reached before the
- * bounds exceed the lengths, the report is not confirmed.
+ * The function searches for shortest edge paths in the universal cover of the surface, in which each class of paths has
+ * its own end point. A part of the cover is constructed. In this part, a shortest path to each of these end points is
+ * computed as by `shortest_path()`. The lengths of paths that leave the part are bounded from below, and the part is
+ * enlarged until these bounds exceed the lengths of the computed paths. If the search is aborted instead, the report is
+ * not confirmed.
  *
  * \sa `shortest_path()`
  */
