@@ -30,12 +30,14 @@ namespace CGAL::Flip_geodesics {
  * a line field for 2, and a vector field for 1.
  *
  * The field is stored as one complex number \f$u_i\f$ per vertex, the `symmetry`-th power of a direction in the tangent
- * space of the vertex (`Tangent_spaces`). It minimizes the energy \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$, where
- * \f$w\f$ are the cotangent weights of the edges, and \f$r\f$ the `symmetry`-th powers of the parallel transport along
- * them. If directions are prescribed, for instance along curves, the minimum is taken over all fields with these
- * directions \cgalCite{SC20,section 6.4 and Figure 26}; otherwise, over all fields whose squared magnitude has the mean
- * 1 in each connected component. Edges that are not Delaunay have negative weights, with which the energy can become
- * negative; flip the triangulation to Delaunay first.
+ * space of the vertex (`Tangent_spaces`). The field minimizes the energy \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$,
+ * where \f$w_{ij}\f$ are the cotangent weights of the edges, and \f$r_{ij}\f$ are the `symmetry`-th powers of the
+ * parallel transport along the edges. If directions are prescribed, for instance along curves, the minimum is taken
+ * over all fields with these directions \cgalCite{SC20,section 6.4 and Figure 26}. If no directions are prescribed, the
+ * minimum is taken over all fields whose squared magnitude has the mean 1 in each connected component.
+ *
+ * Edges that are not Delaunay have negative weights, with which the energy can become negative. Flip the triangulation
+ * to Delaunay first.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -75,7 +77,7 @@ public:
     CGAL_precondition(symmetry >= 1);
   }
 
-  /// Returns the operators of the discretization; the faces are numbered as in their `faces()`.
+  /// Returns the operators of the discretization. Faces are numbered as in `Operators::faces()`.
   const Operators<Triangulation>& operators() const { return m_operators; }
   /// Returns the tangent spaces, in which the angles of directions are measured.
   const Tangent_spaces<Triangulation>& tangent_spaces() const { return m_spaces; }
@@ -109,9 +111,9 @@ public:
   /// @}
 
   /*!
-   * Computes the field by one sparse Cholesky factorization. If no directions are prescribed, inverse iteration
-   * follows: usually tens to hundreds of solves, at most 1000, until the relative change of the energy is at most
-   * 1e-12.
+   * Computes the field by one sparse Cholesky factorization. If no directions are prescribed, the factorization is
+   * followed by inverse iteration, until the relative change of the energy is at most 1e-12. This usually takes tens to
+   * hundreds of solves; at most 1000 are performed.
    * \throws Singular_problem_error if directions are prescribed, but not in every component that has faces, or if the
    *         matrix cannot be factorized
    */
@@ -137,7 +139,7 @@ public:
 
   /// Returns the `symmetry`-th powers of the field at the vertices. Their magnitudes vary; they are 0 at isolated
   /// vertices without prescribed directions.
-  /// \throws Invalid_parameter_error if `compute()` has not been called; all following functions also throw it
+  /// \throws Invalid_parameter_error if `compute()` has not been called; the functions below also throw this exception
   const Vector& values() const
   {
     if(!m_is_computed)
@@ -171,7 +173,7 @@ public:
     return result;
   }
 
-  /// Returns the energy of the field, that is, the sum over the edges that the field minimizes.
+  /// Returns the energy of the field, that is, the sum over the edges that is defined in the description of the class.
   double energy() const { return std::real(values().dot(connection_laplacian() * m_values)); }
 
 private:

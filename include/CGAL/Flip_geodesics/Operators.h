@@ -37,10 +37,10 @@ namespace CGAL::Flip_geodesics {
  * The operators depend only on the edge lengths. Flips change the discretization but not the continuous operators, and
  * a Delaunay triangulation improves the approximation.
  *
- * The rows and columns of the matrices are numbered as follows. The vertex with index \f$v\f$ has number \f$v\f$; face
- * \f$f\f$ is `faces()[f]`, in the order of `intrinsic_faces()`. A vector in face \f$f\f$ has the coordinates with
- * numbers \f$2f\f$ and \f$2f+1\f$, in a frame whose first axis is the direction of the first halfedge of the face and
- * whose second axis points to the left of this halfedge.
+ * The rows and columns of the matrices are numbered as follows. The vertex with index \f$v\f$ has number \f$v\f$. The
+ * face with number \f$f\f$ is `faces()[f]`; faces are in the order of `intrinsic_faces()`. A vector in face \f$f\f$ has
+ * two coordinates, with the numbers \f$2f\f$ and \f$2f+1\f$. They refer to a frame whose first axis is the direction of
+ * the first halfedge of the face and whose second axis points to the left of this halfedge.
  *
  * Let \f$n\f$ be the number of vertices and \f$m\f$ the number of faces. Assembling a matrix takes \cgalBigO{n + m}
  * time and space. The object is a snapshot: later flips of the triangulation do not affect it.
@@ -60,7 +60,7 @@ public:
    * \throws Degenerate_face_error if the area of a face, rounded to double, is zero or so small that the cotangents are
    *         not finite
    * \throws Invalid_mesh_error if a face that has not been accessed before is not a triangle
-   * \throws Invalid_coordinate_error if such a face has coordinates that are not finite
+   * \throws Invalid_coordinate_error if a face that has not been accessed before has coordinates that are not finite
    */
   explicit Operators(const Triangulation& triangulation)
     : m_number_of_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
@@ -87,9 +87,10 @@ public:
   }
 
   /*!
-   * Returns the weak (integrated) Laplacian, \f$n \times n\f$, symmetric and positive semi-definite: \f$u^T L u\f$ is
-   * the Dirichlet energy \f$\int |\nabla u|^2\f$. Its off-diagonal entries are the cotangent weights
-   * \f$L_{ij} = -(\cot\alpha_{ij} + \cot\beta_{ij})/2\f$.
+   * Returns the weak (integrated) Laplacian \f$L\f$, a symmetric, positive semi-definite \f$n \times n\f$ matrix. For a
+   * piecewise linear function \f$u\f$, \f$u^T L u\f$ is the Dirichlet energy \f$\int |\nabla u|^2\f$. The off-diagonal
+   * entries are the cotangent weights \f$L_{ij} = -(\cot\alpha_{ij} + \cot\beta_{ij})/2\f$, where \f$\alpha_{ij}\f$ and
+   * \f$\beta_{ij}\f$ are the angles opposite the edge.
    */
   Matrix weak_laplacian() const
   {
@@ -102,8 +103,8 @@ public:
   }
 
   /*!
-   * Returns the pointwise Laplacian \f$\Delta = -M^{-1} L\f$, \f$n \times n\f$, where \f$M\f$ is the lumped mass matrix
-   * and \f$L\f$ the weak Laplacian. Rows of isolated vertices are zero.
+   * Returns the pointwise Laplacian, the \f$n \times n\f$ matrix \f$\Delta = -M^{-1} L\f$. Here, \f$M\f$ is the lumped
+   * mass matrix and \f$L\f$ is the weak Laplacian. Rows of isolated vertices are zero.
    */
   Matrix laplacian() const
   {
@@ -115,8 +116,8 @@ public:
     return result;
   }
 
-  /// Returns, for each of the \f$n\f$ vertices, a third of the total area of the incident faces: the diagonal of
-  /// `lumped_mass()`.
+  /// Returns, for each of the \f$n\f$ vertices, a third of the total area of the incident faces. These numbers are the
+  /// diagonal of `lumped_mass()`.
   Vector vertex_areas() const
   {
     Vector result = Vector::Zero(static_cast<Eigen::Index>(m_number_of_vertices));
@@ -126,7 +127,7 @@ public:
     return result;
   }
 
-  /// Returns the lumped mass matrix, \f$n \times n\f$, which is diagonal.
+  /// Returns the lumped mass matrix, a diagonal \f$n \times n\f$ matrix.
   Matrix lumped_mass() const
   {
     const Vector areas = vertex_areas();
@@ -138,24 +139,24 @@ public:
     return result;
   }
 
-  /// Returns the consistent mass matrix \f$M\f$, \f$n \times n\f$: \f$u^T M w = \int u\,w\f$ for piecewise linear
-  /// functions \f$u\f$ and \f$w\f$.
+  /// Returns the consistent mass matrix, the \f$n \times n\f$ matrix \f$M\f$ with \f$u^T M w = \int u\,w\f$ for all
+  /// piecewise linear functions \f$u\f$ and \f$w\f$.
   Matrix consistent_mass() const
   {
     return m_pattern.vertex_matrix(
         m_faces, [this](std::size_t f, int i, int j) { return m_triangles[f].area / (i == j ? 6 : 12); });
   }
 
-  /// Returns the matrix of the gradient of piecewise linear functions, \f$2m \times n\f$.
+  /// Returns the \f$2m \times n\f$ matrix of the gradient of piecewise linear functions.
   Matrix gradient() const
   {
     return m_pattern.face_matrix([this](std::size_t f, int i) { return m_triangles[f].hat_gradient(i); });
   }
 
   /*!
-   * Returns the matrix of the weak (integrated) divergence of vector fields that are constant on each face,
-   * \f$n \times 2m\f$: it maps a field \f$X\f$ to the numbers \f$-\int \nabla\varphi_i \cdot X\f$, where
-   * \f$\varphi_i\f$ is the hat function of vertex \f$i\f$. Therefore \f$-\mathrm{div}\,\nabla = L\f$.
+   * Returns the \f$n \times 2m\f$ matrix of the weak (integrated) divergence of vector fields that are constant on each
+   * face. The matrix maps a field \f$X\f$ to the numbers \f$-\int \nabla\varphi_i \cdot X\f$, where \f$\varphi_i\f$ is
+   * the hat function of vertex \f$i\f$. The weak Laplacian is therefore \f$L = -\mathrm{div}\,\nabla\f$.
    */
   Matrix divergence() const
   {
@@ -187,10 +188,12 @@ private:
  * Defines the directions at the vertices of an intrinsic triangulation: each halfedge has an angle, in radians,
  * counterclockwise from the reference direction at the tail of the halfedge.
  *
- * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}. At
- * a vertex on the border, the angles are not scaled, and the reference is the halfedge on the border from which the
- * faces of the vertex follow counterclockwise. The object is a snapshot: later flips of the triangulation do not affect
- * it. Construction takes time linear in the size of the mesh.
+ * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}. At a
+ * vertex on the border, the angles are not scaled. The reference direction is that of the halfedge on the border from
+ * which the faces of the vertex follow counterclockwise.
+ *
+ * The object is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the
+ * size of the mesh.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -201,7 +204,7 @@ public:
   /// Computes the angles of all halfedges and of all corners of faces.
   /// \param triangulation the triangulation
   /// \param faces all faces of the triangulation, as written by `intrinsic_faces()`
-  /// \throws Invalid_mesh_error if a vertex is non-manifold, that is, several umbrellas meet there
+  /// \throws Invalid_mesh_error if a vertex is non-manifold, that is, if several umbrellas meet there
   Tangent_spaces(const Triangulation& triangulation, const std::vector<Intrinsic_face>& faces)
     : m_angles(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0)
     , m_corners(m_angles.size(), 0)
@@ -224,12 +227,12 @@ public:
   /// Returns the angle of halfedge `h` at its tail.
   double angle(Halfedge_index h) const { return m_angles[h]; }
 
-  /// Returns the angle of the corner at the tail of `h` in the face on the left of `h`, scaled like the angles of the
-  /// halfedges.
+  /// Returns the angle of the corner at the tail of `h` in the face on the left of `h`. The angle is scaled like the
+  /// angles of the halfedges.
   double corner(Halfedge_index h) const { return m_corners[h]; }
 
-  /// Returns the angle that must be added to the angle of a direction at the tail of `h` to obtain its angle at the
-  /// head after parallel transport along `h`.
+  /// Returns the angle by which parallel transport along `h` changes the angle of a direction. The angle at the head of
+  /// `h` is the angle at the tail plus this value.
   double transport(Halfedge_index h) const
   {
     return m_angles[Triangulation::twin(h)] + boost::math::constants::pi<double>() - m_angles[h];
@@ -314,8 +317,8 @@ public:
    * \param operators the operators of the triangulation, which are used only during construction
    * \param given the vertices at which values are given, in any order and possibly repeated
    * \throws Vertex_out_of_range_error if an index does not belong to a vertex
-   * \throws Singular_problem_error if a component with faces has no vertex in `given`, in which case `elements()`
-   *         returns a vertex of the component, or if the matrix cannot be factorized
+   * \throws Singular_problem_error if a component with faces has no vertex in `given`, or if the matrix cannot be
+   *         factorized. In the first case, `elements()` returns a vertex of the component
    */
   Dirichlet_problem(const Operators_& operators, const std::vector<Vertex_index>& given)
     : m_is_given(internal::marked_vertices(operators.number_of_vertices(), given))
@@ -336,9 +339,9 @@ public:
   /*!
    * Solves the problem for a density and given values.
    *
-   * \param density \f$\rho\f$, a value per vertex, or empty for zero density
-   * \param values a number per vertex, of which only those at the given vertices are read
-   * \return the solution, a value per vertex; NaN at isolated vertices that are not given
+   * \param density the density \f$\rho\f$, with one value per vertex, or an empty vector for zero density
+   * \param values one number per vertex, of which only those at the given vertices are read
+   * \return the solution, with one value per vertex; the value is NaN at isolated vertices that are not given
    * \throws Invalid_coordinate_error if a density or a given value is not finite
    */
   Vector solve(const Vector& density, const Vector& values) const

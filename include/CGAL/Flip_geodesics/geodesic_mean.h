@@ -34,8 +34,8 @@ namespace CGAL::Flip_geodesics {
 enum class Mean_status {
   CONVERGED, ///< the weighted vectors to the points cancel out, up to the tolerance
   /// no step in the direction of the weighted mean of the vectors to the points decreases the weighted sum of squared
-  /// distances; this can happen at a vertex at which shortest paths bend, on the border, or at a point at which
-  /// shortest paths from one of the points arrive from two sides
+  /// distances. This can happen at a vertex at which shortest paths bend, on the border, or at a point that shortest
+  /// paths from one of the given points reach from two sides
   STUCK,
   ITERATION_LIMIT ///< the maximal number of steps has been tried
 };
@@ -47,7 +47,7 @@ inline const char* to_string(Mean_status status)
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// Reports the outcome of the search for a mean.
+/// Reports on the search for a mean.
 struct Mean_report
 {
   Mean_status status = Mean_status::ITERATION_LIMIT; ///< why the search ended
@@ -77,11 +77,12 @@ struct Mean_limits
  * points has a local minimum.
  *
  * The logarithmic map provides the vectors from the current point to the given points. Each step follows a straightest
- * geodesic from the current point in the direction of the weighted mean of these vectors, first by the length of the
- * mean vector; this length is halved until the step decreases the sum. In the plane, one step suffices.
+ * geodesic from the current point in the direction of the weighted mean of these vectors. The length of the step is
+ * initially that of the mean vector, and is halved until the step decreases the sum of squared distances. In the plane,
+ * one step suffices.
  *
  * The mean is unique if the points are close together relative to the curvature. On a mesh of needles, the vectors may
- * be less precise than the tolerance, and the status can then depend on the numbering of the vertices and faces.
+ * be less precise than the tolerance requires. The status can then depend on the numbering of the vertices and faces.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -133,8 +134,8 @@ public:
       weight /= sum;
   }
 
-  /// Returns the point with the largest weight, or the first of several such points; `geodesic_mean()` starts the
-  /// search there.
+  /// Returns the point with the largest weight, or the first of several such points. `geodesic_mean()` starts the
+  /// search at this point.
   const Surface_location& heaviest() const
   {
     const auto i = (std::max_element)(m_weights.begin(), m_weights.end()) - m_weights.begin();
@@ -144,7 +145,7 @@ public:
   /*!
    * Searches for a mean.
    *
-   * \param start the point at which the search starts; after the call, the point at which the search has ended
+   * \param start the point at which the search starts; after the call, the point at which the search ended
    * \param np an optional sequence of named parameters among those listed below
    *
    * \cgalNamedParamsBegin
@@ -160,12 +161,13 @@ public:
    *         returns the number of the point
    * \throws Invalid_location_error if the start is not a point of the surface
    * \throws Invalid_parameter_error if the tolerance is negative or NaN
-   * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, and if all angles are 0 at a vertex
-   *         that the search reaches, so that no directions exist there
+   * \throws Degenerate_face_error as `Geodesic_distance_field::compute()` does, or if the search reaches a vertex at
+   *         which all angles are 0, so that no directions exist
    * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
    * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
    *
-   * Complexity: for each step that is tried, that of computing a `Geodesic_distance_field` up to the farthest point.
+   * Complexity: for each step that is tried, that of computing a `Geodesic_distance_field` from the current point up to
+   * the farthest of the given points.
    */
   template <class... NamedParameters>
   Mean_report operator()(Surface_location& start, const NamedParameters&... np) const
@@ -322,7 +324,7 @@ struct Geodesic_mean_result
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the point at which the search has ended, and a report that states whether it is a mean
+ * \return the point at which the search ended, and a report that states whether this point is a mean
  * \throws Invalid_parameter_error if no points are given, the numbers of points and weights differ, a weight is
  *         negative or not finite, all weights are zero, or the number of iterations is negative
  * \throws Disconnected_endpoints_error as `Geodesic_mean` does
@@ -332,7 +334,8 @@ struct Geodesic_mean_result
  * \throws Invalid_coordinate_error as `Geodesic_mean` does
  * \throws Invalid_mesh_error as `Geodesic_mean` does
  *
- * Complexity: for each step that is tried, that of computing a `Geodesic_distance_field` up to the farthest point.
+ * Complexity: for each step that is tried, that of computing a `Geodesic_distance_field` from the current point up to
+ * the farthest of the given points.
  */
 template <class TriangleMesh, class PlaceRange, class WeightRange, class... NamedParameters,
           std::enable_if_t<!internal::is_named_parameters<WeightRange>, int> = 0>

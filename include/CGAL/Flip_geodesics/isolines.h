@@ -49,7 +49,7 @@ struct Located_polyline
   using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
 
   bool is_closed = false; ///< whether the polyline ends where it begins
-  /// the locations of the points; all points on one edge of the mesh are located in the same face
+  /// the locations of the points; points on the same edge of the mesh are located in the same face
   std::vector<Face_location> locations;
   std::vector<Point> points; ///< the points in space
 
@@ -99,8 +99,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * Computes the isolines of a distance field, also known as offset curves: the curves at given distances from its
  * sources.
  *
- * An isoline is the boundary of the set of points whose distance from the sources is less than its level. Each of its
- * components is closed or ends on the border of the mesh, and isolines never cross. The following bounds hold for a
+ * The isoline at a level is the boundary of the set of points whose distance from the sources is less than this level.
+ * Each of its components is closed or ends on the border of the mesh, and isolines never cross. The following bounds
+ * hold for the tolerance \f$t\f$:
  * tolerance \f$t\f$:
  * - The vertices of an isoline lie on the true curve up to rounding errors. Between the vertices, the isoline is
  *   nowhere farther than \f$t\f$ from the true curve, and the distances of its points from the sources differ from the
@@ -110,16 +111,17 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *   distance differs from the level by at most \f$t\f$ everywhere in this part.
  *
  * Faces that may contain points at a level are divided until their parts are as small as the tolerance. The bounds hold
- * because distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept; each is
- * computed once. Inside faces, only as many points are kept as the tolerance requires, and their number grows like the
- * inverse square root of the tolerance. No points are omitted at sharp bends, if parts of one isoline come within three
- * tolerances of one another, or if levels are so close that chords of two isolines might intersect.
+ * because distances are 1-Lipschitz. All points at which an isoline crosses edges of the mesh are kept, and each of
+ * them is computed only once. Inside faces, only as many points are kept as the tolerance requires, and their number
+ * grows like the inverse square root of the tolerance. All points are kept at sharp bends, where parts of one isoline
+ * come within three tolerances of one another, and where levels are so close that chords of two isolines might
+ * intersect.
  *
- * A level may equal the distance at a vertex, or the constant distance in a whole region; points at the level count as
- * farther. If the field was computed up to a limit, points with infinite distance count as farther as well. A face
- * whose three vertices have infinite distances is assumed to contain no point with a finite distance.
+ * A level may equal the distance at a vertex, or the constant distance in a whole region; points whose distance equals
+ * the level count as farther. If the field was computed up to a limit, points with infinite distance count as farther
+ * as well. A face whose three vertices have infinite distances is assumed to contain no point with a finite distance.
  *
- * \param mesh a triangle mesh; its distances are those of its points in space
+ * \param mesh a triangle mesh; distances on it are those of the surface that its points in space define
  * \param field a model of `GeodesicDistanceField`
  * \param levels a range of numbers; a level that is not larger than the smallest distance has no isolines
  * \param out an output iterator that receives an `Isoline<TriangleMesh, Point>` for each component, in the order of the
@@ -142,16 +144,16 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \cgalNamedParamsEnd
  *
  * \return the past-the-end output iterator
- * \throws Invalid_parameter_error if a level is not finite, the tolerance is not positive and finite or is less than
- *         1e-14 of a side of a face, or the field returns NaN or is a `Geodesic_distance_field` that has not been
- *         computed
+ * \throws Invalid_parameter_error if a level is not finite; if the tolerance is not positive, not finite, or less than
+ *         1e-14 of a side of a face; if the field returns NaN; or if the field is a `Geodesic_distance_field` that has
+ *         not been computed
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex, and about twenty times per length \f$t\f$ of an isoline. An
- * isoline has one point for each edge that it crosses, and \cgalBigO{\ell / \sqrt{r t}} further points for a length
- * \f$\ell\f$ and a radius of curvature \f$r\f$. A mesh other than a `Surface_mesh` is indexed first, in
- * \cgalBigO{n \log n} time for \f$n\f$ faces.
+ * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of length \f$t\f$ of an
+ * isoline. An isoline has one point for each edge that it crosses. In addition, a piece of length \f$\ell\f$ with a
+ * radius of curvature \f$r\f$ has \cgalBigO{\ell / \sqrt{r t}} points inside faces. A mesh other than a `Surface_mesh`
+ * is indexed first, in \cgalBigO{n \log n} time, where \f$n\f$ is the number of faces.
  *
  * \sa `voronoi_boundaries()`
  */
@@ -188,13 +190,13 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * Represents a distance field that is interpolated between distances at vertices, such as those of
- * `geodesic_distances()`. It has one property map per source; each map is interpolated linearly in each face, and the
- * field is the minimum of these functions.
+ * Represents a distance field that is interpolated between distances at vertices, such as those that
+ * `geodesic_distances()` computes. The field has one property map per source. Each map is interpolated linearly in each
+ * face, and the field is the minimum of these functions.
  *
  * Since distances on a surface are not linear in faces, the accuracy depends on the size of the faces, and is best far
  * from the sources. The slope of the field can exceed 1, so the bounds stated at `isolines()` need not hold. Isolines
- * are still found wherever the distances at two vertices of an edge lie on different sides of the level, and they are
+ * are still found wherever the distances at the two ends of an edge lie on different sides of the level, and they are
  * closed or end on the border.
  *
  * \cgalModels{GeodesicDistanceField}
@@ -259,14 +261,14 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
  *
- * Stores a boundary between two regions of a Voronoi diagram. It is a closed curve, or leads from one junction or point
- * on the border of the mesh to another.
+ * Stores a boundary between two regions of a Voronoi diagram. A boundary is a closed curve, or a curve each of whose
+ * ends is a junction of three regions or lies on the border of the mesh.
  */
 template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
 {
-  /// Stands for the missing source of points without a finite distance, and for the missing junctions of closed
-  /// boundaries and of ends on the border.
+  /// The number that replaces a source or junction that does not exist: the nearest source of points with infinite
+  /// distance, and the junctions of closed boundaries and of ends on the border.
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   /// The nearest sources on the left and on the right of the boundary, as seen from the side from which the faces of
@@ -285,35 +287,37 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  *
  * A boundary is closed, or ends at junctions of three regions or on the border of the mesh. A point at which more than
  * three regions meet is represented by several junctions, which are no farther apart than the tolerance. Except near
- * junctions, the vertices of a boundary lie on the true boundary up to rounding errors; a junction and the vertices
- * next to it may deviate from their true positions by a few hundredths of the tolerance. Between its vertices, a
- * boundary is nowhere farther than the tolerance from the true boundary. As with `isolines()`, the number of vertices
- * inside faces grows like the inverse square root of the tolerance. Points that are not reached by any source form a
- * region with the source `Voronoi_boundary::none`.
+ * junctions, the vertices of a boundary lie on the true boundary up to rounding errors. Junctions and the vertices next
+ * to them may deviate from their true positions by a few hundredths of the tolerance. Between its vertices, a boundary
+ * is nowhere farther than the tolerance from the true boundary. As with `isolines()`, the number of vertices inside
+ * faces grows like the inverse square root of the tolerance. Points that no source reaches form a region with the
+ * source `Voronoi_boundary::none`.
  *
- * Faces in which the nearest source changes are divided until their parts are as small as the tolerance. Faces in which
- * the field guarantees a single nearest source, by `GeodesicDistanceField::has_one_source()`, are not divided, so a
- * field with one source is processed quickly. In all other faces, a region could extend between sample points that have
- * the same nearest source, since a field does not return the distance of the second nearest source. These faces are
- * therefore divided until no side of a part is longer than \f$\sqrt{t s}\f$, where \f$t\f$ is the tolerance and \f$s\f$
- * the square root of the area of the surface. Around sources without an offset, faces are divided until their parts are
- * as small as the tolerance. A region, or an arm of one, can be missed only if it is narrower than \f$\sqrt{t s}\f$ and
- * does not contain a source without an offset.
+ * Faces in which the nearest source changes are divided until their parts are as small as the tolerance. A face is not
+ * divided if the field guarantees a single nearest source in the face, by `GeodesicDistanceField::has_one_source()`; a
+ * field with one source is therefore processed quickly.
  *
- * \param mesh a triangle mesh; its distances are those of its points in space
+ * In all other faces, a region can be missed if it lies between sample points that have the same nearest source, since
+ * a field does not return the distance of the second nearest source. These faces are therefore divided until no side of
+ * a part is longer than \f$\sqrt{t s}\f$. Here, \f$t\f$ is the tolerance, and \f$s\f$ is the square root of the area of
+ * the surface. Around sources without an offset, faces are divided until their parts are as small as the tolerance. A
+ * region, or an arm of one, can be missed only if it is narrower than \f$\sqrt{t s}\f$ and does not contain a source
+ * without an offset.
+ *
+ * \param mesh a triangle mesh; distances on it are those of the surface that its points in space define
  * \param field a model of `GeodesicDistanceField`
  * \param out an output iterator that receives a `Voronoi_boundary<TriangleMesh, Point>` for each boundary, where
  *        `Point` is the value type of the vertex point map
  * \param tolerance a distance on the surface, in the unit of the coordinates
  * \param np the named parameters `vertex_point_map` and `visitor`, as for `isolines()`
  * \return the past-the-end output iterator
- * \throws Invalid_parameter_error if the tolerance is not positive and finite or is less than 1e-14 of a side of a
- *         face, or the field returns NaN or is a `Geodesic_distance_field` that has not been computed
+ * \throws Invalid_parameter_error if the tolerance is not positive, not finite, or less than 1e-14 of a side of a face;
+ *         if the field returns NaN; or if the field is a `Geodesic_distance_field` that has not been computed
  * \throws Invalid_mesh_error if a face is not a triangle
  * \throws Invalid_coordinate_error if a coordinate is not finite
  *
- * Complexity: the field is evaluated once per vertex and about forty times per length \f$t\f$ of a boundary. In all
- * other faces together, the number of further evaluations is at most a small multiple of \f$s / t\f$.
+ * Complexity: the field is evaluated once per vertex, and about forty times for each piece of length \f$t\f$ of a
+ * boundary. The number of all other evaluations is at most a small multiple of \f$s / t\f$.
  *
  * \sa `isolines()`
  */

@@ -39,8 +39,8 @@ namespace CGAL::Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Computes the logarithmic map of a surface point, that is, the length and initial direction of a shortest path from it
- * to any other point.
+ * Computes the logarithmic map of a surface point, that is, the length and initial direction of a shortest path from
+ * this point to any other point.
  *
  * The map is the inverse of the exponential map, which `Geodesic_tracer` evaluates:
  *
@@ -50,15 +50,17 @@ namespace CGAL::Flip_geodesics {
  * Geodesic_tracer<Triangulation>(triangulation).trace(source, Surface_direction{logarithm.halfedge(), p.angle},
  *                                             p.radius, CGAL::Emptyset_iterator()); \endcode
  *
- * The geodesic traced by this code ends at the target unless the shortest path bends at a vertex, which a straightest
- * geodesic never does. A `Geodesic_distance_field` finds the edges that the shortest path crosses. The faces between
- * these edges are unfolded into a plane, and the unfolded target gives the result. The error is therefore a few
- * rounding errors per edge, not the error of the distances.
+ * The geodesic traced by this code ends at the target, unless the shortest path bends at a vertex: a straightest
+ * geodesic never bends.
  *
- * The map is discontinuous across the cut locus, the set of points that shortest paths reach from two sides. Which of
- * these paths is chosen there depends on rounding errors.
+ * A `Geodesic_distance_field` finds the edges that the shortest path crosses. The faces between these edges are
+ * unfolded into a plane, and the unfolded target gives the result. The error of the result is therefore a few rounding
+ * errors per edge, and does not include the error of the distances.
  *
- * A map must not be used by two threads at once, not even through its `const` members; the `const` members of its
+ * The map is discontinuous across the cut locus, the set of points that shortest paths reach from two sides. At such a
+ * point, rounding errors determine which of these paths is chosen.
+ *
+ * A map must not be used by two threads at once, not even through its `const` members. The `const` members of its
  * triangulation and of its `distance_field()` are thread-safe.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
@@ -132,8 +134,8 @@ public:
    * from `halfedge()`. The radius is infinite if no path exists within the limits. At the source itself, the radius is
    * 0 and the angle is NaN.
    *
-   * If the path bends at vertices, the angle is that of the path to the first of them, so all points whose paths first
-   * bend at the same vertex have the same angle.
+   * If the path bends at vertices, the angle is that of the path to the first of these vertices. All points whose paths
+   * first bend at the same vertex therefore have the same angle.
    *
    * \param point a vertex of the input, as a `Vertex_index`, or a point of any type that `surface_location()` accepts
    * \throws Vertex_out_of_range_error if `point` is not the index of a vertex of the input
@@ -174,9 +176,9 @@ public:
     return {p.radius * std::cos(angle), p.radius * std::sin(angle)};
   }
 
-  /// Returns the polar coordinates of a vector in the plane of `in_plane()`, of which this function is the inverse. At
-  /// a border vertex whose angles exceed \f$2\pi\f$, several angles correspond to the same vector; of these, the one
-  /// nearest to the middle of the angular range of the surface is returned.
+  /// Converts Cartesian coordinates in the plane of `in_plane()` to polar coordinates. This function is the inverse of
+  /// `in_plane()`. At a border vertex whose angles sum to more than \f$2\pi\f$, several angles can correspond to the
+  /// same vector. The function returns the angle that is nearest to the middle of the angular range of the surface.
   Polar_coordinates from_plane(const std::array<double, 2>& vector) const
   {
     const double angle = std::atan2(vector[1], vector[0]) / m_frame.stretch();
@@ -184,8 +186,8 @@ public:
   }
 
   /*!
-   * Returns the point at a given fraction of the length of a shortest path from the source to a location, for example
-   * the midpoint of the path for 1/2.
+   * Returns the point at a given fraction of the length of a shortest path from the source to a location. For example,
+   * the fraction 1/2 gives the midpoint of the path.
    *
    * \param location the end of the path
    * \param part the fraction, from 0 at the source to 1 at the location
@@ -383,13 +385,14 @@ private:
  * Computes the logarithmic map of a surface point, that is, the length and initial direction of a shortest path from it
  * to each target.
  *
- * A call of `trace_geodesic(mesh, source, std::pair(result.halfedge(), p.angle), p.radius, out)` traces a geodesic that
- * ends at the target with the coordinates `p`, unless the shortest path to this target bends at a vertex.
+ * Let `p` be the coordinates of a target. The call
+ * `trace_geodesic(mesh, source, std::pair(result.halfedge(), p.angle), p.radius, out)` traces a geodesic that ends at
+ * this target, unless the shortest path to the target bends at a vertex.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
  *        `trace_geodesic()`
- * \param targets a range of points of these types; `vertices(mesh)` for all vertices
+ * \param targets a range of points of these types, for example `vertices(mesh)` for all vertices
  * \param out an output iterator that receives `Polar_coordinates`, one for each target
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
  *        only the work limit is used
@@ -400,8 +403,8 @@ private:
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, which also bounds the time for all targets given as
- * vertices, plus that of `Logarithmic_map::operator()()` for each other target.
+ * Complexity: that of `Geodesic_distance_field::compute()`, plus that of `Logarithmic_map::operator()()` for each
+ * target that is not given as a vertex. The time for all targets given as vertices does not exceed that of `compute()`.
  *
  * \sa `Logarithmic_map`
  */
@@ -449,9 +452,9 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * Computes the parallel transport of a tangent vector along a curve, with respect to the Levi-Civita connection.
  *
  * \param mesh a triangle mesh
- * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s; consecutive ones must lie in
- *        a common face. `geodesic_path()` and `trace_geodesic()` write such ranges, and a `Located_polyline` contains
- *        one
+ * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s. Consecutive points must lie
+ *        in a common face. `geodesic_path()` and `trace_geodesic()` write such ranges, and a `Located_polyline`
+ *        contains such a range
  * \param direction the direction at the start of the curve: a halfedge and the angle from this halfedge, as for
  *        `trace_geodesic()`
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
@@ -467,8 +470,8 @@ Place_in_space transported_vector(const Triangulation& triangulation, const std:
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
- * Complexity: linear in the number of locations and in the sum of the degrees of the vertices among them. A mesh other
- * than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
+ * Complexity: linear in the number of locations plus the sum of the degrees of the vertices among them. A mesh other
+ * than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time, where \f$n\f$ is the number of faces.
  *
  * \sa `Parallel_transport`
  */
@@ -495,13 +498,14 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * connection.
  *
  * The vector is projected onto the plane of the face of the first location. The result lies in the plane of the face of
- * the last location, and has the length of the projection. At a vertex, the vector can point out of the corner of the
- * face. It then represents the direction at the same angle on the surface, which is unambiguous if the angles at the
- * vertex sum to \f$2\pi\f$.
+ * the last location, and has the length of the projection.
+ *
+ * At a vertex, a vector can point out of the corner of the face. Such a vector represents the direction at the same
+ * angle on the surface. This direction is unambiguous if the angles at the vertex sum to \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
- * \param curve a range of `Face_location`s, which also represent vertices, since vectors lie in the planes of faces.
- *        Consecutive locations must lie in a common face
+ * \param curve a range of `Face_location`s. Vertices must also be given as `Face_location`s, since vectors lie in the
+ *        planes of faces. Consecutive locations must lie in a common face
  * \param vector a vector in space, of any kernel
  * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
  *        only the work limit is used; the metric must have points
@@ -513,8 +517,8 @@ std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, doubl
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
- * Complexity: linear in the number of locations and in the sum of the degrees of the vertices among them. A mesh other
- * than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
+ * Complexity: linear in the number of locations plus the sum of the degrees of the vertices among them. A mesh other
+ * than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time, where \f$n\f$ is the number of faces.
  */
 template <class TriangleMesh, class LocationRange, class Vector_3, class... NamedParameters,
           std::enable_if_t<internal::is_vector_in_space<Vector_3>, int> = 0>

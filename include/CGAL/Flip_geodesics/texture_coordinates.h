@@ -37,7 +37,7 @@ namespace CGAL::Flip_geodesics {
 struct Texture_report
 {
   std::size_t faces = 0; ///< the number of faces with coordinates
-  /// the number of these faces that are laid out separately, because the logarithmic map is discontinuous there or
+  /// the number of these faces that are laid out separately, because the logarithmic map is discontinuous in them or
   /// degenerates to a line
   std::size_t torn = 0;
 };
@@ -163,19 +163,21 @@ Value picture_place(double x, double y)
  * \ingroup PkgFlipGeodesicsTangents
  *
  * Maps an image onto the surface like a decal, by assigning texture coordinates to the corners of faces
- * \cgalCite{SGW06}. The coordinates are those of the logarithmic map of a point, which is mapped to the center of the
- * image.
+ * \cgalCite{SGW06}. The coordinates are those of the logarithmic map of a source point. The center of the image is
+ * mapped to this point.
  *
  * In texture coordinates, the image is the unit square. Along each ray from its center, lengths are preserved up to the
  * scale; curvature stretches or compresses the image in the perpendicular direction. The logarithmic map is
  * discontinuous where shortest paths arrive from two sides, and degenerates to a line behind a vertex at which these
- * paths bend. Each face that contains such points is unfolded separately, along the shortest path from the center of
- * the image to the center of the face, and its corners can have coordinates different from those in adjacent faces. A
- * face is thus never stretched across the image or reversed.
+ * paths bend.
+ *
+ * Each face that contains such points is unfolded separately, along the shortest path from the source point to the
+ * center of the face. The corners of this face can have coordinates that differ from those in adjacent faces. The
+ * separate unfolding prevents faces from being stretched across the image or reversed.
  *
  * \param mesh a triangle mesh
- * \param source the center: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
- * \param right the direction from the center to the right side of the image: a halfedge and an angle, as for
+ * \param source the source point: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
+ * \param right the direction from the source point to the right side of the image: a halfedge and an angle, as for
  *        `trace_geodesic()`
  * \param size the length of the sides of the image on the surface, in the unit of the coordinates
  * \param corners a model of `WritablePropertyMap` with the halfedges of the mesh as keys, which represent the corners
@@ -192,10 +194,10 @@ Value picture_place(double x, double y)
  * \throws Invalid_coordinate_error as `Geodesic_distance_field::compute()` does
  * \throws Invalid_mesh_error as `Geodesic_distance_field::compute()` does
  *
- * Complexity: that of computing a `Geodesic_distance_field` up to the radius that is the sum of the distance from the
- * center of the image to its corners and the length of the longest edge of the mesh. In addition, at most as many
- * windows as in this field are created. For points whose shortest paths the windows do not determine because of
- * rounding errors, the logarithmic map is evaluated separately.
+ * Complexity: that of computing a `Geodesic_distance_field` up to a radius. This radius is the distance from the center
+ * of the image to its corners plus the length of the longest edge of the mesh. In addition, at most as many windows as
+ * in this field are created. If rounding errors prevent the windows from determining the shortest path to a point, the
+ * logarithmic map is evaluated separately for this point.
  */
 template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(
