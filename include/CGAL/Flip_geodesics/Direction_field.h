@@ -83,8 +83,8 @@ public:
   const Tangent_spaces<Triangulation>& tangent_spaces() const { return m_spaces; }
 
   /// \name Alignment
-  /// If several directions are prescribed at one vertex, their `symmetry`-th powers are averaged; if the powers cancel
-  /// each other out, no direction is prescribed there.
+  /// If several directions are prescribed at one vertex, their `symmetry`-th powers are averaged. If the powers cancel
+  /// each other out, no direction is prescribed at this vertex.
   /// @{
 
   /// Prescribes a direction at vertex `v`, as an angle in its tangent space, in radians.

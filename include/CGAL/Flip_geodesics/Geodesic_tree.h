@@ -74,8 +74,8 @@ struct Geodesic_tree_report
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}
   std::size_t reopened = 0;  ///< the number of times that the acceptance of a vertex was revoked
   /// The smallest angle that a path forms on either side at a vertex through which it leads, in radians, measured on
-  /// the input. The value is infinite if no path leads through a vertex. It is also infinite for traits without drift,
-  /// for which no measurement is necessary.
+  /// the input. The value is infinite if no path leads through a vertex, and for traits without drift, which require no
+  /// measurement.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 

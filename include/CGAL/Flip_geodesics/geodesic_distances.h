@@ -799,7 +799,7 @@ Computed_values<Polar_coordinates> compute_logarithmic_map(const TriangleMesh& m
  *   than 1e-10 of its value.
  * - A tree of geodesics (`Geodesic_tree::grow()`), provided that the only source is a vertex that was passed by itself
  *   and not in a range. It is grown if the search does not confirm the distances, or if the field exceeds its limit.
- *   Unless the field exceeded its limit, paths of the tree are then replaced by shorter paths that have been found
+ *   Unless the field exceeded its limit, paths of the tree are then replaced wherever shorter paths have been found
  *   (`make_shortest()`).
  *
  * \param mesh a triangle mesh

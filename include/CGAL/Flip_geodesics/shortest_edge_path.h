@@ -122,9 +122,9 @@ enum class Search_method {
   /// a shortest edge path as after this search.
   ///
   /// The lower bound on the remaining distance is multiplied by 1.1 (weighted A*), so that paths of nearly equal length
-  /// need not be compared. If a vertex is reached again by a path that is only marginally shorter, it keeps its
-  /// position in the queue. The search usually visits at most a third as many vertices as `A_STAR`. If the metric has
-  /// no lower bound and no landmarks are given, the method is equivalent to `DIJKSTRA`.
+  /// need not be compared. A vertex keeps its position in the queue if a path found later is only marginally shorter.
+  /// The search usually visits at most a third as many vertices as `A_STAR`. If the metric has no lower bound and no
+  /// landmarks are given, the method is equivalent to `DIJKSTRA`.
   LOOK_BACK,
   /// a search for a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to
   /// `DIJKSTRA` if this bound is zero
