@@ -368,8 +368,8 @@ public:
    * \throws Invalid_parameter_error if the field is `VERTICES_ONLY` and the point is not a vertex, or if `compute()`
    *         has not been called
    *
-   * Complexity: linear in the number of vertices at which the shortest path bends, plus, unless the point is a vertex,
-   * linear in the number of windows on the sides of the face that contains the point.
+   * Complexity: linear in the number of vertices at which the shortest path bends. If the point is not a vertex, plus
+   * time linear in the number of windows on the sides of the face that contains the point.
    */
   template <class Point = Surface_location>
   Answer answer(const Point& point) const

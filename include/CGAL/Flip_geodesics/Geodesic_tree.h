@@ -65,10 +65,9 @@ namespace Flip_geodesics {
 struct Geodesic_tree_report
 {
   /// `LOCALLY_SHORTEST` if all paths are locally shortest; `STOPPED_BY_VISITOR` if `go_further()` of the visitor
-  /// returned `false`. If paths remain bent, the status is `PRECISION_LIMIT` if predicates are inexact or coordinates
-  /// were rounded to doubles, and `DEGENERATE_FACES` if predicates are exact, but several vertices coincide once
-  /// degenerate faces are contracted.
-  /// degenerate faces are contracted.
+  /// returned `false`; `PRECISION_LIMIT` if paths remain bent because predicates are inexact or coordinates were
+  /// rounded to doubles. The status is `DEGENERATE_FACES` if paths remain bent despite exact predicates, because
+  /// several vertices coincide once degenerate faces are contracted.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< the number of edge flips
   std::size_t flip_outs = 0; ///< the number of wedges flipped out \cgalCite{SC20,Algorithm 1}

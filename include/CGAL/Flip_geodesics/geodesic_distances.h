@@ -320,8 +320,8 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
  * \throws Invalid_parameter_error if the tree has not been grown
  *
  * Complexity: that of `Geodesic_distance_field::compute()`. If paths are replaced, the replacement takes time linear in
- * the size of the mesh, plus, for each replaced path, time linear in the degree of its end and in the number of edges
- * that its last geodesic segment crosses.
+ * the size of the mesh. In addition, each replaced path takes time linear in the degree of its end plus the number of
+ * edges that its last geodesic segment crosses.
  */
 template <class Triangulation, class... NamedParameters>
 Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const NamedParameters&... np)

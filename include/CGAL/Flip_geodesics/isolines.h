@@ -102,7 +102,6 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * The isoline at a level is the boundary of the set of points whose distance from the sources is less than this level.
  * Each of its components is closed or ends on the border of the mesh, and isolines never cross. The following bounds
  * hold for the tolerance \f$t\f$:
- * tolerance \f$t\f$:
  * - The vertices of an isoline lie on the true curve up to rounding errors. Between the vertices, the isoline is
  *   nowhere farther than \f$t\f$ from the true curve, and the distances of its points from the sources differ from the
  *   level by at most \f$t\f$.

@@ -129,7 +129,7 @@ enum class Search_method {
   /// a search for a shortest edge path, guided towards the target by the lower bound of the metric; equivalent to
   /// `DIJKSTRA` if this bound is zero
   A_STAR,
-  DIJKSTRA ///< a shortest edge path, found by a search in all directions
+  DIJKSTRA ///< a search for a shortest edge path in all directions
 };
 
 namespace internal {

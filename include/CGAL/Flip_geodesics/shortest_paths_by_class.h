@@ -397,9 +397,9 @@ Paths_of_classes<TriangleMesh, Form> paths_by_class_between(Triangulation& trian
  *
  * Complexity: \cgalBigO{m \log m} time, where \f$m\f$ is the number of vertices of the cover that are visited, plus the
  * time of `shortest_path()` for each path. A vertex is visited if an edge path that leads through it can be at most as
- * long as the edge paths of the first `number` classes, or if a path of another class that leads through it can be at
- * most as long as the last result. The cover is constructed in stages. Each stage enlarges the constructed part by at
- * least half. If the limit is reached, the time is therefore roughly proportional to the limit.
+ * long as the edge paths of the first `number` classes. It is also visited if a path of another class that leads
+ * through it can be at most as long as the last result. The cover is constructed in stages. Each stage enlarges the
+ * constructed part by at least half. If the limit is reached, the time is therefore roughly proportional to the limit.
  *
  * The function searches for shortest edge paths in the universal cover of the surface, in which each class of paths has
  * its own end point. A part of the cover is constructed. In this part, a shortest path to each of these end points is
