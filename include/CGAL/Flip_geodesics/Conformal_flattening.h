@@ -115,16 +115,19 @@ private:
  * Computes the discretely conformal flattening \cgalCite{SSP08} of a surface that is cut open along the curves of a
  * network \cgalCite{SC20,section 6.1 and Figure 22}.
  *
- * Each vertex of the cut surface is assigned a scale factor \f$e^{u}\f$, and each edge of length \f$l_{ij}\f$ is
- * assigned the length \f$e^{(u_i+u_j)/2}\,l_{ij}\f$, such that the faces fit together in the plane. At the border of
- * the cut surface, \f$u = 0\f$: lengths are preserved there, so the two sides of a cut have the same length. The sum of
- * the angles at a vertex of this border, such as a cone point at which a cut ends, is not prescribed.
+ * Each vertex \f$i\f$ of the cut surface is assigned a scale factor \f$e^{u_i}\f$. The length \f$l_{ij}\f$ of the edge
+ * between vertices \f$i\f$ and \f$j\f$ is replaced by \f$e^{(u_i+u_j)/2}\,l_{ij}\f$. The factors are chosen so that the
+ * faces with these scaled lengths fit together in the plane.
  *
- * The values \f$u\f$ minimize a convex function, whose Hessian matrix is the cotangent Laplacian. The minimum is found
- * by Newton's method; usually, a few sparse factorizations suffice. Faces that violate the triangle inequality during
- * the iteration are treated as degenerate \cgalCite{SSP08}. If such a face remains at the minimum, the problem has no
- * solution for this triangulation, and an exception is thrown. `refine_and_flatten()` instead splits edges of such
- * faces in order to obtain a triangulation for which a solution exists.
+ * At the border of the cut surface, \f$u_i = 0\f$. Border edges therefore keep their lengths, and the two sides of a
+ * cut have the same length. The sum of the angles at a border vertex, such as a cone point at which a cut ends, is not
+ * prescribed.
+ *
+ * The values \f$u_i\f$ minimize a convex function, whose Hessian matrix is the cotangent Laplacian. The minimum is
+ * found by Newton's method; usually, a few sparse factorizations suffice. Faces that violate the triangle inequality
+ * during the iteration are treated as degenerate \cgalCite{SSP08}. If such a face remains at the minimum, the problem
+ * has no solution for this triangulation, and an exception is thrown. `refine_and_flatten()` does not throw in this
+ * case, but splits edges of such faces in order to obtain a triangulation for which a solution exists.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
@@ -144,8 +147,8 @@ public:
 
   /*!
    * Cuts and flattens the surface.
-   * \param network a model of `CurveNetwork` that contains the finished curves, in a triangulation of a connected
-   *        surface
+   * \param network a model of `CurveNetwork` in a triangulation of a connected surface. The surface is cut along the
+   *        current curves of the network
    * \param tolerance the largest accepted deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians
    * \throws Flattening_error if the cut surface is not a disk, if a face remains degenerate, or if the tolerance is
    *         exceeded
@@ -165,8 +168,8 @@ public:
     lay_out(network);
   }
 
-  /// Returns the number of vertices of the cut surface. A vertex of the triangulation through which the cut passes has
-  /// several copies.
+  /// Returns the number of vertices of the cut surface, which are copies of the vertices of the triangulation. A vertex
+  /// of the triangulation through which the cut passes has several copies.
   Index number_of_copies() const { return m_surface.number_of_copies(); }
   /// Returns the vertex of the triangulation to which a copy belongs.
   Vertex_index vertex(Vertex_copy_index copy) const { return m_surface.vertex(copy); }
@@ -179,7 +182,7 @@ public:
   }
   /// Returns the position of a copy in the plane.
   const Point& point(Vertex_copy_index copy) const { return m_points[copy]; }
-  /// Returns the logarithm \f$u\f$ of the scale factor of a copy.
+  /// Returns the logarithm \f$u_i\f$ of the scale factor of a copy.
   double log_scale(Vertex_copy_index copy) const { return m_log_scales[copy]; }
 
   /*!
@@ -187,9 +190,9 @@ public:
    * can be used as texture coordinates of the subdivided mesh.
    * \param subdivision the result of `common_subdivision()` for the triangulation in the state in which it was
    *        flattened
-   * \param out a model of `WritablePropertyMap` with the halfedges of the subdivided mesh as keys and values that can
-   *        be constructed from two `double`s. For each halfedge that has a face, the map receives the position of the
-   *        target of the halfedge in this face
+   * \param out a model of `WritablePropertyMap` with the halfedges of the subdivided mesh as keys, and values that can
+   *        be constructed from two `double`s. For each halfedge of a face, the map receives the position that the
+   *        target of the halfedge has as a corner of this face
    * \pre no edge of the triangulation connects a vertex to itself; this holds after `refine_and_flatten()`
    */
   template <class Subdivision, class HalfedgeMap>
@@ -206,8 +209,9 @@ public:
 
   /// Returns the largest deviation of the angle sum at an interior vertex from \f$2\pi\f$, in radians.
   double angle_error() const { return m_angle_error; }
-  /// Returns the largest distance between the position of a copy and a position of this copy that was computed in
-  /// another face, divided by the largest distance of a copy from the origin.
+  /// Returns the layout error. When the faces are laid out, the position of a copy is computed in one of its faces, and
+  /// for comparison in its other faces. The error is the largest distance between such positions of one copy, divided
+  /// by the largest distance of a copy from the origin.
   double layout_error() const { return m_layout_error; }
   /// Returns the number of Newton steps.
   int iterations() const { return m_iterations; }
@@ -710,20 +714,23 @@ bool move_to_near_vertices(Network& network)
  *
  * Refines a triangulation, cuts its surface open along the curves of a network, and flattens the cut surface.
  *
- * First, the triangulation is flipped to Delaunay. Then `refine()` is called with the default quality bounds and a
- * limit of 10 000 inserted vertices plus ten times the number of vertices of the triangulation. Edges that connect a
- * vertex to itself are split. As long as the scaled lengths violate the triangle inequality in some faces, the longest
- * sides of these faces are split near their midpoints. Before the surface is cut, a curve is moved onto a vertex beside
- * it if the distance of the vertex from an edge of the curve is less than about \f$10^{-7}\f$ times the length of this
- * edge; the order of overlapping curves and the fixed nodes are then lost.
+ * First, the triangulation is flipped to Delaunay. Then `refine()` is called with the default quality bounds; the
+ * maximal number of insertions is 10 000 plus ten times the number of vertices of the triangulation. Edges that connect
+ * a vertex to itself are split. As long as the scaled lengths violate the triangle inequality in some faces, the
+ * longest sides of these faces are split near their midpoints.
  *
- * \param network the finished curves, in an `Intrinsic_triangulation` of a connected surface
+ * Before the surface is cut, each curve is moved onto any vertex whose distance from an edge of the curve is less than
+ * about \f$10^{-7}\f$ times the length of this edge. If a curve is moved, the order of overlapping curves and the fixed
+ * nodes are lost.
+ *
+ * \param network a network of the curves along which the surface is cut, in an `Intrinsic_triangulation` of a connected
+ *        surface
  * \param np the named parameter `visitor` of `refine()`, whose members are called during the flips and the refinement
  * \return the flattening, with a tolerance of 1e-10 radians for angle sums
- * \throws Flattening_error if the cut surface is not a disk, if the scale factor of an input vertex is estimated to be
- *         outside the range from about \f$10^{-9}\f$ to \f$10^9\f$, so that coordinates in the plane would be too
- *         inaccurate, or if splitting edges does not lead to a solution. In the last two cases, `elements()` returns a
- *         vertex to which the cut should be extended, if one is known
+ * \throws Flattening_error if the cut surface is not a disk; if splitting edges does not lead to a solution; or if the
+ *         scale factor of an input vertex is estimated to be less than about \f$10^{-9}\f$ or greater than about
+ *         \f$10^9\f$, so that coordinates in the plane would be too inaccurate. If the cut surface is a disk,
+ *         `elements()` returns a vertex to which the cut should be extended, if one is known
  * \throws Degenerate_face_error if a face is degenerate in double precision
  * \throws Occupied_triangulation_error as `refine()` does
  */

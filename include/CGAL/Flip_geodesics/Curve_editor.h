@@ -39,20 +39,21 @@ struct Move_report
  * waypoints, or the control polygon of a spline.
  *
  * Each *leg*, the geodesic from one point to the next, is shortened independently, as by `geodesics_through()`, so legs
- * can cross each other. When a point moves, each leg at this point is deformed continuously with it: the new leg is
- * obtained by shortening the concatenation of the old leg and the path of the move. The other legs are bitwise
- * unchanged. `undo()` undoes moves.
+ * can cross each other. When a point is moved, each leg at this point is deformed continuously: the new leg is obtained
+ * by shortening the concatenation of the old leg and the path of the move. All other legs remain bitwise identical.
+ * `undo()` undoes moves.
  *
- * The time of a move depends only on the legs at the moved point and on the path of the move, and not on previous
- * moves. It is roughly proportional to the number of edges that these legs cross, multiplied by the number of rows of
- * vertices over which the legs sweep. A leg is unfolded along its edge sequence, shortened with a funnel algorithm, and
- * certified as by `certify()`, regardless of the traits. If the leg cannot be certified, edges are flipped as by
- * `shorten()`, and the flips are rolled back afterwards.
+ * The running time of a move depends only on the legs at the moved point and on the path of the move, not on previous
+ * moves. The time is roughly proportional to the number of edges that these legs cross, multiplied by the number of
+ * rows of vertices over which the legs sweep. A leg is unfolded along its edge sequence, shortened with a funnel
+ * algorithm, and certified as by `certify()`, regardless of the traits. If the leg cannot be certified, edges are
+ * flipped as by `shorten()`, and the flips are rolled back afterwards.
  *
  * Guarantee: the end points and the edge sequence of a leg determine the leg bitwise, regardless of the moves that led
- * to it. If each homotopy class contains only one geodesic, as on surfaces whose interior vertices have angle sums of
- * at least \f$2\pi\f$, the moves affect the result only through the class. On other surfaces, a class can contain
- * several geodesics, and the moves determine which of them is obtained.
+ * to it. If each homotopy class contains only one geodesic, the leg depends only on its end points and on the homotopy
+ * class to which the moves lead. This is the case on surfaces whose interior vertices have angle sums of at least
+ * \f$2\pi\f$. On other surfaces, a class can contain several geodesics, and the moves determine which of them is
+ * obtained.
  *
  * Each leg starts at the end of the previous leg, and is a geodesic if the verdict on it is `Verdict::PROVEN`. The
  * triangulation is unchanged after each call of a member function.
@@ -72,8 +73,8 @@ public:
    * Constructs a curve whose legs are obtained by shortening nearly shortest edge paths.
    *
    * \param triangulation a triangulation that has no curves and whose log is empty; it must outlive the editor
-   * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts, such
-   *        that no two consecutive points coincide; for a closed curve, the first point is not repeated at the end
+   * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts.
+   *        Consecutive points must not coincide. For a closed curve, the first point must not be repeated at the end
    * \param np the named parameter `is_closed`, a `bool`: whether a leg connects the last point to the first; `false` by
    *        default
    * \throws Invalid_curve_error if there are fewer than two points, or two consecutive points coincide
@@ -116,10 +117,10 @@ public:
   bool is_closed() const { return m_is_closed; }
   /// Returns the number of legs; leg `i` leads from point `i` to the next one.
   std::size_t number_of_legs() const { return m_points.size() - (m_is_closed ? 0 : 1); }
-  /// Returns the points of a leg: its ends, its crossings with edges, and the vertices through which it passes. Two
+  /// Returns the points of a leg: its ends, its crossings with edges, and the vertices through which it passes. Any two
   /// consecutive points lie in a common face. If a leg runs along a degenerate face, the positions of its crossings
-  /// with the edges of this face can be ambiguous, and consecutive points can move back and forth along the face. The
-  /// length and the verdict do not depend on these positions.
+  /// with the edges of this face can be ambiguous, and the sequence of points can go back and forth along the face. The
+  /// length of the leg and the verdict on it do not depend on these positions.
   const std::vector<Surface_location>& leg(std::size_t i) const { return m_legs[i].points; }
   /// Returns the points of all legs, one leg after the other.
   std::vector<std::vector<Surface_location>> legs() const
@@ -139,9 +140,10 @@ public:
       sum += leg.length;
     return sum;
   }
-  /// Returns the verdict on a leg, which is obtained by exact arithmetic from the coordinates or edge lengths of the
-  /// input. A leg can fail to be a geodesic only if it requires flips and crosses itself, or if its computation exceeds
-  /// the precision of the traits. If coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`.
+  /// Returns the verdict on a leg. The verdict is obtained by exact arithmetic from the coordinates or edge lengths of
+  /// the input. If coordinates or lengths of the mesh had to be rounded, the verdict is `UNDECIDED`. A leg can fail to
+  /// be a geodesic only if it requires flips and crosses itself, or if its computation exceeds the precision of the
+  /// traits.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// Returns the verdict on the curve, which is the worst verdict on its legs.
   Verdict verdict() const
@@ -151,7 +153,7 @@ public:
       worst = (std::max)(worst, verdict(leg));
     return worst;
   }
-  /// Returns statistics of the filter failures of the predicates in all certificates, and of how these failures were
+  /// Returns the numbers of filter failures of predicates in all certificates, according to how the failures were
   /// resolved.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
@@ -162,11 +164,13 @@ public:
   /*!
    * Moves a point.
    *
-   * If both positions lie in one face, the path of the move is a straight line; otherwise, it leads along a nearly
-   * shortest edge path between vertices of the faces of these positions. If a point is dragged, its successive
-   * positions therefore determine the homotopy class of the path of the drag, provided that the distances between
-   * consecutive positions are smaller than the widths of the handles and holes near this path. If an exception is
-   * thrown, the curve is unchanged.
+   * If the old and the new position of the point lie in one face, the path of the move is a straight line. If they do
+   * not, the path follows a nearly shortest edge path between vertices of the faces that contain the two positions.
+   *
+   * Dragging a point is a sequence of moves. Its positions determine the homotopy class of the path of the drag if the
+   * distances between consecutive positions are smaller than the widths of the handles and holes near this path.
+   *
+   * If an exception is thrown, the curve is unchanged.
    *
    * \param i the number of the point
    * \param to the new position
@@ -174,10 +178,10 @@ public:
    * \pre `i < number_of_points()`
    * \throws Invalid_curve_error if the new position coincides with the previous or the next point
    * \throws Invalid_location_error if `to` is not a point of the surface
-   * \throws Disconnected_endpoints_error if no edge path connects the positions
+   * \throws Disconnected_endpoints_error if no edge path connects the old and the new position
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
    * \throws Crossing_curves_error if a leg requires flips, and its path crosses itself
-   * \throws Ambiguous_order_error if a leg requires flips, and the search for an order of its overlapping segments is
+   * \throws Ambiguous_order_error if a leg requires flips, and the search for the order of its overlapping segments is
    *         aborted
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Degenerate_face_error as `shorten()` does
@@ -194,12 +198,13 @@ public:
   /*!
    * Moves a point along a given path, which determines the homotopy classes of the legs at this point.
    * \param i the number of the point
-   * \param way a range of points of any type that `surface_location()` accepts: it must start at `point(i)` and end at
-   *        the new position, and any two consecutive points must lie in a common face
+   * \param way a range of points of any type that `surface_location()` accepts. The first point must be `point(i)`, and
+   *        the last point is the new position. Any two consecutive points must lie in a common face
    * \return a report on the recomputed legs
    * \pre `i < number_of_points()`
-   * \throws Invalid_curve_error if the path does not start at `point(i)`, or if two consecutive points have no common
-   *         face (`elements()` then returns the position of the second point in the path), or as `move()` does
+   * \throws Invalid_curve_error if the path does not start at `point(i)`, if two consecutive points do not lie in a
+   *         common face, or as `move()` does. If there is no common face, `elements()` returns the position of the
+   *         second point in the path
    * \throws Invalid_location_error as `move()` does
    * \throws Occupied_triangulation_error as `move()` does
    * \throws Crossing_curves_error as `move()` does

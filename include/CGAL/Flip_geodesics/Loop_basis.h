@@ -91,12 +91,13 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
  * curve with respect to this basis. The basis consists of loops along edges of the input mesh.
  *
  * Each component of genus \f$g\f$ with \f$b\f$ borders has \f$2g\f$ loops if \f$b = 0\f$, and \f$2g + b - 1\f$
- * otherwise. All loops of a component pass through its base point. No other set of edge loops through this point that
- * generates the fundamental group, or only the homology group, has a smaller total length, since a greedy choice is
- * optimal for both groups \cgalCite{EW05}. The basis depends on the base points. Lengths are those of the metric.
+ * otherwise. All loops of a component pass through its base point. Their total length is the smallest among all sets of
+ * edge loops through the base point that generate the fundamental group, and also among those that generate only the
+ * homology group \cgalCite{EW05}. Lengths are those of the metric. A different base point can lead to a different
+ * basis.
  *
- * The basis depends only on the input of the triangulation, so flips do not affect it. The construction takes
- * \cgalBigO{n \log n} time and linear memory.
+ * Only the input of the triangulation is used, so flips do not affect the basis. The construction takes \cgalBigO{n
+ * \log n} time and \cgalBigO{n} memory for \f$n\f$ edges.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -206,12 +207,12 @@ public:
 
   /*!
    * Returns the homology class of a closed chain of input halfedges, that is, its exact integer coefficients with
-   * respect to the basis. The difference between the chain and the corresponding combination of loops is the boundary
-   * of a set of faces, counted with multiplicities. Shortening a curve does not change its class.
+   * respect to the basis. The difference between the chain and the combination of loops with these coefficients is the
+   * boundary of a set of faces, counted with multiplicities. Shortening a curve does not change its class.
    *
-   * \param halfedges a range of `Input_halfedge_index` that forms a closed chain; an empty chain has class zero. A
-   *        halfedge `h` of the mesh corresponds to `triangulation.input().index(h)`. A `Halfedge_index` refers to the
-   *        intrinsic triangulation and is not accepted; a curve of such halfedges must be passed as a curve of a
+   * \param halfedges a range of `Input_halfedge_index` that forms a closed chain; an empty chain has class zero. The
+   *        index of a halfedge `h` of the mesh is `triangulation.input().index(h)`. A `Halfedge_index` is not accepted,
+   *        since it refers to the intrinsic triangulation; a curve of such halfedges must be passed as a curve of a
    *        network
    * \throws Invalid_curve_error if the chain is not closed
    *
@@ -447,22 +448,24 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
 /*!
  * \ingroup PkgFlipGeodesicsLoops
  *
- * Computes a homology basis that consists of handle loops and tunnel loops, for a surface that bounds a solid
- * \cgalCite{DFW13}.
+ * Computes a homology basis of handle loops and tunnel loops for a surface that bounds a solid \cgalCite{DFW13}.
  *
  * A handle loop, such as the meridian of a torus, bounds a surface inside the solid; a tunnel loop bounds a surface
- * outside. Each component is treated as if it were the only one, and a component of genus \f$g\f$ has \f$g\f$ loops of
- * each kind. All loops together form a basis of the first homology group with integer coefficients.
+ * outside the solid. Each component is treated as if it were the only one, and a component of genus \f$g\f$ has \f$g\f$
+ * loops of each kind. All loops together form a basis of the first homology group with integer coefficients.
  *
- * Which homology classes bound a surface inside or outside is decided exactly from linking numbers of loops that are
- * pushed off the surface. These numbers are computed by counting crossings in a projection. Each candidate loop
- * consists of an edge and the two paths to its ends in a tree of shortest paths from a base point or from a vertex near
- * a handle. The candidates that bound a surface inside or outside are considered in the order of increasing length, and
- * a candidate is chosen if it and the loops already chosen can be extended to a homology basis. If the candidates do
- * not suffice, as on a knotted tube, several loops of a `Loop_basis` are combined, and the resulting loops can traverse
- * edges more than once and cross themselves. Since the choice of vertices near the handles depends on the numbering of
- * the mesh, a different numbering of the same mesh can lead to different loops, whose lengths can differ by a few
- * percent.
+ * The function decides exactly which homology classes bound a surface inside or outside the solid. The decisions are
+ * based on linking numbers of loops that are pushed off the surface; these numbers are computed by counting crossings
+ * in a projection.
+ *
+ * The loops are chosen from candidates. Each candidate consists of an edge and two paths to its ends in a shortest path
+ * tree, whose root is a base point or a vertex near a handle. The candidates that bound a surface inside or outside the
+ * solid are considered in order of increasing length. A candidate is chosen if it can be extended, together with the
+ * loops chosen so far, to a homology basis. If the candidates do not suffice, as on a knotted tube, several loops of a
+ * `Loop_basis` are combined. The combined loops can traverse edges more than once and cross themselves.
+ *
+ * The choice of the vertices near handles depends on the numbering of the mesh. A different numbering of the same mesh
+ * can therefore lead to different loops, whose lengths can differ by a few percent.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points; only its input is read
  * \param np an optional sequence of named parameters among those listed below
@@ -477,14 +480,14 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * \cgalNamedParamsEnd
  *
  * \return the loops of both kinds
- * \pre the surface does not cross or touch itself; a violation is reported as an error if it is detected
- * \throws Invalid_mesh_error if the mesh is not a closed triangulated surface, or is found to cross itself
+ * \pre the surface does not cross or touch itself; if a violation is detected, an exception is thrown
+ * \throws Invalid_mesh_error if the mesh is not a closed triangulated surface, or if it is found to cross itself
  * \throws Degenerate_face_error if degenerate faces prevent the computation
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  *
- * Complexity: \cgalBigO{n \log n}, plus the cube of the genus times the number of digits of the integers that occur. In
- * addition, all pairs of edges of loops that are close to each other in the projection are processed; for loops of
- * \f$m\f$ edges in total, these are at most \f$m^2\f$ pairs.
+ * Complexity: \cgalBigO{n \log n + g^3 d + p} for a mesh of \f$n\f$ edges and of genus \f$g\f$, where the integers that
+ * occur have at most \f$d\f$ digits, and \f$p\f$ pairs of edges of loops are close to each other in the projection. If
+ * the loops have \f$m\f$ edges in total, \f$p\f$ is at most \f$m^2\f$.
  */
 template <class Triangulation, class... NamedParameters>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, const NamedParameters&... np)
