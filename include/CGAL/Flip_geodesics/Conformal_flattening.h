@@ -727,10 +727,10 @@ bool move_to_near_vertices(Network& network)
  *        surface
  * \param np the named parameter `visitor` of `refine()`, whose members are called during the flips and the refinement
  * \return the flattening, with a tolerance of 1e-10 radians for angle sums
- * \throws Flattening_error if the cut surface is not a disk; if splitting edges does not lead to a solution; or if the
- *         scale factor of an input vertex is estimated to be less than about \f$10^{-9}\f$ or greater than about
- *         \f$10^9\f$, so that coordinates in the plane would be too inaccurate. If the cut surface is a disk,
- *         `elements()` returns a vertex to which the cut should be extended, if one is known
+ * \throws Flattening_error if the cut surface is not a disk; if splitting edges does not lead to a solution; if the
+ *         tolerance is exceeded; or if the scale factor of an input vertex is estimated to be less than about
+ *         \f$10^{-9}\f$ or greater than about \f$10^9\f$, so that coordinates in the plane would be too inaccurate. If
+ *         the cut surface is a disk, `elements()` returns a vertex to which the cut should be extended, if one is known
  * \throws Degenerate_face_error if a face is degenerate in double precision
  * \throws Occupied_triangulation_error as `refine()` does
  */

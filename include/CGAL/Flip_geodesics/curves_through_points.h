@@ -44,17 +44,22 @@ enum class Spline_kind {
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Computes a chain of geodesic B&eacute;zier curves on the surface \cgalCite{MCV08}, \cgalCite{SC20,section 6.2}, by de
- * Casteljau's algorithm with geodesics instead of straight lines. Each curve is subdivided into pieces. In the plane,
- * the points at which consecutive pieces meet lie on the B&eacute;zier curve up to rounding errors.
+ * Casteljau's algorithm with geodesics instead of straight lines. Each curve is subdivided into pieces. On a planar
+ * mesh, the points at which consecutive pieces meet lie on the B&eacute;zier curve up to rounding errors.
  *
  * Each *leg* of a control polygon, the geodesic between two consecutive control points, is shortened independently, in
  * a triangulation that is restored afterwards. Legs can therefore pass through control points, overlap, and cross one
- * another, so the control polygon can cross itself. De Casteljau's algorithm repeatedly replaces a polygon by the
- * polygon of the midpoints of its legs; each new leg is obtained by shortening the path that follows the old legs from
- * one midpoint to the next, so that the spline stays in the homotopy class of the control polygon. `add_curve_along()`
- * turns the pieces of the finished curve into a curve of a network, and thus into edges of a triangulation.
+ * another, so the control polygon can cross itself.
  *
- * Invariant: each leg is a geodesic that starts at the end of the previous leg, and the triangulation is unchanged.
+ * De Casteljau's algorithm repeatedly replaces a polygon by the polygon of the midpoints of its legs. Each new leg is
+ * obtained by shortening the path that follows the old legs from one midpoint to the next. The spline therefore stays
+ * in the homotopy class of the control polygon.
+ *
+ * `add_curve_along()` turns the pieces of the finished curve into a curve of a network, and thus into edges of a
+ * triangulation.
+ *
+ * Invariant: each leg is a geodesic that starts at the end of the previous leg. The triangulation is unchanged after
+ * each call of a member function.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
@@ -63,13 +68,13 @@ class Geodesic_spline
 {
 public:
   /*!
-   * Constructs a spline from control points, which are connected by shortest edge paths that are then shortened to
-   * geodesics.
+   * Constructs a spline from control points. Consecutive points are connected by shortest edge paths, which are
+   * shortened to geodesics.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline
-   * \param control_points a range of at least two points of the surface, of any type that `surface_location()` accepts;
-   *        a closed spline requires at least three points, and the first point is not repeated at the end. Consecutive
-   *        points may coincide; the leg between them then has length zero
+   * \param control_points a range of at least two points of the surface, of any type that `surface_location()` accepts.
+   *        A closed spline requires at least three points, and the first point must not be repeated at the end.
+   *        Consecutive points may coincide; the leg between two coincident points has length zero
    * \param kind the type of the spline
    * \throws Invalid_curve_error if there are fewer than two points, or fewer than three for a closed spline
    * \throws Occupied_triangulation_error if a network has curves in the triangulation
@@ -87,16 +92,16 @@ public:
   }
 
   /*!
-   * Constructs a spline from a control polygon whose legs are already geodesics, such as those of a `Curve_editor`. If
-   * such a spline is constructed from the legs of an editor after each move, its homotopy class is always that of the
-   * dragged control polygon.
+   * Constructs a spline from a control polygon whose legs are geodesics, such as those of a `Curve_editor`. If a spline
+   * is constructed from the legs of an editor after each move, every such spline is in the homotopy class of the moved
+   * control polygon.
    *
    * \param triangulation a triangulation of the input without flips and curves; it must outlive the spline
-   * \param legs the legs, each starting at the end of the previous one; any two consecutive locations must lie in one
-   *        face, and the last leg of a closed spline ends where the first starts
+   * \param legs the legs. Each leg must start at the end of the previous leg, and the last leg of a closed spline must
+   *        end at the start of the first leg. Any two consecutive locations of a leg must lie in a common face
    * \param kind the type of the spline
-   * \throws Invalid_curve_error if no leg is given, or fewer than three legs for a closed spline, if a leg has fewer
-   *         than two locations, or if two consecutive locations do not lie in a common face
+   * \throws Invalid_curve_error if no leg is given, if fewer than three legs are given for a closed spline, if a leg
+   *         has fewer than two locations, or if two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Insertion_error as `Intrinsic_triangulation::insert()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -138,9 +143,10 @@ public:
   }
 
   /*!
-   * Subdivides every piece in rounds, until a round changes the total length of the control polygons of the pieces by
-   * at most `tolerance` times this length, but in at most `most_rounds` rounds. The change in each round is about a
-   * quarter of the change in the previous one, so the total remaining change is about a third of the last change.
+   * Calls `refine()` repeatedly, at most `most_rounds` times. The function returns after the first call that changes
+   * the total length of the control polygons of the pieces by at most `tolerance` times this length. The change in each
+   * round is about a quarter of the change in the previous round, so all further rounds would change the length by
+   * about a third of the last change.
    * \return the number of rounds
    * \throws Insertion_error as `refine()` does
    * \throws Crossing_curves_error as `refine()` does
@@ -160,9 +166,10 @@ public:
   }
 
   /*!
-   * Connects the ends of each piece, which lie on the curve, by a geodesic in the homotopy class of the control polygon
-   * of the piece.
-   * \return one polyline per piece, from its start to its end, through the points at which it crosses edges
+   * Replaces each piece by a geodesic between its ends, in the homotopy class of the control polygon of the piece. The
+   * ends of the pieces lie on the curve.
+   * \return one polyline per piece: the start of the geodesic, the points at which the geodesic crosses edges, and its
+   *         end
    * \throws Insertion_error as `refine()` does
    * \throws Crossing_curves_error as `refine()` does
    * \throws Ambiguous_order_error as `refine()` does
@@ -198,15 +205,17 @@ public:
     return sum;
   }
 
-  /// Returns the report on `finish()`, which includes the flips of all previous calls. The initial length is the total
-  /// length of the control polygons of the pieces before the first call of `refine()`, and the verdict is the verdict
-  /// on all geodesics together.
+  /// Returns the report on `finish()`. The numbers of flips include the flips of the construction and of all previous
+  /// calls of member functions. The initial length is the total length of the control polygons of the pieces before the
+  /// first call of `refine()`. The verdict is the verdict on all geodesics together.
   const Shortening_report& report() const { return m_report; }
-  /// Returns the length of the finished curve. \throws Invalid_parameter_error before `finish()`
+  /// Returns the length of the finished curve. \throws Invalid_parameter_error if `finish()` has not been called
   double length() const { return finished().length; }
-  /// Returns the status of all legs of the finished curve together. \throws Invalid_parameter_error before `finish()`
+  /// Returns the status of all legs of the finished curve together. \throws Invalid_parameter_error if `finish()` has
+  /// not been called
   Shortening_status status() const { return finished().status; }
-  /// Returns the verdict on all legs of the finished curve together. \throws Invalid_parameter_error before `finish()`
+  /// Returns the verdict on all legs of the finished curve together. \throws Invalid_parameter_error if `finish()` has
+  /// not been called
   Verdict verdict() const { return finished().verdict; }
 
 private:
@@ -319,14 +328,18 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a curve through points of the surface. The points become vertices, at which the curve is fixed, and consecutive
- * points are connected.
+ * Adds a curve that connects consecutive points of the surface. The points become vertices, at which the curve is
+ * fixed.
  *
  * A curve through two points is added as a shortest edge path. A curve through more points consists of *legs*, which
- * connect consecutive points. Each leg is first shortened independently of the other points; it therefore passes beside
- * each of these points on the same side as a geodesic without obstacles does. The edges that the legs cross are
- * flipped. A leg that crosses a curve of the network remains an edge path; `order_overlapping_curves()` then detects
- * whether the curves cross. The initial length of the curve is that of the edge paths.
+ * connect consecutive points. Each leg is first shortened as if the other points did not exist. The leg therefore
+ * passes beside any other point on the same side as a geodesic without obstacles. Afterwards, the edges that the legs
+ * cross are flipped.
+ *
+ * A leg that would cross a curve of the network remains an edge path; `order_overlapping_curves()` detects whether this
+ * path crosses the curve.
+ *
+ * The initial length of the curve is the total length of the edge paths between consecutive points.
  *
  * \param network the network
  * \param locations a range of at least two points of the surface, of any type that `surface_location()` accepts; a
@@ -383,23 +396,23 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * Adds a curve along given legs, which should be geodesics on the surface, such as the pieces of a `Geodesic_spline`,
  * or the legs of a `Curve_editor` or of `geodesics_through()`.
  *
- * The ends of the legs become vertices, at which the curve is fixed. The legs become edges of the triangulation; to
- * this end, the edges that they cross are flipped. A leg that is not a geodesic is replaced by a geodesic in its
- * homotopy class.
+ * The ends of the legs become vertices, at which the curve is fixed. The legs become edges of the triangulation; for
+ * this purpose, the edges that the legs cross are flipped. A leg that is not a geodesic is replaced by a geodesic in
+ * its homotopy class.
  *
  * \param network the network
- * \param legs the legs, each starting at the end of the previous one; any two consecutive points of a leg must lie in a
- *        common face of the input
- * \param np the named parameter `is_closed`, a `bool`: whether the last leg ends where the first starts, and the curve
- *        is closed; `false` by default
+ * \param legs the legs. Each leg must start at the end of the previous leg. Any two consecutive points of a leg must
+ *        lie in a common face of the input
+ * \param np the named parameter `is_closed`, a `bool`: whether the curve is closed, that is, whether the last leg ends
+ *        at the start of the first leg; `false` by default
  * \return the index of the curve
  * \pre in the faces through which the legs pass, no edge of the triangulation crosses an input edge
- * \throws Invalid_curve_error if a leg has fewer than two points, consecutive points have no common face, or all legs
- *         are points
+ * \throws Invalid_curve_error if a leg has fewer than two points, if two consecutive points do not lie in a common
+ *         face, or if all legs are points
  * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()`
  *         returns the ends of the crossed edge. In this case no curve is added, but points may have become vertices,
  *         and edges may have been flipped
- * \throws Ambiguous_order_error if the search for an order of overlapping segments is aborted
+ * \throws Ambiguous_order_error if the search for the order of overlapping segments is aborted
  * \throws Invalid_location_error as `Edge_path_network::insert()` does
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
@@ -467,17 +480,19 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Computes geodesics between consecutive points, by shortening a shortest edge path between each pair.
+ * Computes geodesics, called *legs*, between consecutive points. Each leg is obtained by shortening a shortest edge
+ * path.
  *
- * The triangulation is restored after each leg. Legs therefore do not block one another and, unlike those of
- * `add_curve_through()`, can cross one another; a triangulation that contains all of them need not exist. A leg between
- * two coincident points consists of that point twice. If all points coincide, the curve is a point, and its status is
- * `Shortening_status::CONTRACTED`.
+ * The triangulation is restored after each leg, so legs do not block one another. Unlike the legs of
+ * `add_curve_through()`, they can cross one another; in this case, no triangulation has all legs as edges.
+ *
+ * A leg between two coincident points consists of that point twice. If all points coincide, the curve is a point, and
+ * its status is `Shortening_status::CONTRACTED`.
  *
  * \param triangulation a triangulation of the input without flips and curves, which is unchanged afterwards
  * \param points a range of at least two points of the surface, of any type that `surface_location()` accepts
- * \param np the named parameters `stop_predicate` and `visitor`, as for `shorten()`, which are applied to each leg. If
- *        the predicate has a member `restarted()`, the result of that member is used for each leg
+ * \param np the named parameters `stop_predicate` and `visitor` of `shorten()`, which are applied to each leg. If the
+ *        predicate has a member `restarted()`, the result of that member is used for each leg
  * \return the legs, and a report
  * \throws Invalid_curve_error if fewer than two points are given
  * \throws Occupied_triangulation_error if a network has curves in the triangulation
@@ -553,22 +568,22 @@ struct Path_between_points
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic, that is, a locally shortest path, through points anywhere on the surface.
+ * X
  *
- * The path leads from the first point to the last, and can have a corner at each point in between; with two points, it
- * is a geodesic between them. The path can cross itself. A point that coincides with the previous one has no effect; if
- * all points coincide, the path is that point.
+ * The path leads from the first point to the last, and can have a corner at each point in between. It can cross itself.
+ * A point that coincides with the previous one has no effect. If all points coincide, the path consists of a single
+ * point.
  *
  * \param mesh a triangle mesh
- * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, which are pairs
- *        of a face and barycentric coordinates, of `Surface_location`s, or of points in space. The documentation of
- *        `surface_location()` describes how points are snapped, and which point of the mesh represents a point in space
+ * \param locations a range of points, which are vertices of the mesh, `CGAL::Polygon_mesh_processing::Face_location`s,
+ *        `Surface_location`s, or points in space. The documentation of `surface_location()` describes how points are
+ *        snapped, and which point of the mesh represents a point in space
  * \param out an output iterator that receives the points of the path, in the form described at `geodesic_path()`
- * \param np an optional sequence of named parameters as for `geodesic_path()`, where the stop predicate is applied to
- *        each leg between two points, and `greatest_point_distance`, the greatest distance from the surface at which a
- *        point in space is accepted
- * \return the past-the-end output iterator, and a report with exactly one curve, which includes
- *         `Curve_report::point_distances`
+ * \param np an optional sequence of named parameters: those of `geodesic_path()`, and `greatest_point_distance`, the
+ *        greatest distance from the surface at which a point in space is accepted. The stop predicate is applied
+ *        separately to each part of the path between two consecutive points
+ * \return the past-the-end output iterator, and a report with exactly one curve, for which
+ *         `Curve_report::point_distances` is set
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Distant_point_error if a point in space is too far from the surface
  * \throws Vertex_out_of_range_error as `geodesic_path()` does
@@ -607,7 +622,7 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the number of times that every piece is subdivided at its midpoint}
+ *     \cgalParamDescription{the number of rounds, in each of which every piece is subdivided at its midpoint}
  *     \cgalParamType{an integer from 0 to 30}
  *     \cgalParamDefault{5}
  *   \cgalParamNEnd

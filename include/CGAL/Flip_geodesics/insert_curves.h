@@ -175,8 +175,9 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * \ingroup PkgFlipGeodesicsSubdivision
  *
  * Inserts curves into a mesh as chains of edges, in place. The faces that curves cross, and the faces beside split
- * edges, are divided; all other faces are kept. The curves are not shortened. The edges of the curves are marked, and
- * faces can be labeled by the regions that the marked edges bound.
+ * edges, are divided; all other faces are kept. The curves are not shortened. Optionally, the edges of the curves are
+ * marked, and each face is labeled with its region, that is, with the component into which the marked edges divide the
+ * surface.
  *
  * A curve can be the output of a function of this package, or a polyline drawn by a user. A curve can be open or
  * closed; the last point of a closed curve must repeat the first. Curves are allowed to cross themselves and one
@@ -185,30 +186,33 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  * face.
  *
  * The vertices of the mesh, and the edges and faces that no curve divides, are kept with their points and properties.
- * One part of a divided face or split edge keeps the descriptor of this face or edge; the other parts are new. New
- * vertices on an edge lie on the segment between its ends, at a parameter that is rounded to `double`, and new vertices
- * in a face are affine combinations of its corners. If the kernel has exact constructions, the vertices lie exactly at
- * these points, crossings lie exactly on both curves, barycentric coordinates in an exact number type are not rounded
- * inside faces, and a part of a face is degenerate only if the face itself is degenerate. Rounded coordinates cannot
- * distinguish vertices that are too close to each other. Therefore a point is moved to an edge if one of its
- * barycentric coordinates is at most the snapping tolerance (\f$10^{-9}\f$ for points in space), and to a vertex if two
- * of them are. Points on an edge or in a face are *close* to each other if their distance is at most the tolerance
- * times the length of the edge, or of the longest side of the face, plus \f$2^{-48}\f$ times the largest coordinate of
- * the ends of the edge or of the corners of the face. Close points are merged, and a segment that passes close to a
- * vertex is led through the vertex. If the tolerance is zero, nothing is merged, and with rounded coordinates, faces of
- * the result can be degenerate.
+ * One part of a divided face or split edge keeps the descriptor of this face or edge; the other parts are new.
+ *
+ * A new vertex on an edge lies on the segment between the ends of the edge, at a parameter that is rounded to `double`.
+ * A new vertex in a face is an affine combination of the corners of the face. If the kernel has exact constructions,
+ * the new vertices lie exactly at these points, and crossings lie exactly on both curves. With such a kernel,
+ * barycentric coordinates of an exact number type are not rounded inside faces, and a part of a face is degenerate only
+ * if the face itself is degenerate.
+ *
+ * Rounded coordinates cannot distinguish vertices that are too close to each other. Therefore a point is moved to an
+ * edge if one of its barycentric coordinates is at most the snapping tolerance (\f$10^{-9}\f$ for points in space), and
+ * to a vertex if two of them are. Two points on an edge are *close* to each other if their distance is at most the
+ * tolerance times the length of the edge, plus \f$2^{-48}\f$ times the largest coordinate of the ends of the edge. For
+ * two points in a face, the longest side and the corners of the face replace the edge and its ends. Close points are
+ * merged, and a segment that passes close to a vertex is led through the vertex. If the tolerance is zero, nothing is
+ * merged, and faces of the result can be degenerate unless the kernel has exact constructions.
  *
  * The mesh is unchanged if an exception is thrown, unless memory runs out or the visitor throws the exception.
  *
- * \param mesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two faces may have
- *        the same three vertices; only faces that are divided must be triangles
+ * \param mesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, in which no two faces have the
+ *        same three vertices. Only the faces that are divided must be triangles
  * \param curves a range of curves, or a single one. A curve is a range of points, or has such a range as its member
- *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a vertex or a
- *        `CGAL::Polygon_mesh_processing::Face_location` of the mesh, a `Surface_location`, `Surface_point`,
- *        `Curve_point` or `Curve_place`, a point in space that lies on the surface up to \f$10^{-6}\f$ of the diagonal
- *        of the bounding box, or a `std::variant` of several of these. A point in space is searched for in the faces
- *        around the previous point, and then, if it is not found there, in all faces. Any two consecutive points must
- *        lie in a common face. For other polylines, `complete_polyline()` computes the missing points. A curve that
+ *        `locations`, like an `Isoline` or a `Voronoi_boundary`. A point is a vertex of the mesh, a
+ *        `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, a `Surface_point`, a `Curve_point`, a
+ *        `Curve_place`, a point in space, or a `std::variant` of several of these types. Any two consecutive points
+ *        must lie in a common face; for other polylines, `complete_polyline()` computes the missing points. A point in
+ *        space must lie on the surface up to \f$10^{-6}\f$ of the diagonal of the bounding box. It is searched for in
+ *        the faces around the previous point and, if it is not found in these faces, in all faces. A curve that
  *        consists of a single point adds a vertex and no edge
  * \param np an optional sequence of named parameters among those listed below
  *
@@ -222,8 +226,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_patch_map}
  *     \cgalParamDescription{a property map that receives the number of the region of each face. Regions are the
- *       connected components of faces that are separated by marked edges, numbered from 0 in the order of their first
- *       faces}
+ *       connected components into which the marked edges divide the faces. They are numbered from 0 in the order of
+ *       their first faces}
  *     \cgalParamType{a model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key
  *       and an integer as value type}
  *     \cgalParamDefault{no map}
@@ -250,23 +254,27 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *
  * \return the numbers of new vertices, divided and new faces, and regions
  *
- * \exception Invalid_location_error if a face is null, barycentric coordinates are negative, NaN or do not sum to one
- *            within 10<sup>-6</sup>, or a point in space is not finite or not on the surface; `elements()` returns the
- *            positions of the curve and of the point in it
- * \exception Vertex_out_of_range_error if a vertex does not belong to any face, with the same elements
- * \exception Invalid_curve_error if a curve has no points, or two consecutive points do not lie in a common face;
- *            `elements()` returns the positions of the curve and of the second point
- * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle; for
- *            points in space, also if any face that is examined is not a triangle; if vertices, `Surface_location`s or
- *            `Surface_point`s are given, also if a `Surface_mesh` contains removed vertices or edges
- * \exception Invalid_coordinate_error if a vertex of a face that is divided or examined has a coordinate that is not
+ * \exception Invalid_location_error if a face is null; if barycentric coordinates are negative or NaN, or do not sum to
+ *            one within 10<sup>-6</sup>; or if a point in space is not finite or does not lie on the surface.
+ *            `elements()` returns the position of the curve in the range of curves, and the position of the point in
+ *            the curve
+ * \exception Vertex_out_of_range_error if a vertex does not belong to any face; `elements()` returns the same two
+ *            positions
+ * \exception Invalid_curve_error if a curve has no points, or if two consecutive points do not lie in a common face;
+ *            `elements()` returns the position of the curve and the position of the second point
+ * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle. If
+ *            points in space are given, also if a face in which they are searched for is not a triangle. If vertices,
+ *            `Surface_location`s or `Surface_point`s are given, also if the mesh is a `Surface_mesh` that contains
+ *            removed vertices or edges
+ * \exception Invalid_coordinate_error if a vertex of a face that is divided or searched has a coordinate that is not
  *            finite; `elements()` returns the position of the vertex in the range of vertices
  * \exception Invalid_parameter_error if the snapping tolerance is out of range
  *
- * Complexity: \cgalBigO{n \log n} for \f$n\f$ points and crossings if each face contains few of them, and at most
- * quadratic in the number of points and crossings within a single face. Regions are labeled in time linear in the size
- * of the mesh. If points in space are not found in the faces around their previous points, the search for them takes
- * \cgalBigO{n \log n} time in the size of the mesh once, and logarithmic time for each such point.
+ * Complexity: \cgalBigO{n \log n} for \f$n\f$ points and crossings in total if each face contains few of them. The time
+ * for a single face is at most quadratic in the number of points and crossings in this face. Labeling the regions takes
+ * time linear in the size of the mesh. If points in space are not found in the faces around their previous points, the
+ * search in all faces takes \cgalBigO{f \log f} time once for a mesh with \f$f\f$ faces, plus \cgalBigO{\log f} time
+ * for each such point.
  *
  * \sa `cut_along_curves()`
  * \sa `Slit_mesh`
