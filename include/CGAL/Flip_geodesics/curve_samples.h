@@ -30,10 +30,10 @@ namespace CGAL::Flip_geodesics {
  *
  * A vector is constant within a face, and remains constant across an edge if the two faces at the edge are unfolded
  * into a plane. At a vertex on the curve, the vector keeps its angle to the curve. For this purpose, the angles around
- * an interior vertex are scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}; at a border vertex they are not scaled. Along a
- * straightest geodesic, the tangent is therefore transported to the tangent. Along a loop that passes through no vertex
- * and bounds a disk, a vector is rotated by the holonomy of the loop, which is the sum of the angle defects of the
- * vertices in the disk.
+ * an interior vertex are scaled to a sum of \f$2\pi\f$ \cgalCite{PS98}; the angles at a border vertex are not scaled.
+ * The tangent of a straightest geodesic therefore remains tangent when it is transported along the geodesic. Along a
+ * loop that passes through no vertex and bounds a disk, a vector is rotated by the holonomy of the loop, which is the
+ * sum of the angle defects of the vertices in the disk.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -52,16 +52,18 @@ public:
    *
    * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
    *        consecutive ones lie in one face or on its boundary; equal consecutive points count once
-   * \param direction the direction at the first location; its halfedge must either be a side of a face that contains
-   *        the location, or start at the location
-   * \param halfedge the halfedge from which the resulting angle is measured; it must satisfy the same condition at the
-   *        last location. By default, it is the halfedge described at `Surface_direction`
-   * \return the direction at the last location, with an angle in \f$[0, 2\pi)\f$ or, at an interior vertex, between 0
-   *         and the sum of the angles there. At a border vertex, where a full turn does not exist, the angle is not
-   *         reduced to an interval and can have any value
+   * \param direction the direction at the first location. Its halfedge must either be a side of a face that contains
+   *        the first location, or start at this location
+   * \param halfedge the halfedge from which the resulting angle is measured. It must either be a side of a face that
+   *        contains the last location, or start at this location. By default, it is the halfedge described at
+   *        `Surface_direction`
+   * \return the direction at the last location. At an interior vertex, its angle is at least 0 and less than the sum of
+   *         the angles around the vertex. At a border vertex, where a full turn does not exist, the angle is not
+   *         reduced to an interval and can have any value. At any other location, the angle lies in \f$[0, 2\pi)\f$
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
-   * \throws Invalid_parameter_error if the angle is not finite, or a halfedge does not satisfy the condition
+   * \throws Invalid_parameter_error if the angle is not finite, or if one of the two halfedges does not satisfy its
+   *         condition
    * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
    * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
    * \throws Invalid_mesh_error if a face along the curve is invalid
@@ -89,8 +91,8 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Represents a curve that is straight between consecutive locations and is parametrized by arc length; its member
- * functions return the location and the direction at a given length from the start.
+ * Represents a curve that is straight between consecutive locations and is parametrized by arc length. Member functions
+ * return the location and the direction of the curve at a given length from the start.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -127,12 +129,12 @@ public:
   /// Returns the length of the curve, which is 0 if all its locations coincide.
   double length() const { return m_lengths.back(); }
 
-  /// Returns the locations of the curve; of consecutive equal points, only the first is included.
+  /// Returns the locations of the curve. Of several consecutive equal locations, only the first is included.
   const std::vector<Surface_location>& locations() const { return m_sleeve.places(); }
 
   /*!
-   * Returns the number \f$i\f$ of the piece, leading from `locations()[i]` to `locations()[i + 1]`, that contains the
-   * point at a given length from the start. At a common point of two pieces, the number of the second piece is
+   * Returns the number of the piece that contains the point at a given length from the start. Piece `i` leads from
+   * `locations()[i]` to `locations()[i + 1]`. For a common point of two pieces, the number of the second piece is
    * returned.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
@@ -146,8 +148,8 @@ public:
   }
 
   /*!
-   * Returns the location at a given length from the start, in the face in which the curve continues or, at its end, in
-   * the face in which it arrives.
+   * Returns the location at a given length from the start. The location refers to the face in which the curve
+   * continues. The location of the end refers to the face in which the curve arrives.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
    *
@@ -170,7 +172,7 @@ public:
 
   /*!
    * Returns the direction in which the curve continues at a given length from the start, measured from the halfedge of
-   * `location(length)`. At the end, the result is the direction in which the curve arrives.
+   * `location(length)`. At the end of the curve, the result is the direction in which the curve arrives.
    *
    * \throws Invalid_parameter_error if the length is not between 0 and `length()`
    * \throws Invalid_curve_error if the curve is a point
@@ -226,17 +228,17 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Returns the counterclockwise angle at a location from one direction to another. If the location is not a vertex, the
- * angle is at least 0 and less than \f$2\pi\f$. At an interior vertex, it is at least 0 and less than the sum of the
- * angles around the vertex. At a border vertex, where a full turn does not exist, it is the difference of the angles of
- * the directions, which can be negative.
+ * Returns the counterclockwise angle from one direction at a location to another direction at this location. If the
+ * location is not a vertex, the result is at least 0 and less than \f$2\pi\f$. At an interior vertex, the result is at
+ * least 0 and less than the sum of the angles around the vertex. At a border vertex, where a full turn does not exist,
+ * the result is the difference of the angles of the two directions, and can be negative.
  *
  * \throws Invalid_location_error if `location` is not a point of the surface
  * \throws Degenerate_face_error if a face of the location has a degenerate edge or violates the triangle inequality
  * \throws Invalid_coordinate_error if a face of the location has an invalid coordinate
  * \throws Invalid_mesh_error if a face of the location is invalid
- * \throws Invalid_parameter_error if an angle is not finite, or a halfedge neither bounds a face that contains the
- *         location nor starts at it
+ * \throws Invalid_parameter_error if an angle is not finite, or if a halfedge neither bounds a face that contains the
+ *         location nor starts at the location
  *
  * Complexity: linear in the degree of the vertex if the location is a vertex, and constant otherwise.
  */
@@ -340,14 +342,14 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * Samples a curve at equal arc lengths, with tangents and normals. The samples include the start and the end.
  *
  * \param mesh a triangle mesh
- * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s such that any two consecutive
- *        ones lie in one face. `geodesic_path()` and `trace_geodesic()` write such ranges, and an `Isoline` contains
- *        one as its member `locations`
+ * \param curve a range of vertices or of `CGAL::Polygon_mesh_processing::Face_location`s. Any two consecutive elements
+ *        must lie in a common face. For example, `geodesic_path()` and `trace_geodesic()` write such ranges, and the
+ *        member `locations` of an `Isoline` is such a range
  * \param number the number of samples, at least 2; on a closed curve, the first and the last sample lie at the same
  *        point
  * \param out an output iterator that receives `Curve_sample`s
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
- *        only the work limit is used; the metric must have points
+ * \param np the named parameters `vertex_point_map` or `metric` as for `geodesic_path()`, where the metric must have
+ *        points, and `geom_traits`, of which only the work limit is used
  * \return the past-the-end output iterator
  * \throws Invalid_parameter_error if `number` is less than 2
  * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
@@ -357,8 +359,8 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * \throws Invalid_coordinate_error if a face along the curve has an invalid coordinate
  * \throws Invalid_mesh_error if a face along the curve is invalid
  *
- * Complexity: linear in the number of locations of the curve, plus time logarithmic in this number for each sample.
- * Meshes other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
+ * Complexity: linear in the number of locations of the curve, plus time logarithmic in this number for each sample. A
+ * mesh other than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve, std::size_t number,
@@ -394,19 +396,19 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * \param mesh a triangle mesh
  * \param first, second curves as for `sample_curve()`; for curves that meet elsewhere, pass the parts that start at
  *        their common point
- * \param np the named parameters `vertex_point_map` or `metric`, as for `geodesic_path()`, and `geom_traits`, of which
+ * \param np the named parameters `vertex_point_map` or `metric` as for `geodesic_path()`, and `geom_traits`, of which
  *        only the work limit is used
  * \return the angle in radians
- * \throws Invalid_curve_error if the curves do not start at the same point, up to 1e-9 in the weights, or one of them
- *         is a point; also in the cases listed for `sample_curve()`
+ * \throws Invalid_curve_error if the weights of the starts of the two curves differ by more than 1e-9, if one of the
+ *         curves is a point, or as `sample_curve()` does
  * \throws Vertex_out_of_range_error as `sample_curve()` does
  * \throws Invalid_location_error as `sample_curve()` does
  * \throws Degenerate_face_error as `sample_curve()` does
  * \throws Invalid_coordinate_error as `sample_curve()` does
  * \throws Invalid_mesh_error as `sample_curve()` does
  *
- * Complexity: linear in the numbers of locations of the curves. Meshes other than `Surface_mesh` are indexed first, in
- * \cgalBigO{n \log n}.
+ * Complexity: linear in the total number of locations of the curves. A mesh other than a `Surface_mesh` is indexed
+ * first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
  */
 template <class TriangleMesh, class LocationRange, class OtherLocationRange, class... NamedParameters>
 double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first, const OtherLocationRange& second,

@@ -49,19 +49,19 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  * `Verdict::PROVEN`, and the output consists of its two end points. The end points of a degenerate edge coincide in
  * this sense.
  *
- * All functions that compute locally shortest curves on a mesh have the following properties. If a degenerate edge is
- * encountered, all degenerate edges are contracted, and the curve is computed again. In this case, the result is a
- * geodesic of the contracted surface, and `Curve_report::are_zero_edges_contracted` is `true`. A visitor observes the
- * steps of both attempts. The output is written once the result is complete, so nothing is written if an exception is
- * thrown.
+ * If a function that computes locally shortest curves on a mesh encounters a degenerate edge, all degenerate edges are
+ * contracted, and the curve is computed again. The result is then a geodesic of the contracted surface,
+ * `Curve_report::are_zero_edges_contracted` is `true`, and a visitor observes the steps of both computations.
+ *
+ * Functions that compute locally shortest curves on a mesh write their output only when the result is complete, so
+ * nothing is written if an exception is thrown.
  *
  * \param mesh a triangle mesh
  * \param source, target vertices in the same connected component
- * \param out an output iterator that receives the points of the path from `source` to `target`. The value type of the
- *        iterator selects the form of the points. Points in space are written if the metric has points and the output
- *        accepts them; otherwise, `CGAL::Polygon_mesh_processing::Face_location`s are written if the output accepts
- *        these. If the output accepts neither, it receives `Curve_point`s, which contain both together with the crossed
- *        halfedges and the tangents, or `Curve_place`s, which have no points
+ * \param out an output iterator that receives the points of the path from `source` to `target`. The form of the points
+ *        is the first of the following forms that the output accepts: points in space, if the metric has points;
+ *        `CGAL::Polygon_mesh_processing::Face_location`s; and `Curve_point`s, which contain both together with the
+ *        crossed halfedges and the tangents. If the metric has no points, `Curve_place`s replace `Curve_point`s
  * \param np an optional sequence of named parameters, in any order, among those listed below
  *
  * \cgalNamedParamsBegin
@@ -85,8 +85,8 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  *     \cgalParamDescription{a predicate that can end the shortening early; the report then indicates this}
  *     \cgalParamType{a model of `FlipOutStopPredicate`, which is copied unless it is passed by `std::ref()`}
  *     \cgalParamDefault{`Never_stop_predicate`}
- *     \cgalParamExtra{With a stop predicate or a visitor, the initial straightening is omitted, so that both observe
- *       every step from the edge path on.}
+ *     \cgalParamExtra{With a stop predicate or a visitor, the initial straightening is omitted, so that the predicate
+ *       or the visitor observes all steps, starting with the edge path.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{a visitor that is called for each step}
@@ -102,13 +102,13 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
  * \throws Disconnected_endpoints_error if no edge path connects `source` and `target`
- * \throws Degenerate_face_error if a face violates the triangle inequality, or if, after the contraction of degenerate
- *         edges, no face remains at one of these edges, or no surface connects the ends of the path
+ * \throws Degenerate_face_error if a face violates the triangle inequality; or if the contraction of degenerate edges
+ *         leaves no face at one of these edges, or disconnects the ends of the path
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  * \throws Invalid_mesh_error if a visited face is not a triangle, or a `Surface_mesh` contains removed elements
  *
- * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices that the search visits, plus the time of `shorten()`. Meshes
- * other than `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
+ * Complexity: \cgalBigO{k \log k} for the \f$k\f$ vertices that the search visits, plus the time of `shorten()`. A mesh
+ * other than a `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
  *
  * \sa `shortest_path()`
  * \sa `geodesic_paths()`
@@ -135,8 +135,8 @@ struct Path_between_points;
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic between two points, each of any of the following types: vertices of the mesh,
- * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, `Curve_place`s or `Curve_point`s, or points in
+ * Computes a geodesic between two points. Each of them can be a vertex of the mesh, a
+ * `CGAL::Polygon_mesh_processing::Face_location`, a `Surface_location`, a `Curve_place`, a `Curve_point`, or a point in
  * space. The named parameters and exceptions are those of `geodesic_path_through()`. Programs that link the compiled
  * library must also include `curves_through_points.h`.
  */
@@ -161,15 +161,15 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * Computes a closed geodesic by shortening a loop of edges.
  *
  * \param mesh a triangle mesh
- * \param vertices a range of vertices. Consecutive vertices must share an edge, and so must the last and the first; the
- *        first vertex may be repeated at the end
+ * \param vertices a range of vertices. Consecutive vertices must share an edge, and so must the last and the first
+ *        vertex. The first vertex may be repeated at the end
  * \param out an output iterator that receives the points of the closed geodesic in the form described at
  *        `geodesic_path()`, with the first point repeated at the end. It receives nothing if the loop contracts
  * \param np named parameters, as for `geodesic_path()`
  * \return the past-the-end output iterator, and a report with exactly one curve
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
- * \throws Invalid_curve_error if there are fewer than two vertices, or they do not form a chain of edges
+ * \throws Invalid_curve_error if there are fewer than two vertices, or if the vertices do not form a chain of edges
  * \throws Crossing_curves_error if the loop crosses itself at a vertex
  * \throws Ambiguous_order_error if the search for an order of overlapping segments exceeds its budget
  * \throws Degenerate_face_error as `geodesic_path()` does
@@ -199,20 +199,20 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * \param mesh a triangle mesh
  * \param curves a range of ranges of vertices. Consecutive vertices of a curve must share an edge; a curve whose last
  *        vertex equals its first is a closed loop
- * \param out an output iterator that receives one `std::vector` per curve, in order, of the points that
- *        `geodesic_path()` writes
+ * \param out an output iterator that receives one `std::vector` of points for each curve, in the order of the curves.
+ *        The form of the points is described at `geodesic_path()`
  * \param np named parameters, as for `geodesic_path()`
  * \return the past-the-end output iterator, and a report with one entry per curve
  *
  * \throws Vertex_out_of_range_error if a vertex does not belong to `mesh`
- * \throws Invalid_curve_error if a curve has fewer than two vertices, or they do not form a chain of edges
+ * \throws Invalid_curve_error if a curve has fewer than two vertices, or if its vertices do not form a chain of edges
  * \throws Crossing_curves_error if curves cross at a vertex
  * \throws Ambiguous_order_error if the search for an order of overlapping segments exceeds its budget
  * \throws Degenerate_face_error as `geodesic_path()` does
  * \throws Invalid_coordinate_error as `geodesic_path()` does
  * \throws Invalid_mesh_error as `geodesic_path()` does
  *
- * Complexity: that of `geodesic_loop()`, with the flips for all curves.
+ * Complexity: that of `geodesic_loop()`, including the flips for all curves.
  */
 template <class TriangleMesh, class CurveRange, class OutputIterator, class... NamedParameters>
 Geodesics_result<OutputIterator> geodesic_network(const TriangleMesh& mesh, const CurveRange& curves,

@@ -223,7 +223,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *
  * Computes many geodesics on one mesh, each as `geodesic_path()` does, with a single triangulation per thread.
  *
- * The results depend neither on the number of threads nor on the other pairs. If an exception such as
+ * The result of a pair depends neither on the number of threads nor on the other pairs. If an exception such as
  * `Disconnected_endpoints_error` is thrown for a pair, it is stored in the result of the pair, and the other paths are
  * still computed.
  *
@@ -231,10 +231,11 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *         TBB for `Parallel_tag`
  *
  * \param mesh a triangle mesh
- * \param pairs a range of `std::pair`s of a source and a target: vertices, or points of any types that
- *        `geodesic_path()` accepts. If the types differ from pair to pair, the ends are `std::variant`s of these types
- * \param out an output iterator that receives a `Geodesic_path_result` per pair, in the order of the pairs, with points
- *        of a form that `geodesic_path()` writes: points in space, `Face_location`s or `Curve_point`s
+ * \param pairs a range of `std::pair`s of a source and a target. Both are vertices or points of any types that
+ *        `geodesic_path()` accepts. If the types differ from pair to pair, the sources and targets are `std::variant`s
+ *        of these types
+ * \param out an output iterator that receives one `Geodesic_path_result` per pair, in the order of the pairs. The
+ *        points of the results are points in space, `Face_location`s or `Curve_point`s, as for `geodesic_path()`
  * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map`, `metric` and
  *        `geom_traits` as for `geodesic_path()`
  *
@@ -246,18 +247,18 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *     \cgalParamDefault{`Never_stop_predicate`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor that is called from all threads. Its `go_further()` is also called before each
- *       pair and in the search for its edge path; if it returns `false` there, the pair has no path and the status
- *       `Shortening_status::STOPPED_BY_VISITOR`}
+ *     \cgalParamDescription{a visitor that is called from all threads. Its `go_further()` is also called before a pair
+ *       is processed, and during the search for the edge path of the pair. If one of these calls returns `false`, the
+ *       result of the pair has no points, and its status is `Shortening_status::STOPPED_BY_VISITOR`}
  *     \cgalParamType{a model of `FlipOutVisitor`, which is copied for each path unless it is passed by `std::ref()`}
  *     \cgalParamDefault{no visitor}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{landmarks}
  *     \cgalParamDescription{landmarks computed for this mesh and its metric, which accelerate the searches and are
  *       worthwhile for thousands of pairs. With landmarks, a path can lie on another side of a hole or a bump than
- *       without them; the lengths of the two paths are then similar. If the number of vertices differs from that of the
- *       mesh, the result of each pair contains an `Input_mismatch_error`. Landmarks have no effect on a path unless
- *       both ends are given as vertices}
+ *       without landmarks, but the lengths of the two paths are similar. If the landmarks were computed for a mesh with
+ *       a different number of vertices, the result of each pair contains an `Input_mismatch_error`. Landmarks have no
+ *       effect on a path unless both ends are given as vertices}
  *     \cgalParamType{`Landmark_distances`}
  *     \cgalParamDefault{no landmarks}
  *   \cgalParamNEnd
@@ -272,9 +273,9 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *
  * \return the past-the-end output iterator
  *
- * Complexity: that of the searches and of `shorten()` for all pairs. Meshes other than `Surface_mesh` are indexed once
- * per thread, in \cgalBigO{n \log n}. Locating points in space takes \cgalBigO{n \log n} time once per thread, and
- * logarithmic time for each point close to the surface.
+ * Complexity: the time of the searches and of `shorten()` for all pairs. A mesh other than a `Surface_mesh` is indexed
+ * once per thread, in \cgalBigO{n \log n} time for \f$n\f$ faces. If points in space are given, locating them takes
+ * \cgalBigO{n \log n} time once per thread, plus \cgalBigO{\log n} time for each point close to the surface.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
           class... NamedParameters>

@@ -22,8 +22,8 @@
 
 namespace CGAL::Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsBuilders
-/// Specifies the treatment of vertices at which more than two regions meet.
+/// \ingroup PkgFlipGeodesicsBuilders Specifies the treatment of junctions, the vertices at which more than two regions
+/// meet.
 enum class Junctions {
   FIXED, ///< these vertices are fixed, and curves end there
   FREE   ///< the junctions can move: every region has its own curves, next to those of its neighbors
@@ -149,14 +149,16 @@ private:
  * Adds the edges between faces of different regions as a network: the boundaries of a segmentation
  * \cgalCite{SC20,section 6.1}. The border of the mesh is not a boundary of a region, but boundaries can end there.
  *
- * With fixed junctions, as with `add_marked_edges()`, the curves end at the vertices that are incident to exactly one
- * edge between regions or to more than two; a curve without such a vertex is closed. With free junctions, each edge
- * between two regions carries two segments, one for each region, with the region on the left; the segments form closed
- * curves and paths from border to border. When the network is shortened, the junctions can move, and a gap that does
- * not belong to any region can open between the curves of regions that met at one vertex. Regions do not overlap
- * afterwards either, and every curve keeps its isotopy class among the others.
+ * With fixed junctions, a curve ends at each vertex that is incident to exactly one or to more than two edges between
+ * regions, as with `add_marked_edges()`. A curve without such a vertex is closed.
  *
- * If an exception is thrown, also by `regions`, the network is left empty.
+ * With free junctions, each edge between two regions carries two segments, one for each region. The segments of a
+ * region have the region on their left; they form closed curves, and paths from border to border. When the network is
+ * shortened, the junctions can move. A gap that does not belong to any region can then open between the curves of
+ * regions that met at one vertex. The regions still do not overlap, and every curve keeps its isotopy class among the
+ * others.
+ *
+ * If this function or `regions` throws an exception, the network remains empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation
@@ -202,17 +204,18 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds the seams of a texture as a network: the edges whose two faces have different texture coordinates at one or both
- * ends.
+ * Adds the seams of a texture as a network. A seam is an edge whose two faces have different texture coordinates at one
+ * or both ends of the edge.
  *
- * A curve ends at each vertex that is incident to exactly one seam edge or to more than two, and hence wherever a seam
- * ends inside the surface or on its border. Border edges are not seams. If an exception is thrown, also by `texture`,
- * the network is left empty.
+ * A curve ends at each vertex that is incident to exactly one or to more than two seams. Border edges are not seams.
+ *
+ * If this function or `texture` throws an exception, the network remains empty.
  *
  * \param network an empty network in a triangulation whose edges are those of the input
  * \param mesh the mesh of the triangulation
- * \param texture a model of `ReadablePropertyMap` with the halfedges of the mesh as keys; the value of a halfedge
- *        contains the texture coordinates of its target in its face; values can be compared by `!=`
+ * \param texture a model of `ReadablePropertyMap` with the halfedges of the mesh as keys, and values that can be
+ *        compared by `!=`. The value of a halfedge contains the texture coordinates that its target has as a corner of
+ *        its face
  * \return the number of curves added
  *
  * Complexity: linear in the size of the mesh.
@@ -235,15 +238,16 @@ Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap t
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Completes a polyline whose consecutive points need not lie in a common face, such as the recorded positions of a pen.
- * Between two consecutive points without a common face, the points at which a geodesic between them crosses edges are
- * inserted.
+ * Two consecutive points without a common face are connected by a geodesic, and the points at which this geodesic
+ * crosses edges are inserted into the polyline.
  *
  * \param triangulation the triangulation, which is unchanged afterwards
- * \param polyline the points, a range of points of the surface, of any type that `surface_location()` accepts
+ * \param polyline a range of points of the surface, of any type that `surface_location()` accepts
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the polyline, for `draw_polyline()` and `snap_polyline()`
  * \pre no edge of the triangulation has been flipped
- * \throws Occupied_triangulation_error if a network has curves in the triangulation, and a geodesic is needed
+ * \throws Occupied_triangulation_error if a network has curves in the triangulation, and two consecutive points do not
+ *         lie in a common face
  * \throws Invalid_curve_error if the polyline has fewer than two points, or fewer than three if it is closed
  * \throws Disconnected_endpoints_error if no edge path connects two consecutive points
  * \throws Invalid_location_error as `draw_polyline()` does
@@ -284,26 +288,28 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation, co
  * Adds a polyline anywhere on the mesh to a network, as a curve that is fixed at all points of the polyline
  * \cgalCite{SC20,Figure 9}.
  *
- * The points become vertices of the triangulation. The segments of the polyline become edges; for this purpose, edges
- * are flipped in the input faces that contain the segments. A segment that passes through a vertex becomes several
- * edges. The curve therefore coincides with the polyline. After a call of `Edge_path_network::free_nodes()`, the curve
- * can be shortened.
+ * The points become vertices of the triangulation, and the segments of the polyline become edges, so the curve
+ * coincides with the polyline. For this purpose, edges are flipped in the input faces that contain the segments. A
+ * segment that passes through a vertex becomes several edges.
+ *
+ * After a call of `Edge_path_network::free_nodes()`, the curve can be shortened.
  *
  * Which edges a segment crosses is decided exactly, from the weights of the points. Several polylines can be added one
- * after another. They can meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross at
- * these places. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
+ * after another. They can meet at vertices and overlap; `order_overlapping_curves()` detects whether they cross where
+ * they meet or overlap. Segments that cross elsewhere cannot be edges of one triangulation and are rejected.
  *
  * \param network the network
- * \param polyline the points, of any type that `surface_location()` accepts; any two consecutive ones must lie in a
- *        common face or on a common edge of the input. A closed polyline must not repeat the first point. Points that
- *        equal the previous one are skipped
+ * \param polyline a range of points of any type that `surface_location()` accepts. Any two consecutive points must lie
+ *        in a common face or on a common edge of the input. A closed polyline must not repeat the first point. A point
+ *        that equals the previous point is skipped
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
  * \return the index of the curve
  * \pre in the input faces that contain the polyline, no edge of the triangulation crosses an input edge
- * \throws Invalid_curve_error if two consecutive points have no common face, or there are too few points
- * \throws Crossing_curves_error if a segment crosses another one, or a curve of the network, between vertices;
- *         `elements()` returns the ends of the crossed edge. In this case no curve is added, but points of the
- *         polyline may have become vertices
+ * \throws Invalid_curve_error if two consecutive points do not lie in a common face, or if the polyline has too few
+ *         points
+ * \throws Crossing_curves_error if a segment crosses another segment or a curve of the network between vertices;
+ *         `elements()` returns the ends of the crossed edge. In this case no curve is added, but points of the polyline
+ *         may have become vertices
  * \throws Invalid_location_error if a location is not a point of the surface
  * \throws Insertion_error as `Edge_path_network::insert()` does
  * \throws Occupied_triangulation_error as `Edge_path_network::insert()` does
@@ -323,15 +329,15 @@ Curve_index draw_polyline(Network& network, const PointRange& polyline, const Na
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Returns the vertices of a path of input edges to which a polyline is snapped: each point on an edge is moved to the
- * nearer end of the edge, and each end of an open polyline to the vertex at which its weight is largest. Apart from the
- * moves of its ends, the path is in the isotopy class of the polyline. No vertex is added.
+ * Snaps a polyline to a path of input edges, and returns the vertices of the path. Each point on an edge is moved to
+ * the nearer end of the edge. Each end of an open polyline is moved to the vertex for which its weight is largest.
+ * Apart from these moves of the ends, the path is in the isotopy class of the polyline. No vertex is added.
  *
  * \param triangulation the triangulation
- * \param polyline the points, as for `draw_polyline()`
+ * \param polyline a range of points, as for `draw_polyline()`
  * \param np the named parameter `is_closed`, a `bool`: whether the polyline is closed; `false` by default
- * \return the vertices of the path, for `halfedges_through()`; fewer than two vertices if the polyline shrinks to a
- *         vertex. A closed path does not repeat the first vertex
+ * \return the vertices of the path, which can be passed to `halfedges_through()`. A closed path does not repeat the
+ *         first vertex. If the polyline shrinks to a vertex, fewer than two vertices are returned
  * \throws Invalid_curve_error as `draw_polyline()` does
  * \throws Invalid_location_error as `draw_polyline()` does
  */

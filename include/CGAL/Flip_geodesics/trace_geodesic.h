@@ -328,15 +328,16 @@ Trace_report traced_geodesic(const Triangulation& triangulation, const Exact_inp
  * \ingroup PkgFlipGeodesicsTracing
  *
  * Traces straightest geodesics on the input mesh of a triangulation \cgalCite{PS98}, that is, evaluates the exponential
- * map. Such geodesics are straight across faces and edges, and have equal angles on both sides at each vertex that they
- * pass. The corresponding free function is `trace_geodesic()`.
+ * map. Such geodesics are straight across faces and edges, and have equal angles on both sides at each vertex through
+ * which they pass. The corresponding free function is `trace_geodesic()`.
  *
- * Which edges are crossed, and whether a vertex is reached, is decided exactly, from the signs of real numbers that are
- * defined by the weights of the start, the direction, and the input coordinates or lengths. A direction given as an
- * angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly \f$2\pi\f$, the geodesic
- * continues as in a plane, without rounding. Examples are vertices inside planar regions and on the edges between two
- * planar regions. At other vertices, and at vertices of a degenerate face, the bisecting angle is rounded, and so is
- * the outgoing direction.
+ * Which edges are crossed, and whether a vertex is reached, is decided exactly. Each decision is the sign of a real
+ * number that is defined by the weights of the start, the direction, and the input coordinates or lengths.
+ *
+ * A direction given as an angle is rounded once, to a vector in the face. At a vertex whose angles sum to exactly
+ * \f$2\pi\f$, the geodesic continues as in a plane, without rounding. Examples are vertices inside planar regions and
+ * on the edges between two planar regions. At other vertices, and at vertices of a degenerate face, the bisecting angle
+ * is rounded, and so is the outgoing direction.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; flips made in it do not affect the result
  */
@@ -357,12 +358,12 @@ public:
    *
    * \param source the start, a point of any type that `surface_location()` accepts. A `Face_location` is not moved to a
    *        nearby edge or vertex. Tracing can therefore continue from the end of any geodesic
-   * \param direction a `Surface_direction`, whose angle extends over all incident faces if the start is a vertex, so
-   *        that a full turn is the sum of their angles. Alternatively, if the start is a `Surface_location`, the
-   *        direction can be a `std::array<double, 2>` of coordinates in the face of the halfedge of the location: the
-   *        coefficients of the vectors from the tail of this halfedge to its head and to the third corner. Coordinates
-   *        are not rounded, unless the start is a vertex and the direction points out of the face, or one coefficient
-   *        is more than 1e100 times the other
+   * \param direction a `Surface_direction`. If the start is a vertex, a full turn is the sum of the angles around the
+   *        vertex. If the start is a `Surface_location`, the direction can also be a vector in the face of the halfedge
+   *        of the location, given as a `std::array<double, 2>`: the coefficients of the vectors from the tail of this
+   *        halfedge to its head and to the third corner of the face. These coefficients are not rounded, except if the
+   *        start is a vertex and the vector points out of the face, or if one coefficient is more than 1e100 times the
+   *        other
    * \param length the maximal length, in the unit of the coordinates
    * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and
    *        the end; `CGAL::Emptyset_iterator()` if these points are not needed
@@ -370,8 +371,9 @@ public:
    *        `at_vertices` of `trace_geodesic()`
    * \return a report with the end of the geodesic
    * \throws Invalid_location_error if `source` is not a point of the surface
-   * \throws Invalid_parameter_error if the angle is not finite, its halfedge is neither a side of a face that contains
-   *         the source nor starts at it, the length is negative or not finite, or the number of iterations is negative
+   * \throws Invalid_parameter_error if the angle is not finite; if its halfedge is not a side of a face that contains
+   *         the source and does not start at the source; if the length is negative or not finite; or if the number of
+   *         iterations is negative
    * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
    *         lies in a degenerate face
    * \throws Invalid_coordinate_error if a coordinate is not finite
@@ -514,24 +516,24 @@ private:
  * Traces a straightest geodesic \cgalCite{PS98} from a surface point in a given direction, that is, evaluates the
  * exponential map.
  *
- * The geodesic is straight across faces and edges. At a vertex it continues with the same angle on its left as on its
- * right, or ends. Which edges are crossed, and whether a vertex is reached, is decided exactly. The direction is
- * rounded in the first face, and again after each vertex whose angles do not sum to exactly \f$2\pi\f$ or that belongs
- * to a degenerate face.
+ * The geodesic is straight across faces and edges. At a vertex, the geodesic continues with the same angle on its left
+ * as on its right, or ends, according to the named parameter `at_vertices`. Which edges are crossed, and whether a
+ * vertex is reached, is decided exactly. The direction is rounded in the first face. It is rounded again after each
+ * vertex whose angles do not sum to exactly \f$2\pi\f$, and after each vertex of a degenerate face.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
  *        `geodesic_path_through()`
  * \param direction a `std::pair` of a halfedge and an angle, or a vector in space. The angle is measured from the
  *        halfedge, in radians and counterclockwise on the surface. The halfedge must be a side of a face that contains
- *        the source; if the source is a vertex, the angle extends over all incident faces. A vector requires a source
- *        that is not given as a vertex, and is projected to the plane of the face of the source; the vector can point
- *        out of this face
+ *        the source. If the source is a vertex, a full turn is the sum of the angles around the vertex. A vector is
+ *        projected to the plane of the face of the source, and can point out of this face. A vector is not accepted if
+ *        the source is given as a vertex
  * \param length the maximal length, in the unit of the coordinates
  * \param out an output iterator that receives the points of the geodesic in order: its start, the crossed edges and
  *        vertices, and its end, in the form described at `geodesic_path()`
- * \param np an optional sequence of named parameters among those listed below, `vertex_point_map` or `metric` as for
- *        `geodesic_path()`, and `geom_traits`, of which only the work limit is used
+ * \param np an optional sequence of named parameters among those listed below, and `vertex_point_map` or `metric` as
+ *        for `geodesic_path()`, and `geom_traits`, of which only the work limit is used
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{edge_is_constrained_map}
@@ -540,7 +542,7 @@ private:
  *     \cgalParamDefault{no edge is constrained}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the maximal number of edges and vertices passed}
+ *     \cgalParamDescription{the maximal number of edges and vertices through which the geodesic passes}
  *     \cgalParamType{an integer}
  *     \cgalParamDefault{1000000}
  *   \cgalParamNEnd
@@ -554,16 +556,16 @@ private:
  * \return a `Trace_result`, whose `location` and `direction` can be used to continue the geodesic
  * \throws Vertex_out_of_range_error if the source is given as a vertex that does not belong to the mesh
  * \throws Invalid_location_error if the source does not lie on the mesh
- * \throws Invalid_parameter_error if the length or the direction is not finite, the length or the number of iterations
- *         is negative, the vector has no component in the plane of the face, or the halfedge does not satisfy the
- *         condition above
+ * \throws Invalid_parameter_error if the length or the direction is not finite; if the length or the number of
+ *         iterations is negative; if the vector is orthogonal to the plane of the face; or if the halfedge is not a
+ *         side of a face that contains the source
  * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
  *         at the start points into a degenerate face
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  * \throws Invalid_mesh_error if a face is not a triangle
  *
- * Complexity: linear in the number of crossed edges if the floating-point filter suffices. Meshes other than
- * `Surface_mesh` are indexed first, in \cgalBigO{n \log n}.
+ * Complexity: linear in the number of crossed edges if the floating-point filter suffices. A mesh other than a
+ * `Surface_mesh` is indexed first, in \cgalBigO{n \log n} time for \f$n\f$ faces.
  *
  * \sa `Geodesic_tracer`, for many geodesics on one mesh
  */
