@@ -121,7 +121,7 @@ public:
   /*!
    * Constructs a basis with the first vertex of each component as base point.
    * \param triangulation a triangulation of the surface, which must outlive the basis
-   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet only at a vertex
+   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or several umbrellas meet at a vertex
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    */
   explicit Loop_basis(const Triangulation& triangulation)
@@ -145,7 +145,7 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or umbrellas meet only at a vertex
+   * \throws Invalid_mesh_error if the mesh is not a triangulated surface, or several umbrellas meet at a vertex
    * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
    * \throws Vertex_out_of_range_error if a base point is not a vertex of the input
    * \throws Invalid_parameter_error if two base points lie in one component, or a base point is isolated

@@ -50,16 +50,16 @@ public:
   /*!
    * Transports a direction along a curve that is straight between consecutive locations.
    *
-   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
-   *        consecutive ones lie in one face or on its boundary; equal consecutive points count once
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts. Any two
+   *        consecutive points must lie in a common face; equal consecutive points count once
    * \param direction the direction at the first location. Its halfedge must either be a side of a face that contains
    *        the first location, or start at this location
    * \param halfedge the halfedge from which the resulting angle is measured. It must either be a side of a face that
    *        contains the last location, or start at this location. By default, it is the halfedge described at
    *        `Surface_direction`
-   * \return the direction at the last location. At an interior vertex, its angle is at least 0 and less than the sum of
-   *         the angles around the vertex. At a border vertex, where a full turn does not exist, the angle is not
-   *         reduced to an interval and can have any value. At any other location, the angle lies in \f$[0, 2\pi)\f$
+   * \return the direction at the last location. At an interior vertex, its angle lies between 0 and the sum of the
+   *         angles around the vertex. At a border vertex, where a full turn does not exist, the angle is not reduced to
+   *         an interval and can have any value. At any other location, the angle lies in \f$[0, 2\pi)\f$
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Invalid_parameter_error if the angle is not finite, or if one of the two halfedges does not satisfy its
@@ -104,8 +104,8 @@ public:
    * Constructs the curve through the locations.
    *
    * \param triangulation the triangulation, which must outlive the curve
-   * \param locations a range of points of the surface, of any type that `surface_location()` accepts, such that any two
-   *        consecutive ones lie in one face or on its boundary; equal consecutive points count once
+   * \param locations a range of points of the surface, of any type that `surface_location()` accepts. Any two
+   *        consecutive points must lie in a common face; equal consecutive points count once
    * \throws Invalid_curve_error if the range is empty, or two consecutive locations do not lie in a common face
    * \throws Invalid_location_error if a location is not a point of the surface
    * \throws Degenerate_face_error if a face along the curve has a degenerate edge or violates the triangle inequality
@@ -399,8 +399,8 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  * \param np the named parameters `vertex_point_map` or `metric` as for `geodesic_path()`, and `geom_traits`, of which
  *        only the work limit is used
  * \return the angle in radians
- * \throws Invalid_curve_error if the weights of the starts of the two curves differ by more than 1e-9, if one of the
- *         curves is a point, or as `sample_curve()` does
+ * \throws Invalid_curve_error if the curves do not start at the same point, up to differences of 1e-9 in the weights;
+ *         if one of the curves is a point; or as `sample_curve()` does
  * \throws Vertex_out_of_range_error as `sample_curve()` does
  * \throws Invalid_location_error as `sample_curve()` does
  * \throws Degenerate_face_error as `sample_curve()` does

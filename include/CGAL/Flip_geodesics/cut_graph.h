@@ -36,19 +36,19 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * \ingroup PkgFlipGeodesicsLoops
  *
  * Fills an empty network with curves along which each component of a surface can be cut open into a topological disk.
- * The ends of the curves are fixed, so the network can be shortened by `shorten_cut_graph()`. It can then be passed to
- * `cut_along_curves()` or `Conformal_flattening`.
+ * The ends of the curves are fixed, so the network can be shortened by `shorten_cut_graph()`. The shortened network can
+ * be passed to `cut_along_curves()` or `Conformal_flattening`.
  *
  * In a closed component, the network consists of the edges of the shortest loops that generate the fundamental group
- * \cgalCite{EW05}, as in `Loop_basis`, without dead ends. The network is therefore short, but in general not the
+ * \cgalCite{EW05}, as in `Loop_basis`; dead ends are removed. The network is therefore short, but in general not the
  * shortest cut graph, whose computation is NP-hard \cgalCite{EH04}. In a component with borders, curves can also end at
- * the border, and paths along the border count as having length zero, since the surface need not be cut there. A disk
- * receives no curve. A sphere receives one curve, from the base point to the vertex that is farthest from this point
- * along edges.
+ * the border. Paths along the border count as having length zero, since the surface need not be cut along the border. A
+ * disk receives no curve. A sphere receives one curve, from the base point to the vertex that is farthest from this
+ * point along edges.
  *
  * \param network an empty network
- * \param base_points vertices, at most one in each component. In a component without a base point, the first vertex of
- *        the border is chosen, or the first vertex if the component has no border
+ * \param base_points a range of vertices, at most one in each component. In a component without a given base point, the
+ *        base point is the first vertex on the border, or the first vertex of the component if it has no border
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -67,7 +67,7 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, Interrupti
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Invalid_coordinate_error as `Loop_basis` does
  *
- * Complexity: \cgalBigO{n \log n}.
+ * Complexity: \cgalBigO{n \log n} for \f$n\f$ edges.
  */
 template <class Network, class VertexRange, class... NamedParameters,
           std::enable_if_t<!internal::is_named_parameters<VertexRange>, int> = 0>
@@ -78,10 +78,9 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, const Name
   });
 }
 
-/// \ingroup PkgFlipGeodesicsLoops
-/// Fills an empty network with curves along which each component of a surface can be cut open into a topological disk;
-/// the function chooses a base point in each component. The parameters and exceptions are those of the overload with
-/// base points.
+/// \ingroup PkgFlipGeodesicsLoops Fills an empty network with curves along which each component of a surface can be cut
+/// open into a topological disk. The function chooses a base point in each component. The parameters and exceptions are
+/// those of the overload with base points.
 template <class Network, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Index add_cut_graph(Network& network, const NamedParameters&... np)

@@ -44,12 +44,12 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  * The resulting geodesics can cross one another. For a sphere or a disk, the basis is empty.
  *
  * \param mesh a triangle mesh
- * \param out an output iterator that receives one `std::vector` per loop, in the order of the basis, of the points that
- *        `geodesic_path()` writes
+ * \param out an output iterator that receives one `std::vector` of points for each loop, in the order of the basis. The
+ *        form of the points is described at `geodesic_path()`
  * \param np named parameters, as for `geodesic_path()`; the stop predicate is applied to each loop separately. If the
- *        `go_further()` of a visitor returns `false`, the remaining loops are written without being shortened. If it
- *        returns `false` before the basis is known, nothing is written, and the report has one entry with
- *        `Shortening_status::STOPPED_BY_VISITOR`
+ *        `go_further()` of a visitor returns `false` during the computation of the basis, nothing is written, and the
+ *        report has one entry with `Shortening_status::STOPPED_BY_VISITOR`. If it returns `false` later, the remaining
+ *        loops are written without being shortened
  * \return the past-the-end output iterator, and a report with one entry per loop
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Degenerate_face_error as `geodesic_path()` does
@@ -97,16 +97,18 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  * Shortens a network that cuts each component of a surface open into one or several disks. Afterwards, the curves cut
  * each component open into a single disk and are locally shortest between their ends.
  *
- * When disjoint curves are shortened, they can come to touch at a vertex or to overlap along edges. Cutting along all
- * curves would then divide a component into several disks. Some of the curves are superfluous in this case, because two
- * disks with a common chain of edges merge into one disk if the chain is removed. Chains between different disks are
- * therefore removed, the longest first, together with all resulting dead ends. If only two curves remain at an interior
- * vertex, they are joined into one curve, which is not fixed at this vertex. Removals alternate with calls of
- * `shorten()` until no chain is superfluous; since each removal decreases the total length, the process ends. If no
- * chain is superfluous after the first call, the function is equivalent to `shorten()`.
+ * Disjoint curves can touch at a vertex or overlap along edges after they have been shortened. The curves can then
+ * divide a component into several disks. In this case, a chain of edges between two different disks is superfluous,
+ * because the disks merge into one if the chain is removed. Superfluous chains are therefore removed, the longest
+ * first, together with all resulting dead ends. If only two curves remain at an interior vertex, they are joined into
+ * one curve, which is not fixed at this vertex.
  *
- * \param network a network made by `add_cut_graph()`, or any other network that cuts each component into disks; if
- *        curves are removed, the remaining ones are renumbered
+ * Removals alternate with calls of `shorten()` until no chain is superfluous. The function terminates, since each
+ * removal decreases the total length. If no chain is superfluous after the first call of `shorten()`, the function is
+ * equivalent to `shorten()`.
+ *
+ * \param network a network made by `add_cut_graph()`, or any other network that cuts each component into disks. If
+ *        curves are removed, the remaining curves are renumbered
  * \param np an optional sequence of named parameters among those listed below
  *
  * \cgalNamedParamsBegin
@@ -123,7 +125,7 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
  * \throws Degenerate_face_error as `shorten()` does
  * \throws Invalid_coordinate_error as `shorten()` does
  *
- * Complexity: that of `shorten()`, plus time linear in the size of the triangulation for each of its runs.
+ * Complexity: the time of all runs of `shorten()`, plus time linear in the size of the triangulation for each run.
  */
 template <class Network, class... NamedParameters>
 Shortening_report shorten_cut_graph(Network& network, const NamedParameters&... np)
@@ -252,7 +254,7 @@ private:
 /// Specifies the loops among which `shortest_loop()` searches.
 enum class Loop_kind {
   NOT_CONTRACTIBLE, ///< loops that cannot be contracted to a point
-  NOT_BOUNDING      ///< loops whose homology class is not zero: on a closed surface, loops that do not separate it
+  NOT_BOUNDING ///< loops whose homology class is not zero: on a closed surface, the loops that do not separate the surface
 };
 
 namespace internal {
@@ -331,9 +333,9 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Lo
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the halfedges of the loop from the vertex back to it; the loop can begin with a path that it traverses again
- *         at its end, in the opposite direction. The result is empty if no loop of the given kind passes through the
- *         vertex, as on a sphere
+ * \return the halfedges of the loop, from the vertex back to the vertex. The loop can begin with a path that it
+ *         traverses in the opposite direction at its end. The result is empty if no loop of the given kind passes
+ *         through the vertex, as on a sphere
  * \throws Vertex_out_of_range_error if `v` is not a vertex of the input
  * \throws Invalid_mesh_error as `Loop_basis` does
  * \throws Invalid_coordinate_error as `Loop_basis` does
@@ -356,8 +358,8 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
  * Computes the shortest edge loop of a given kind on a surface.
  *
  * Such a loop passes through a vertex of every network that cuts the surface into disks. Searches therefore start only
- * from the vertices of a cut graph, and each search extends up to half the length of the shortest loop found so far.
- * The parameters and exceptions are those of `shortest_loop()` through a given vertex.
+ * from the vertices of a cut graph. The radius of each search is half the length of the shortest loop found so far. The
+ * parameters and exceptions are those of `shortest_loop()` through a given vertex.
  *
  * \return the halfedges of the loop; empty if no such loop exists
  *

@@ -148,8 +148,8 @@ std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulati
  * Returns the halfedges of a shortest path from `source` to `target` along the current edges of a triangulation. The
  * result is empty if the vertices are equal.
  *
- * The function also handles inserted vertices and flipped triangulations, in contrast to `Shortest_edge_path`, which
- * searches the edges of the input. Of several paths of equal length, the same one is always returned.
+ * In contrast to `Shortest_edge_path`, which searches the edges of the input, the function also handles flipped edges
+ * and inserted vertices. If there are several shortest paths, the same one is returned in each call.
  *
  * \throws Vertex_out_of_range_error if `source` or `target` is not a vertex of the triangulation
  * \throws Disconnected_endpoints_error if no edge path connects the vertices

@@ -25,8 +25,8 @@ namespace CGAL::Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsBuilders Specifies the treatment of junctions, the vertices at which more than two regions
 /// meet.
 enum class Junctions {
-  FIXED, ///< these vertices are fixed, and curves end there
-  FREE   ///< the junctions can move: every region has its own curves, next to those of its neighbors
+  FIXED, ///< junctions are fixed, and curves end at them
+  FREE   ///< junctions can move; every region has its own curves, next to those of its neighbors
 };
 
 namespace internal {

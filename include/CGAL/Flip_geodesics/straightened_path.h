@@ -223,21 +223,24 @@ private:
  *
  * Straightens an edge path and adds the result to an empty network, so that `shorten()` needs few flips.
  *
- * The curve is never longer than the path. The curve can pass through vertices between its ends, but stays in the
+ * The resulting curve is never longer than the path. It can pass through vertices between its ends, but stays in the
  * homotopy class of the path. A subsequent call of `shorten()` determines which segments and joints of the curve are
- * straight. The function is intended for paths of which only the ends matter, such as those of `Shortest_edge_path`. If
- * a stop predicate or a visitor has to observe the whole process, use `Edge_path_network::add_curve()` instead.
+ * straight. The function is intended for paths that are fixed only at their ends, such as those of
+ * `Shortest_edge_path`. If a stop predicate or a visitor has to observe the whole process, use
+ * `Edge_path_network::add_curve()` instead.
  *
  * The face strip along the path is unfolded, the path is shortened within the strip by a funnel algorithm, and the
  * strip is moved to the other side of the vertices at which the path bends \cgalCite{XW07}. These steps are repeated;
- * they are computed in doubles and without flips. The resulting geodesic segments are then inserted by flipping the
- * edges that they cross. If degenerate faces, segments that block each other, or rounding errors make the result
- * doubtful, all flips are undone, and the path itself is added.
+ * they are computed in doubles and without flips. Finally, the resulting geodesic segments are inserted by flipping the
+ * edges that they cross.
+ *
+ * If the result is unreliable because of degenerate faces, segments that block each other, or rounding errors, all
+ * flips are undone, and the path itself is added.
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path, whose length becomes the initial length of the curve
- * \param most_memory a limit in bytes, as for `Memory_stop_predicate`: if the records of the flips would require more
- *        memory, the path itself is added
+ * \param most_memory a limit in bytes, as for `Memory_stop_predicate`. If the records of the flips would exceed the
+ *        limit, the path itself is added
  * \return the number of flips, including those that were undone
  *
  * \throws Invalid_curve_error as `Edge_path_network::add_curve()` does
@@ -247,9 +250,9 @@ private:
  *         is empty, and nothing is flipped
  * \throws Occupied_triangulation_error if another network has curves in the triangulation; in this case nothing changes
  *
- * Complexity: linear in the number of faces of the strip for each repetition; roughly one repetition is required for
- * each row of vertices between the path and the geodesic. The number of flips is linear in the number of edges that the
- * geodesic crosses.
+ * Complexity: each repetition takes time linear in the number of faces of the strip. Roughly one repetition is required
+ * for each row of vertices between the path and the geodesic. The number of flips is linear in the number of edges that
+ * the geodesic crosses.
  */
 template <class Network>
 std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_index>& path,

@@ -71,20 +71,21 @@ Surface_location surface_location(
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Converts a `CGAL::Polygon_mesh_processing::Face_location`, that is, a face and barycentric coordinates, to a
- * `Surface_location`. The coordinates belong, in this order, to the source of `halfedge(face, mesh)`, to its target,
- * and to the third vertex of the face. They are rounded to `double`, even if their number type is exact.
+ * `Surface_location`. The first coordinate belongs to the source of `halfedge(face, mesh)`, the second to the target of
+ * this halfedge, and the third to the remaining vertex of the face. The coordinates are rounded to `double`, even if
+ * their number type is exact.
  *
- * Coordinates of at most `snap` count as exactly zero. A point that was located with rounding errors, and has a
- * coordinate of -5.6e-17 for instance, thus lies on the intended edge or vertex. The resulting `Surface_location` is
- * not snapped again, except by `insert_curves()`.
+ * Coordinates of at most `snap` count as exactly zero. For example, if rounding errors led to a coordinate of -5.6e-17
+ * instead of zero, the point nevertheless lies on the intended edge or vertex. Among the functions that accept the
+ * resulting `Surface_location`, only `insert_curves()` snaps it again.
  *
  * \param triangulation the triangulation
  * \param mesh the mesh of the triangulation
  * \param location the face and the coordinates
  * \param snap the threshold up to which a barycentric coordinate counts as zero: at least 0 and less than 1/3, by
  *        default 1e-12
- * \throws Invalid_location_error if the face is null or does not belong to the mesh, a coordinate is less than `-snap`
- *         or NaN, or the three coordinates do not sum to one within 1e-6
+ * \throws Invalid_location_error if the face is null or does not belong to the mesh; if a coordinate is less than
+ *         `-snap` or NaN; or if the three coordinates do not sum to one within 1e-6
  *
  * Complexity: constant.
  */
@@ -230,13 +231,13 @@ Surface_location nearest_location(const Triangulation& triangulation, const type
  * points are equally near, one of them is chosen.
  *
  * The location is moved to an edge if one of its barycentric coordinates is at most 1e-9, and to a vertex if two of
- * them are. Functions that take many points build a tree of bounding boxes, and obtain the same locations. For many
- * single calls of this function, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` is faster; it returns
- * `Face_location`s.
+ * them are. Functions of this package that take many points use a tree of bounding boxes, and obtain the same
+ * locations. If many points must be located one by one, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()`, which
+ * returns `Face_location`s, is faster than this function.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is not finite
- * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or a side of a face is more than 1e140
- *         times as long as another one
+ * \throws Invalid_coordinate_error if a coordinate of the mesh is not finite, or if one side of a face is more than
+ *         1e140 times as long as another side of this face
  * \throws Invalid_mesh_error if a face is not a triangle
  *
  * Complexity: linear in the number of faces of the mesh.

@@ -57,8 +57,8 @@ inline const char* to_string(Trace_status end)
 /// \ingroup PkgFlipGeodesicsTracing
 /// Specifies the behavior of a straightest geodesic that reaches a vertex exactly.
 enum class At_vertices {
-  GO_STRAIGHT, ///< it continues with the same angle on its left as on its right \cgalCite{PS98}
-  STOP         ///< it ends there
+  GO_STRAIGHT, ///< the geodesic continues with the same angle on its left as on its right \cgalCite{PS98}
+  STOP         ///< the geodesic ends at the vertex
 };
 
 } // namespace Flip_geodesics
@@ -557,7 +557,7 @@ private:
  * \throws Vertex_out_of_range_error if the source is given as a vertex that does not belong to the mesh
  * \throws Invalid_location_error if the source does not lie on the mesh
  * \throws Invalid_parameter_error if the length or the direction is not finite; if the length or the number of
- *         iterations is negative; if the vector is orthogonal to the plane of the face; or if the halfedge is not a
+ *         iterations is negative; if the vector has no component in the plane of the face; or if the halfedge is not a
  *         side of a face that contains the source
  * \throws Degenerate_face_error if a face has a degenerate edge or violates the triangle inequality, or the direction
  *         at the start points into a degenerate face

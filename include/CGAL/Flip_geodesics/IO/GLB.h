@@ -340,15 +340,15 @@ namespace IO {
  *
  * The file has a node `surface`, a node `curve_N` for each curve, and a node `points`. Coordinates are floats relative
  * to the center of the bounding box of the surface, or of all data if there is no surface. With an `IO::Texture`, each
- * face has three separate vertices with `TEXCOORD_0`.
+ * face has three separate vertices, which have the attribute `TEXCOORD_0`.
  *
  * \param destination a binary stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`; the named parameters `use_binary_mode` and `stream_precision` are
  *        ignored. A mesh without faces is omitted
  *
- * \throws File_write_error as `write_VTP()` does, and if the file would have 4294967296 bytes or more, or the name of
- *         an image contains a control character
- * \throws Invalid_coordinate_error as `write_VTP()` does, and if a point is farther from the center than floats can
+ * \throws File_write_error as `write_VTP()` does, if the file would have 4294967296 bytes or more, or if the name of an
+ *         image contains a control character
+ * \throws Invalid_coordinate_error as `write_VTP()` does, or if a point is farther from the center than floats can
  *         represent
  * \throws Invalid_mesh_error as `write_VTP()` does
  */

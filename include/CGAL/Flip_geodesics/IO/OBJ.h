@@ -118,11 +118,13 @@ namespace IO {
  *
  * Writes surfaces, curves and points in the OBJ format, as text.
  *
- * The file has an object `surface`, an object `curve_N` for each curve, with one element `l`, and an object `points`.
- * All vertices come first, in the order of the data. A curve of one point is written as an element `p`.
- * `CGAL::IO::read_OBJ()` does not support the element `l`, but reads surfaces, tubes and points. With an `IO::Texture`,
- * the corners of faces have texture coordinates, `vt`, if these are finite; corners with equal texture coordinates
- * share one line `vt`. If `IO::Colors` names a material library, objects have materials.
+ * The file has an object `surface`, an object `curve_N` for each curve, and an object `points`. The vertices of all
+ * objects come first, in the order of the data. A curve is written as one element `l`, or as one element `p` if it
+ * consists of a single point. `CGAL::IO::read_OBJ()` does not support the element `l`, but reads surfaces, tubes and
+ * points.
+ *
+ * With an `IO::Texture`, the corners of faces have texture coordinates, `vt`, if these are finite; corners with equal
+ * texture coordinates share one line `vt`. If `IO::Colors` names a material library, objects have materials.
  *
  * \param destination a stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`; the named parameter `use_binary_mode` is ignored

@@ -159,8 +159,8 @@ namespace IO {
  *
  * Writes surfaces, curves and points in the PLY format, with elements `vertex`, `face` and `edge`.
  *
- * The property `curve` of an edge is the number of its curve. If the data contain tubes, faces have this property as
- * well, with the value -1 for faces of a surface. Values at vertices are written as properties of the vertices under
+ * The property `curve` of an edge is the number of its curve. If the data contain tubes, faces also have the property
+ * `curve`, whose value is -1 for faces of a surface. Values at vertices are written as properties of the vertices under
  * the given names. A vector has three properties, whose names end in `_x`, `_y` and `_z`, and an array has one property
  * for each of its entries. MeshLab colors a surface by the property `quality`. With `IO::Colors`, vertices and edges
  * have colors.
@@ -168,11 +168,11 @@ namespace IO {
  * \param destination a stream, or the name of a file, which is replaced if it exists
  * \param parts the data, as for `write_VTP()`
  *
- * \throws File_write_error as `write_VTP()` does, and if the data have more than 2147483647 points
+ * \throws File_write_error as `write_VTP()` does, or if the data have more than 2147483647 points
  * \throws Invalid_coordinate_error as `write_VTP()` does
  * \throws Invalid_mesh_error as `write_VTP()` does
- * \throws Invalid_parameter_error as `write_VTP()` does, and if the name of some values is that of a coordinate or,
- *         with `IO::Colors`, of a color
+ * \throws Invalid_parameter_error as `write_VTP()` does, or if a set of values has the name of a coordinate or, with
+ *         `IO::Colors`, of a color
  */
 template <class Destination, class... Parts>
 void write_PLY(Destination&& destination, const Parts&... parts)

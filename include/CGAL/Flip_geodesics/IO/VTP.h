@@ -230,14 +230,15 @@ namespace IO {
  *
  * Writes surfaces, curves and points in the PolyData format of VTK (`.vtp`), which ParaView reads.
  *
- * Cells have an array `curve` with the number of the curve to which a cell belongs, or -1 for cells of surfaces and of
- * separate points. Points have an array for each `Vertex_values`. If an exception is thrown because of the data,
- * nothing is written. The data are not copied, but tubes are kept until they are written, and a mesh other than a
- * `Surface_mesh` is numbered.
+ * Cells have an array `curve`, which contains the number of the curve to which a cell belongs, or -1 for cells of
+ * surfaces and of separate points. Points have an array for each `Vertex_values`.
  *
- * \param destination the name of a file, which is replaced if it exists, or a stream, which must be opened in binary
- *        mode on systems that distinguish binary from text mode; the locale and the format settings of the stream have
- *        no effect
+ * If an exception is thrown because of the data, nothing is written. The data are not copied. However, memory is
+ * required for tubes, and for the numbers of the vertices of a mesh other than a `Surface_mesh`.
+ *
+ * \param destination a stream, or the name of a file, which is replaced if it exists. On systems that distinguish
+ *        binary mode from text mode, a stream must be opened in binary mode. The locale and the format settings of the
+ *        stream have no effect
  * \param parts the data, one or several of:
  *        - a triangle mesh, a model of `FaceListGraph`;
  *        - a range of points, with `x()`, `y()` and `z()`;
@@ -262,18 +263,18 @@ namespace IO {
  *   \cgalParamNBegin{stream_precision}
  *     \cgalParamDescription{the number of digits of numbers written as text}
  *     \cgalParamType{`int`}
- *     \cgalParamDefault{17, from which every `double` can be restored exactly}
+ *     \cgalParamDefault{17, which suffices to restore every `double` exactly}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throws File_write_error if the data are empty; if the stream has failed or fails, which its state also indicates; or
- *         if values at vertices are written as text and one of them is not finite, which is always the case if the data
- *         contain curves or separate points
+ *         if `Vertex_values` are written as text and contain a value that is not finite. Their values at points of
+ *         curves and at separate points are NaN and thus never finite
  * \throws Invalid_coordinate_error if a coordinate is not finite; `elements()` returns the number of the vertex or of
- *         the point; for a point of a curve, the number of the curve comes first
+ *         the point, preceded by the number of the curve if the point belongs to a curve
  * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` contains removed elements
- * \throws Invalid_parameter_error if two sets of values at vertices have the same name, or a name contains characters
- *         other than letters, digits and underscores
+ * \throws Invalid_parameter_error if two sets of values at vertices have the same name, or if the name of such a set
+ *         contains characters other than letters, digits and underscores
  *
  * Complexity: linear in the size of the data.
  */

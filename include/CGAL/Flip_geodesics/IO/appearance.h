@@ -14,13 +14,13 @@ namespace CGAL::Flip_geodesics::IO {
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Requests that writers draw curves as triangulated tubes, which viewers show with their true thickness, whereas lines
- * are one pixel wide. The object is passed to `write_VTP()` and other writers along with the data, and affects all
- * curves of the call.
+ * Requests that writers draw curves as triangulated tubes. Viewers show tubes with their true thickness, whereas they
+ * show lines one pixel wide. An object of this class is passed to `write_VTP()` and other writers along with the data,
+ * and affects all curves of the call.
  *
  * A tube is a closed surface, oriented outwards. It has a cap at each end, or is a closed ring if the last point of the
  * curve equals the first. Around each point of the curve, the tube has a ring of corners in the plane that bisects the
- * angle of the curve there. If a curve bends too sharply for the radius, the tube intersects itself.
+ * angle of the curve at this point. If a curve bends too sharply for the radius, the tube intersects itself.
  */
 class Tubes
 {
@@ -54,9 +54,9 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Requests that `write_PLY()`, `write_OBJ()` and `write_VTP()` write the colors that `write_GLB()` always writes. The
- * object is passed along with the data. The surface is light gray, points are black, and the curves are colored red,
- * blue, green and brown in turn.
+ * Requests that `write_PLY()`, `write_OBJ()` and `write_VTP()` write the colors that `write_GLB()` always writes. An
+ * object of this class is passed along with the data. The surface is light gray, points are black, and the curves are
+ * colored red, blue, green and brown in turn.
  *
  * - In PLY, vertices and edges have the properties `red`, `green` and `blue`.
  * - In VTP, cells have an array `color` of three bytes.
@@ -83,10 +83,11 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Passes texture coordinates of the corners of faces to `write_OBJ()` and `write_GLB()`, along with the data.
+ * Passes the texture coordinates of the corners of faces to `write_OBJ()` and `write_GLB()`. An object of this class is
+ * passed along with the data.
  *
- * The image covers the unit square, with its first row at the top. A face has no texture if one of its corners has a
- * coordinate that is not finite. Other writers ignore textures.
+ * The image covers the unit square, with its first row at the top. A face has no texture if a texture coordinate at one
+ * of its corners is not finite. Other writers ignore textures.
  *
  * \tparam CornerMap a model of `ReadablePropertyMap` with the halfedges of the mesh as keys, which represent the
  *         corners at their targets, and `std::array<double, 2>` or points with a subscript operator as values; see
@@ -112,7 +113,8 @@ struct Texture
  * \ingroup PkgFlipGeodesicsIO
  *
  * Passes values at the vertices of the mesh, such as distances, indices of nearest sources, or directions, to
- * `write_VTP()` and `write_PLY()`, along with the data. Viewers use them to color the mesh.
+ * `write_VTP()` and `write_PLY()`. An object of this class is passed along with the data. Viewers can color the mesh by
+ * the values.
  *
  * The value at points of curves and at separate points is NaN. Other writers ignore the values.
  *

@@ -392,8 +392,8 @@ inline std::string checked_text(std::istream& in)
  * Saves a network together with its triangulation as text.
  *
  * The text contains the log of flips and insertions, the segments of the curves, and the order of overlapping segments
- * on edges, which does not follow from the curves. Instead of the input mesh, a fingerprint of its connectivity and
- * edge lengths is written.
+ * on edges, which does not follow from the curves. The input mesh itself is not written, only a fingerprint of its
+ * connectivity and edge lengths.
  *
  * The format, version 2, consists of words separated by blanks. Numbers are written in decimal with all significant
  * digits, and indices are those of the library.
@@ -437,13 +437,15 @@ std::ostream& write_network(std::ostream& out, const Network& network)
 /*!
  * \ingroup PkgFlipGeodesicsIO
  *
- * Loads a network that was saved by `write_network()`. In a triangulation of the same input with the same traits, the
- * function repeats all flips and insertions and restores the curves.
+ * Loads a network that was saved by `write_network()`. The triangulation of the network must have the same input and
+ * the same traits as the saved one. The function repeats all flips and insertions, and restores the curves.
  *
- * The result is bitwise identical, including the ids of segments, so shortening continues as it would have without
- * saving. Inserted vertices, including those inserted by `refine()` and those on curves, are restored as well. The
- * order of overlapping curves is restored as it was saved, even if `order_overlapping_curves()` was not called before
- * the network was saved; in this case, `Edge_path_network::is_valid()` can be `false`, as it was for the saved network.
+ * The result is bitwise identical to the saved network and its triangulation, including the ids of segments. A
+ * subsequent call of `shorten()` therefore has the same result as for the saved network. Inserted vertices, including
+ * those inserted by `refine()` and those on curves, are restored as well.
+ *
+ * The order of overlapping curves is restored as it was saved. If `order_overlapping_curves()` was not called before
+ * the network was saved, `Edge_path_network::is_valid()` can be `false` for the restored network, as for the saved one.
  *
  * The function reads up to the end of the line with the checksum, so several networks can be read from one stream. The
  * line endings of all systems are accepted. If the function throws, the triangulation and the network are unchanged.
@@ -456,7 +458,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * \throws Input_mismatch_error if the network was saved for another mesh, or another metric
  * \throws Occupied_triangulation_error if another network has curves in the triangulation
  *
- * Complexity: linear in the size of the mesh, for its fingerprint, and in the numbers of flips and of segments.
+ * Complexity: linear in the size of the mesh, the number of flips and the number of segments.
  */
 template <class Triangulation>
 void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
