@@ -719,9 +719,9 @@ bool move_to_near_vertices(Network& network)
  * a vertex to itself are split. As long as the scaled lengths violate the triangle inequality in some faces, the
  * longest sides of these faces are split near their midpoints.
  *
- * Before the surface is cut, each curve is moved onto any vertex whose distance from an edge of the curve is less than
- * about \f$10^{-7}\f$ times the length of this edge. If a curve is moved, the order of overlapping curves and the fixed
- * nodes are lost.
+ * Before the surface is cut, each curve is moved onto all vertices whose distances from an edge of the curve are less
+ * than about \f$10^{-7}\f$ times the length of this edge. If a curve is moved, the order of overlapping curves and the
+ * fixed nodes are lost.
  *
  * \param network a network of the curves along which the surface is cut, in an `Intrinsic_triangulation` of a connected
  *        surface

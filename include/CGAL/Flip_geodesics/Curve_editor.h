@@ -167,8 +167,9 @@ public:
    * If the old and the new position of the point lie in one face, the path of the move is a straight line. If they do
    * not, the path follows a nearly shortest edge path between vertices of the faces that contain the two positions.
    *
-   * Dragging a point is a sequence of moves. Its positions determine the homotopy class of the path of the drag if the
-   * distances between consecutive positions are smaller than the widths of the handles and holes near this path.
+   * Dragging a point is a sequence of moves. The positions of the point determine the homotopy class of the path of the
+   * drag if the distances between consecutive positions are smaller than the widths of the handles and holes near this
+   * path.
    *
    * If an exception is thrown, the curve is unchanged.
    *

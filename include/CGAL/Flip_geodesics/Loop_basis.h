@@ -96,8 +96,8 @@ void append_input_edges(const Triangulation& triangulation, const Edge_sequence&
  * homology group \cgalCite{EW05}. Lengths are those of the metric. A different base point can lead to a different
  * basis.
  *
- * Only the input of the triangulation is used, so flips do not affect the basis. The construction takes \cgalBigO{n
- * \log n} time and \cgalBigO{n} memory for \f$n\f$ edges.
+ * Only the input of the triangulation is used, so flips do not affect the basis. For \f$n\f$ edges, the construction
+ * takes \cgalBigO{n \log n} time and \cgalBigO{n} memory.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */

@@ -78,9 +78,10 @@ Index add_cut_graph(Network& network, const VertexRange& base_points, const Name
   });
 }
 
-/// \ingroup PkgFlipGeodesicsLoops Fills an empty network with curves along which each component of a surface can be cut
-/// open into a topological disk. The function chooses a base point in each component. The parameters and exceptions are
-/// those of the overload with base points.
+/// \ingroup PkgFlipGeodesicsLoops
+/// Fills an empty network with curves along which each component of a surface can be cut open into a topological disk.
+/// The function chooses a base point in each component. The parameters and exceptions are those of the overload with
+/// base points.
 template <class Network, class... NamedParameters,
           std::enable_if_t<(internal::is_named_parameters<NamedParameters> && ...), int> = 0>
 Index add_cut_graph(Network& network, const NamedParameters&... np)

@@ -231,7 +231,7 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *         TBB for `Parallel_tag`
  *
  * \param mesh a triangle mesh
- * \param pairs a range of `std::pair`s of a source and a target. Both are vertices or points of any types that
+ * \param pairs a range of `std::pair`s of a source and a target. Each of them is a vertex, or a point of any type that
  *        `geodesic_path()` accepts. If the types differ from pair to pair, the sources and targets are `std::variant`s
  *        of these types
  * \param out an output iterator that receives one `Geodesic_path_result` per pair, in the order of the pairs. The

@@ -22,8 +22,8 @@
 
 namespace CGAL::Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsBuilders Specifies the treatment of junctions, the vertices at which more than two regions
-/// meet.
+/// \ingroup PkgFlipGeodesicsBuilders
+/// Specifies the treatment of junctions, the vertices at which more than two regions meet.
 enum class Junctions {
   FIXED, ///< junctions are fixed, and curves end at them
   FREE   ///< junctions can move; every region has its own curves, next to those of its neighbors
