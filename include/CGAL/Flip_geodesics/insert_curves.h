@@ -258,8 +258,8 @@ std::size_t label_regions(const TriangleMesh& mesh, IsMarkedMap is_marked, FaceP
  *            one within 10<sup>-6</sup>; or if a point in space is not finite or does not lie on the surface.
  *            `elements()` returns the position of the curve in the range of curves, and the position of the point in
  *            the curve
- * \exception Vertex_out_of_range_error if a vertex does not belong to any face; `elements()` returns the positions of
- *            the curve and of the vertex
+ * \exception Vertex_out_of_range_error if a vertex does not belong to any face. The elements of the exception are the
+ *            positions of the curve and of the vertex
  * \exception Invalid_curve_error if a curve has no points, or if two consecutive points do not lie in a common face;
  *            `elements()` returns the position of the curve and the position of the second point
  * \exception Invalid_mesh_error if a face that a curve enters, or a face beside a split edge, is not a triangle. If

@@ -438,7 +438,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * \ingroup PkgFlipGeodesicsIO
  *
  * Loads a network that was saved by `write_network()`. The triangulation of the network must have the same input and
- * the same traits as the saved one. The function repeats all flips and insertions, and restores the curves.
+ * the same traits as the saved triangulation. The function repeats all flips and insertions, and restores the curves.
  *
  * The result is bitwise identical to the saved network and its triangulation, including the ids of segments. A
  * subsequent call of `shorten()` therefore has the same result as for the saved network. Inserted vertices, including
