@@ -161,8 +161,8 @@ public:
       forget_all();
   }
 
-  /// Returns whether the construction was completed. If a visitor stopped it, there are no loops and no components, and
-  /// the functions that take a loop, a vertex or a curve throw `Invalid_parameter_error`.
+  /// Returns whether the construction was completed. If a visitor stopped the construction, there are no loops and no
+  /// components, and the functions that take a loop, a vertex or a curve throw `Invalid_parameter_error`.
   bool is_complete() const { return m_is_complete; }
 
   /// \name Loops
@@ -485,9 +485,9 @@ Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulati
  * \throws Degenerate_face_error if degenerate faces prevent the computation
  * \throws Invalid_coordinate_error if a coordinate or an edge length is not finite or out of range
  *
- * Complexity: \cgalBigO{n \log n + g^3 d + p} for a mesh of \f$n\f$ edges and of genus \f$g\f$, where the integers that
- * occur have at most \f$d\f$ digits, and \f$p\f$ pairs of edges of loops are close to each other in the projection. If
- * the loops have \f$m\f$ edges in total, \f$p\f$ is at most \f$m^2\f$.
+ * Complexity: \cgalBigO{n \log n + g^3 d + p} for a mesh of \f$n\f$ edges and of genus \f$g\f$. Here, \f$d\f$ is the
+ * largest number of digits of the integers that occur, and \f$p\f$ is the number of pairs of loop edges that are close
+ * to each other in the projection. For loops of \f$m\f$ edges in total, \f$p\f$ is at most \f$m^2\f$.
  */
 template <class Triangulation, class... NamedParameters>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, const NamedParameters&... np)

@@ -58,8 +58,8 @@ using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descripto
  *
  * \param mesh a triangle mesh
  * \param source, target vertices in the same connected component
- * \param out an output iterator that receives the points of the path from `source` to `target`. The form of the points
- *        is the first of the following forms that the output accepts: points in space, if the metric has points;
+ * \param out an output iterator that receives the points of the path from `source` to `target`. The points are written
+ *        in the first of the following forms that the output accepts: points in space, if the metric has points;
  *        `CGAL::Polygon_mesh_processing::Face_location`s; and `Curve_point`s, which contain both together with the
  *        crossed halfedges and the tangents. If the metric has no points, `Curve_place`s replace `Curve_point`s
  * \param np an optional sequence of named parameters, in any order, among those listed below

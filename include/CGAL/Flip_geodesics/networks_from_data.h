@@ -147,7 +147,8 @@ private:
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Adds the edges between faces of different regions as a network: the boundaries of a segmentation
- * \cgalCite{SC20,section 6.1}. The border of the mesh is not a boundary of a region, but boundaries can end there.
+ * \cgalCite{SC20,section 6.1}. The border of the mesh is not a boundary of a region, but the boundaries of regions can
+ * end at the border.
  *
  * With fixed junctions, a curve ends at each vertex that is incident to exactly one or to more than two edges between
  * regions, as with `add_marked_edges()`. A curve without such a vertex is closed.

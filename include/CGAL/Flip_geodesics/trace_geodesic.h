@@ -359,11 +359,11 @@ public:
    * \param source the start, a point of any type that `surface_location()` accepts. A `Face_location` is not moved to a
    *        nearby edge or vertex. Tracing can therefore continue from the end of any geodesic
    * \param direction a `Surface_direction`. If the start is a vertex, a full turn is the sum of the angles around the
-   *        vertex. If the start is a `Surface_location`, the direction can also be a vector in the face of the halfedge
-   *        of the location, given as a `std::array<double, 2>`: the coefficients of the vectors from the tail of this
-   *        halfedge to its head and to the third corner of the face. These coefficients are not rounded, except if the
-   *        start is a vertex and the vector points out of the face, or if one coefficient is more than 1e100 times the
-   *        other
+   *        vertex. If the start is a `Surface_location`, the direction can also be a `std::array<double, 2>`, which
+   *        represents a vector in the face of the halfedge of the location. The two entries are the coefficients of the
+   *        vectors from the tail of this halfedge to its head and to the third corner of the face. They are not
+   *        rounded, except if the start is a vertex and the vector points out of the face, or if one coefficient is
+   *        more than 1e100 times the other
    * \param length the maximal length, in the unit of the coordinates
    * \param out an output iterator that receives a `Surface_point` for the start, each crossed edge, each vertex, and
    *        the end; `CGAL::Emptyset_iterator()` if these points are not needed
