@@ -568,8 +568,8 @@ struct Path_between_points
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a path through points anywhere on the surface. Between consecutive points, the path is a geodesic, that is, a
- * locally shortest path.
+ * Computes a path through points anywhere on the surface. Between consecutive points, the path is a geodesic, that is,
+ * a locally shortest path.
  *
  * The path leads from the first point to the last, and can have a corner at each point in between. It can cross itself.
  * A point that coincides with the previous one has no effect. If all points coincide, the path consists of a single
