@@ -375,6 +375,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(info 0 "576 triangles, genus 1, 0 borders\ndefects     none" info torus.off)
   flip_geodesics_add_program_test(info_defects 0 "defects .*\n  repair: 1 polygon triangulated: more than three" info
                                   pyramid.off)
+  flip_geodesics_add_program_test(info_welded 0 "components  1\n  0: 6 vertices, 4 triangles, genus 0, 1 border" info seam.off --weld 1e-12)
   flip_geodesics_add_program_test(info_near_borders 0 "nearly coincide with others and stay open" info seam.off)
   flip_geodesics_add_program_test(info_short_edges 0 "length 1e-170 to .*\n  3 edges have lengths outside the range from 1e-70 to 1e70" info
                                   tiny.off)

@@ -178,10 +178,13 @@ inline Input_mesh repair_mesh(Input_text input, double weld_tolerance, Progress&
   }
 }
 
-/// The mesh in a text as it is, or repaired if it has to be, with the remarks of a repair. \throws Bad_input
+/// The mesh in a text as it is, or repaired if it has to be or points are welded, with the remarks of a repair.
+/// \throws Bad_input
 inline Input_mesh inspect_mesh(const Input_text& input, double weld_tolerance, Progress& progress)
 {
   Input_mesh repaired = repair_mesh(input, weld_tolerance, progress);
+  if(weld_tolerance > 0)
+    return repaired;
   try {
     return Input_mesh(read_mesh(input).mesh(), repaired.remarks());
   } catch(const Bad_input&) {
