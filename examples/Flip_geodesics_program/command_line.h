@@ -346,7 +346,8 @@ private:
   void add_weights()
   {
     add("--face-weights", "FILE", m_options.face_weights,
-        "weight the surface by one factor per face, averaged at the vertices: one per line, or lines `face weight`");
+        "weight the surface by one weight per face, on a line each or in lines `face weight`; the weights are averaged "
+        "at the vertices");
     add("--edge-weights", "FILE", m_options.edge_weights,
         "multiply the lengths of edges by weights: lines `v w weight`, where v and w are the ends of the edge");
     exclude("--face-weights", {"--edge-weights"});

@@ -47,7 +47,8 @@ public:
   ///
   /// For an insertion, `number` is the number of earlier insertions. If `is_on_edge()` returns `true`, the vertex was
   /// inserted on the edge of `h`; otherwise, it was inserted into the face of `h`. `gap()` is the number of input edges
-  /// that the old halfedge `h` crosses before it enters the input face that contains the vertex.
+  /// that `h`, as it was before the insertion, crosses before it reaches the input face that contains the vertex. The
+  /// number is 0 if `h` starts in this face.
   ///
   /// An entry that is neither a flip nor an insertion records that the face of `h` was recomputed from the input.
   typedef unspecified_type Flip_record;

@@ -226,7 +226,8 @@ private:
                          : is_float      ? static_cast<double>(m_words.number<float>(word, element))
                                          : m_words.number<double>(word, element);
     if(type.is_integer && (value < type.least || value > type.greatest))
-      m_words.fail(element, "has '" + printable(word) + "', which exceeds the range of its type; correct it");
+      m_words.fail(element,
+                   "has '" + printable(word) + "', which is outside the range of the property's type; correct it");
     if(is_coordinate && is_float && loses_digits(word, value) && ++m_rounded == 1)
       m_first_rounded = m_words.place() + ": '" + printable(word) + "'";
     return value;

@@ -242,8 +242,8 @@ void add_isolines(const Slit_surface& surface, const Field_on_mesh& field, const
   result.remarks = missing_levels(levels, found, farthest, tolerance);
   if(request.spacing > 0 && request.spacing >= farthest) {
     std::ostringstream out;
-    out << "no isoline at a multiple of --spacing: the farthest vertex is only " << farthest
-        << " away, which is not more than --spacing\n";
+    out << "no isoline at a multiple of --spacing was computed, since --spacing is not less than the distance of the "
+        << "farthest vertex, " << farthest << "; use a smaller --spacing, or --isolines\n";
     result.remarks += out.str();
   }
 }

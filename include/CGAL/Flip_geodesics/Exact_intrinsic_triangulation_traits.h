@@ -461,9 +461,9 @@ private:
  * \ingroup PkgFlipGeodesicsTraits
  *
  * Computes a number \f$d\f$ such that the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$. If
- * \f$d\f$ is not 1, this number must be passed to the constructor of `Exact_intrinsic_triangulation_traits` with
- * rational numbers or a `Sqrt_extension`. The result is an integer that is not divisible by the square of a prime below
- * 1000. If all faces are degenerate, the result is 1.
+ * \f$d\f$ is not 1, and the number type of `Exact_intrinsic_triangulation_traits` is rational or a `Sqrt_extension`,
+ * \f$d\f$ must be passed to the constructor of the traits. The result is an integer that is not divisible by the square
+ * of a prime below 1000. If all faces are degenerate, the result is 1.
  *
  * \tparam Radicand the type of the result, a number type that can represent integers, such as
  *         `Exact_intrinsic_triangulation_traits::Radicand`

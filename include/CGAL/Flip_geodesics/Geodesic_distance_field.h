@@ -313,7 +313,7 @@ public:
     auto visitor = internal::make_visitor(options);
     if(!(limits.radius >= 0))
       throw Invalid_parameter_error("the radius of a field is " + internal::written(limits.radius) +
-                                    ", but must not be negative");
+                                    ", but must be a number that is not negative");
     for(const Surface_location& target : limits.targets)
       internal::check_location(m_triangulation.input(), target);
     m_is_computed = true;

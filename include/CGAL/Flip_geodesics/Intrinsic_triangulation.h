@@ -798,6 +798,8 @@ public:
    * If points have been inserted, or if flips have replaced all input edges at both ends of `h`, a sequence that is not
    * stored is derived from the flip log instead. This takes time linear in the total length of the sequences of all
    * earlier edges from which flips and insertions have derived the edge; stored sequences do not count.
+   *
+   * \throws Insertion_error if inserted points near a vertex are too close together to be distinguished
    */
   Edge_sequence edge_sequence(Halfedge_index h) const { return m_history.sequence(*this, h); }
 

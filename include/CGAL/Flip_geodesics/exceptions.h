@@ -251,7 +251,7 @@ public:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Is thrown if a point cannot be inserted. The reason can be that rounding errors have caused incorrect flips around
 /// the point, that the point is too close to a vertex to be distinguished from it, or that the number type of the
-/// traits cannot represent the point. `elements()` returns the input halfedge of the location of the point.
+/// traits cannot represent the point. `elements()` returns a halfedge of the input face or edge at which this happened.
 class Insertion_error : public Error
 {
 public:
@@ -333,8 +333,9 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Is thrown if a file is not in the expected format, has a different version, or is damaged; `elements()` returns the
-/// number of words before the damage, if this number is known.
+/// Is thrown if a saved network does not have the expected format or a known version, is damaged, or was written with
+/// traits that compute differently. `elements()` returns the number of words before the damage, or the position of the
+/// log entry that cannot be replayed, if this number is known.
 class File_format_error : public Error
 {
 public:
