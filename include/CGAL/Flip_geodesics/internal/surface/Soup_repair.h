@@ -606,8 +606,8 @@ std::vector<std::size_t> face_components(Mesh& mesh)
 
 /*
  * Stitches coinciding borders of a soup with opposite directions: first pairs of border edges of one component, so that
- * cuts where parts touch are closed again, then those of any two components. If more than two edges of a component, or of
- * different components, coincide, none is stitched, since it is ambiguous which belong together. Pairs stay open if
+ * cuts where parts touch are closed again, then those of any two components. If more than two edges of a component, or
+ * of different components, coincide, none is stitched, since it is ambiguous which belong together. Pairs stay open if
  * their vertices, once merged, would be the ends of two edges, which would have to be cut again.
  *
  * \pre the soup is an oriented manifold, and it remains one
