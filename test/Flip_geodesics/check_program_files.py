@@ -363,7 +363,7 @@ def case_little_memory(folder):
 
     folder.make_torus('large.off', 600, 400)
     if folder.start('--version', preexec_fn=little_memory).wait() == 0:
-        folder.refuse('there is not enough memory', 'info', 'large.off', preexec_fn=little_memory)
+        folder.refuse('there is not enough memory', 'info', 'large.off', '--quiet', preexec_fn=little_memory)
 
 
 def case_closed_streams(folder):
