@@ -113,8 +113,8 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     Progress_visitor visitor(progress);
     const FG::Delaunay_report report =
         FG::flip_to_delaunay(network.triangulation(), CGAL::parameters::visitor(std::ref(visitor)));
-    text << "delaunay " << report.flips << " flips; " << report.constrained
-         << " edges of curves are not locally Delaunay\n";
+    text << "delaunay " << counted(report.flips, "flip", "flips") << "; "
+         << counted(report.constrained, "edge of a curve is", "edges of curves are") << " not locally Delaunay\n";
   }
   if(options.refine) {
     FG::Refinement_options bounds;

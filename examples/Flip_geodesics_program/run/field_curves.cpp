@@ -101,7 +101,7 @@ double usable_tolerance(const Mesh& mesh, double wanted)
   if(wanted > 0 && wanted < 1e-6 * diagonal) {
     std::ostringstream message;
     message << "--tolerance " << wanted
-            << " is less than a millionth of the diagonal of the bounding box; use at least " << 1e-6 * diagonal;
+            << " is less than a millionth of the diagonal of the bounding box; use at least " << 1.001e-6 * diagonal;
     throw Bad_input(message.str());
   }
   return wanted > 0 ? wanted : 0.001 * diagonal;

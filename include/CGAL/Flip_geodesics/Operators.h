@@ -188,9 +188,10 @@ private:
  * Defines the directions at the vertices of an intrinsic triangulation: each halfedge has an angle, in radians,
  * counterclockwise from the reference direction at the tail of the halfedge.
  *
- * Around a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}. At a
- * vertex on the border, the angles are not scaled. The reference direction is that of the halfedge on the border from
- * which the faces of the vertex follow counterclockwise.
+ * At a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}, and the
+ * reference direction is that of the outgoing halfedge `outgoing()`. At a vertex on the border, the angles are not
+ * scaled, and the reference direction is that of the first outgoing halfedge in counterclockwise order: its edge lies
+ * on the border, and a face lies on its left.
  *
  * The object is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the
  * size of the mesh.

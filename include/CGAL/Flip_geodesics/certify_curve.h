@@ -78,8 +78,8 @@ struct Given_curve_certificate
   ///
   /// A position is 0 at the source of the given halfedge and 1 at its target. If a crossed edge is given by a location,
   /// the position refers to the halfedge of the edge in the face of the location. The rounding error of a position is
-  /// about one unit in the last place times the length of the segment, divided by the length of the edge and by the
-  /// sine of the angle at which the segment crosses the edge.
+  /// about the machine epsilon times the length of the segment, divided by the length of the edge and by the sine of
+  /// the angle at which the segment crosses the edge.
   std::vector<double> places;
   Decision_statistics statistics; ///< the filter failures, and how they were resolved
 

@@ -198,8 +198,8 @@ public:
 /// isolated base point of loops, or two base points in one component. It is also thrown if a distance field returns NaN
 /// or is queried at a location for which it stores no data, and if a result is requested before it has been computed.
 ///
-/// `elements()` returns the position of a level or of a point of a mean, the index of an element of the mesh, or the
-/// index of a base point, if one of these is the cause.
+/// If a level, a point whose mean is computed, an element of the mesh or a base point is the cause, `elements()` returns
+/// its position in the given range or its index.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -273,8 +273,8 @@ public:
 /// Is thrown if input curves cross in every order of their overlapping segments, or if curves would cross after their
 /// nodes were freed. In both cases, `elements()` returns a vertex at which the curves cross.
 ///
-/// The exception is also thrown if a segment of a polyline crosses an edge of a curve. In this case, `elements()`
-/// returns the two end points of the edge.
+/// The exception is also thrown if a segment of a polyline or a leg of a curve crosses an edge of a curve. In this case,
+/// `elements()` returns the two end points of the edge.
 class Crossing_curves_error : public Error
 {
 public:
