@@ -24,8 +24,7 @@
 
 using namespace shortest_path_test;
 
-// The bound on the errors of windows rests on these directions. The greatest error that a search for one has found is
-// 9 u, in the third corner of a face.
+// The bound on the errors of windows rests on that of these directions, 18 u.
 BOOST_AUTO_TEST_CASE(directions_of_sides_are_accurate)
 {
   using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,

@@ -751,11 +751,10 @@ void write_plainly(std::ostream& out, int precision, const Write& write, const s
   throw File_write_error(start + "could not be written completely; check the stream or the free space on the disk");
 }
 
-template <class Writer, class... Start>
-void write_to(std::ostream& out, const Writer& writer, const Number_format& format, const Start&... start)
+template <class Writer>
+void write_to(std::ostream& out, const Writer& writer, const Number_format& format)
 {
-  write_plainly(
-      out, format.precision, [&](std::ostream& plain) { writer.write(plain); }, start...);
+  write_plainly(out, format.precision, [&](std::ostream& plain) { writer.write(plain); });
 }
 
 template <class Writer>
@@ -764,7 +763,8 @@ void write_to(const std::string& name, const Writer& writer, const Number_format
   std::ofstream out(name, std::ios::binary);
   if(!out)
     throw File_write_error(name + ": cannot be written; choose another path");
-  write_to(out, writer, format, name + ": ");
+  const auto write = [&](std::ostream& plain) { writer.write(plain); };
+  write_plainly(out, format.precision, write, name + ": ");
   out.close();
   if(!out)
     throw File_write_error(name + ": could not be written completely; check the free space on the disk");
