@@ -263,6 +263,26 @@ BOOST_AUTO_TEST_CASE(problems_without_a_solution_and_bad_input_are_refused)
   BOOST_CHECK_THROW(Operators{Triangulation(to_mesh<Mesh>(flat))}, FG::Degenerate_face_error);
 }
 
+// The halfedge that `outgoing()` returns depends on which face was accessed first.
+BOOST_AUTO_TEST_CASE(directions_do_not_depend_on_earlier_queries)
+{
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 3));
+  const Triangulation forward(mesh), backward(mesh);
+  for(FG::Index h = backward.number_of_halfedges() - 1; h >= 0; --h)
+    backward.is_border(FG::Halfedge_index(h)); // copies the face
+  std::vector<FG::Intrinsic_face> faces;
+  FG::intrinsic_faces(forward, std::back_inserter(faces));
+  const FG::Tangent_spaces<Triangulation> spaces(forward, faces), other_spaces(backward, faces);
+  FG::Index differing = 0;
+  for(FG::Index v = 0; v < forward.number_of_vertices(); ++v) {
+    differing += forward.outgoing(FG::Vertex_index(v)) == backward.outgoing(FG::Vertex_index(v)) ? 0 : 1;
+    BOOST_TEST((spaces.reference(FG::Vertex_index(v)) == other_spaces.reference(FG::Vertex_index(v))));
+  }
+  BOOST_TEST(differing > 0);
+  for(FG::Index h = 0; h < forward.number_of_halfedges(); ++h)
+    BOOST_TEST(spaces.angle(FG::Halfedge_index(h)) == other_spaces.angle(FG::Halfedge_index(h)));
+}
+
 BOOST_AUTO_TEST_CASE(one_value_determines_a_solution_on_a_connected_surface)
 {
   const Mesh mesh = to_mesh<Mesh>(single_triangle());

@@ -19,6 +19,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -189,9 +190,9 @@ private:
  * counterclockwise from the reference direction at the tail of the halfedge.
  *
  * At a vertex in the interior of the surface, the angles are scaled to a sum of \f$2\pi\f$ \cgalCite{KCPS13}, and the
- * reference direction is that of the outgoing halfedge `outgoing()`. At a vertex on the border, the angles are not
- * scaled, and the reference direction is that of the first outgoing halfedge in counterclockwise order: its edge lies
- * on the border, and a face lies on its left.
+ * reference direction is that of the outgoing halfedge with the smallest index. At a vertex on the border, the angles
+ * are not scaled, and the reference direction is that of the first outgoing halfedge in counterclockwise order: its
+ * edge lies on the border, and a face lies on its left.
  *
  * The object is a snapshot: later flips of the triangulation do not affect it. Construction takes time linear in the
  * size of the mesh.
@@ -247,17 +248,14 @@ private:
     const Halfedge_index some = triangulation.outgoing(v);
     if(some == null_index)
       return;
-    Halfedge_index first = some;
-    bool is_border = false;
-    for(Halfedge_index h = triangulation.clockwise(first); h != some; h = triangulation.clockwise(h)) {
-      if(h == null_index) {
-        is_border = true;
-        break;
-      }
-      first = h;
+    Halfedge_index last = some, least = some; // clockwise from `some`, which can be any halfedge of the vertex
+    for(Halfedge_index h = triangulation.clockwise(some); h != some && h != null_index; h = triangulation.clockwise(h))
+    {
+      last = h;
+      least = (std::min)(least, h);
     }
-    if(!is_border)
-      first = some;
+    const bool is_border = triangulation.clockwise(last) == null_index;
+    const Halfedge_index first = is_border ? last : least;
     m_references[v] = first;
 
     double sum = 0;
