@@ -519,7 +519,7 @@ def draw_saddle(canvas):
 def objects():
     canvas = Canvas(500, 'The objects of a computation and the functions that lead from one to the next')
     left, width, height = 197, 258, 46
-    stages = (('triangle mesh', 'a model of `FaceListGraph`'),
+    stages = (('triangle mesh', '`FaceListGraph`, `HalfedgeListGraph`'),
               ('`Intrinsic_triangulation`', 'flips, points inserted by `insert()`'),
               ('`Edge_path_network`', 'curves as segments'), ('`Edge_path_network`', 'geodesics as segments'),
               ('curve on the input mesh', 'points, locations or crossed edges'))
